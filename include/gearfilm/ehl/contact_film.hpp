@@ -1,0 +1,82 @@
+// The film of one contact on one grid: the nonlinear equations in (P, H_0), their exact Jacobian, a preconditioner.
+//
+//   H = H_0 + offset + X^2/(2 Rbar) + D Y^2/2 + K P            film thickness (24), K of deformation.hpp
+//   G(P, H_0) = min(d P, R)                                    Reynolds' equation with cavitation, reynolds.hpp
+// Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
+// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gearfilm/ehl/deformation.hpp"
+#include "gearfilm/ehl/linear_film.hpp"
+#include "gearfilm/ehl/preconditioner.hpp"
+
+namespace gearfilm {
+
+/// Figures of a film that are common to all processes; dimensionless.
+struct FilmFigures {
+  double pressure_integral = 0.0;  ///< Int Int P dX dY
+  double central_film = 0.0;       ///< H at the node nearest X = Y = 0
+  double smallest_film = 0.0;
+  double central_pressure = 0.0;
+  double largest_pressure = 0.0;
+  bool finite = true;              ///< false where any pressure or film is not a number
+};
+
+class ContactFilm {
+public:
+  ContactFilm(const Grid& grid, const Scales& scales, const SolverOptions& options);
+
+  const Grid& grid() const { return grid_; }
+  const Scales& scales() const { return scales_; }
+  const ContactConditions& conditions() const { return conditions_; }
+  void set_conditions(const ContactConditions& conditions);
+
+  /// G at (pressure, H_0). storage_rate: d(rho H)/dT or null. Film and oil are not computed again when the state is
+  /// the one of the last call.
+  void residual(const double* pressure, double H0, const double* storage_rate, double* residual);
+  /// rho H at (pressure, H_0): what the time scheme differentiates.
+  void storage(const double* pressure, double H0, double* storage);
+
+  /// Prepares multiply() and precondition() at the state of the last residual().
+  void linearise(double storage_shift);
+  /// rows = dG/dP change + dG/dH_0 change_H0.
+  void multiply(const double* change, double change_H0, double* rows);
+  /// dG/dH_0.
+  void film_shift(double* column) const;
+  /// change = approximately (dG/dP)^-1 residual.
+  void precondition(const double* residual, double* change) { preconditioner_->apply(residual, change); }
+
+  /// Of the last state.
+  FilmFigures figures() const;
+  const Field<double>& pressure() const { return state_.pressure; }
+  const Field<double>& film() const { return state_.film; }
+  /// Double-precision convolutions so far on this grid.
+  long convolutions() const { return convolutions_; }
+
+private:
+  void evaluate(const double* pressure, double H0);
+  bool is_current(const double* pressure, double H0) const;
+
+  const Grid& grid_;
+  Scales scales_;
+  ContactConditions conditions_;
+  Halo halo_;
+  Deformation<double> deformation_;
+  FilmProperties properties_;
+  FilmState state_;
+  LinearFilm<double> linear_;
+  std::unique_ptr<FilmPreconditioner> preconditioner_;
+  Field<double> change_, deformed_, rows_;
+  std::vector<double> evaluated_pressure_;
+  double evaluated_H0_ = 0.0;
+  bool evaluated_ = false;
+  long convolutions_ = 0;
+};
+
+/// The pressure of the dry contact under the force F (in units of the static one) in the reference geometry; compact.
+void hertz_pressure(const Grid& grid, const Scales& scales, double force_ratio, double* pressure);
+
+}  // namespace gearfilm

@@ -1,0 +1,66 @@
+// Elastic deformation of the half-space under the film pressure,
+//
+//   (K P)(X, Y) = C_h Int Int P(X', Y') / sqrt((X-X')^2 + (Y-Y')^2) dX' dY',
+//
+// with P constant on the cell around each node (Love 1929, doi 10.1098/rsta.1929.0009): exact for that pressure,
+// and a discrete convolution, done as a zero-padded Fourier transform in O(N log N).
+//
+// Distributed: rows are transformed in x (local, the grid is cut in y), transposed among the processes,
+// transformed in y, multiplied by the kernel's transform, and back. Padding in y is never communicated.
+#pragma once
+
+#include "gearfilm/ehl/fftw.hpp"
+#include "gearfilm/ehl/field.hpp"
+
+namespace gearfilm {
+
+/// Deformation at distance (x, y) from the centre of a cell h_x by h_y under unit pressure, without C_h.
+double love_kernel(double x, double y, double h_x, double h_y);
+
+/// The operator K on one grid. All processes of the grid call it together.
+template <class Real>
+class Deformation {
+public:
+  Deformation(const Grid& grid, double C_h);
+
+  /// deformation = K pressure on the own nodes; ghosts are neither read nor written.
+  void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
+
+  /// K between nodes that are i lines and j rows apart.
+  double coefficient(int i, int j) const { return C_h_ * love_kernel(i * h_x_, j * h_y_, h_x_, h_y_); }
+
+private:
+  using Complex = std::complex<Real>;
+
+  void plan_transforms();
+  void transform_kernel();
+  void to_y_lines() const;
+  void to_x_lines() const;
+  int wave_count() const { return wave_ranges_[rank_ + 1] - wave_ranges_[rank_]; }
+
+  MPI_Comm comm_;
+  int rank_;
+  double C_h_;
+  double h_x_;
+  double h_y_;
+  int nx_;
+  int ny_;
+  int rows_;                      ///< own rows
+  int length_x_;                  ///< padded lengths of the transforms
+  int length_y_;
+  std::vector<int> wave_ranges_;  ///< first x wave number of every process, and their number
+  std::vector<int> y_ranges_;
+  // Work space of apply(); [x or wave number][y], y contiguous.
+  mutable fftw::Buffer<Real> padded_;        ///< [length_x][rows], zero from nx on
+  mutable fftw::Buffer<Real> result_;        ///< [length_x][rows]
+  mutable fftw::Buffer<Complex> x_spectrum_; ///< [all wave numbers][rows]; empty on one process
+  mutable fftw::Buffer<Complex> exchanged_;  ///< blocks as they travel; empty on one process
+  mutable fftw::Buffer<Complex> y_lines_;    ///< [own wave numbers][length_y]
+  std::vector<Real> kernel_;                 ///< transform of K, real, with the factor of the inverse transform
+  fftw::Plan<Real> x_forward_, x_backward_, y_forward_, y_backward_;
+};
+
+extern template class Deformation<float>;
+extern template class Deformation<double>;
+
+}  // namespace gearfilm

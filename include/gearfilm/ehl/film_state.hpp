@@ -1,0 +1,63 @@
+// The film at every node: pressure, film thickness, and the oil properties that enter Reynolds' equation.
+//
+//   conductance xi_R = rho H^3/(eta lambda)          (22) of doi 10.1016/j.triboint.2013.01.017
+// all dimensionless, rho and eta relative to ambient. Derivatives are kept beside the values: the exact Jacobian and
+// every coarser level of the preconditioner are made from them without evaluating the oil again.
+#pragma once
+
+#include <array>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/ehl/halo.hpp"
+
+namespace gearfilm {
+
+struct FilmState {
+  explicit FilmState(const Grid& grid)
+      : pressure(grid),
+        film(grid),
+        density(grid),
+        density_by_pressure(grid),
+        conductance(grid),
+        conductance_by_pressure(grid),
+        conductance_by_film(grid),
+        wet(grid) {}
+
+  /// All of them, for what treats them alike (injection, gathering).
+  std::array<Field<double>*, 8> fields() {
+    return {&pressure,    &film,
+            &density,     &density_by_pressure,
+            &conductance, &conductance_by_pressure,
+            &conductance_by_film, &wet};
+  }
+
+  Field<double> pressure;                 ///< P
+  Field<double> film;                     ///< H
+  Field<double> density;                  ///< rho
+  Field<double> density_by_pressure;      ///< d rho/dP
+  Field<double> conductance;              ///< xi_R
+  Field<double> conductance_by_pressure;  ///< d xi_R/dP at constant H
+  Field<double> conductance_by_film;      ///< d xi_R/dH at constant P
+  Field<double> wet;                      ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
+};
+
+/// Oil properties of one contact in dimensionless form.
+class FilmProperties {
+public:
+  explicit FilmProperties(const Scales& scales)
+      : oil_(scales.oil), pressure_scale_(scales.pressure), lambda_(scales.lambda) {}
+
+  /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
+  /// only inside an iteration) conducts nothing.
+  void evaluate(FilmState& state) const;
+
+private:
+  Lubricant oil_;
+  double pressure_scale_;
+  double lambda_;
+};
+
+/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives.
+void exchange_ghosts(const Halo& halo, FilmState& state);
+
+}  // namespace gearfilm

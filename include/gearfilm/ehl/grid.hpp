@@ -1,0 +1,83 @@
+// Uniform vertex-centred grid of one contact, cut in y among the processes.
+//
+// Nodes (i, j), i = 0..nx-1 from X_min to X_max, j = 0..ny-1 from -Y_half to Y_half; boundary nodes are included.
+// A process owns all x for a range of j, so that x-lines and x-transforms are local. In memory y is contiguous
+// (index i*y_count + j): all x-lines are then processed together, with vector instructions across the lines.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/petsc.hpp"
+
+namespace gearfilm {
+
+/// Size and extent of a grid; lengths in units of the Hertz half-axis a in both directions.
+struct GridShape {
+  int nx = 0;
+  int ny = 0;
+  double x_min = 0.0;
+  double x_max = 0.0;
+  double y_half = 0.0;
+};
+
+/// The grid of a domain whose y extent is given in units of b = a/ellipticity.
+GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny);
+
+class Grid {
+public:
+  /// Cuts the rows evenly. Throws InputError when there are more processes than rows.
+  Grid(MPI_Comm comm, const GridShape& shape);
+
+  MPI_Comm comm() const { return comm_; }
+  int rank() const { return rank_; }
+  int processes() const { return static_cast<int>(y_ranges_.size()) - 1; }
+  const GridShape& shape() const { return shape_; }
+  int nx() const { return shape_.nx; }
+  int ny() const { return shape_.ny; }
+  double h_x() const { return h_x_; }
+  double h_y() const { return h_y_; }
+  double x(int i) const { return shape_.x_min + h_x_ * i; }
+  /// Y of the local row j (0 <= j < y_count).
+  double y(int j) const { return -shape_.y_half + h_y_ * (y_begin() + j); }
+  int y_begin() const { return y_ranges_[rank_]; }
+  int y_count() const { return y_ranges_[rank_ + 1] - y_ranges_[rank_]; }
+  /// First row of every process, and ny.
+  std::span<const int> y_ranges() const { return y_ranges_; }
+  int local_size() const { return nx() * y_count(); }
+  bool is_boundary(int i, int j) const {
+    const int row = y_begin() + j;
+    return i == 0 || i == nx() - 1 || row == 0 || row == ny() - 1;
+  }
+  /// Local row of the global row, or -1 where another process owns it.
+  int local_row(int global_row) const {
+    return global_row >= y_begin() && global_row < y_begin() + y_count() ? global_row - y_begin() : -1;
+  }
+
+  /// The PETSc layout of a field (dimension 0 is y, the contiguous one; dimension 1 is x).
+  DM dm() const { return dm_; }
+  OwnedVec create_vec() const;
+
+  /// True when every second node is a grid of at least 5 x 3 nodes again.
+  bool can_coarsen() const;
+  /// Rows that the process with the fewest would own on the coarsened grid.
+  int fewest_coarse_rows() const;
+  /// Every second node; a coarse row belongs to the process that owns the same fine row.
+  Grid coarsened() const;
+  /// The same grid, whole on every process.
+  Grid gathered() const;
+
+private:
+  Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges);
+
+  MPI_Comm comm_;
+  int rank_ = 0;
+  GridShape shape_;
+  double h_x_;
+  double h_y_;
+  std::vector<int> y_ranges_;
+  OwnedDM dm_;
+};
+
+}  // namespace gearfilm

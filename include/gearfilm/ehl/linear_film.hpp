@@ -1,0 +1,42 @@
+// Reynolds' equation linearised about a film state, as one stencil in the changes of pressure and film.
+//
+// For a change v of P and u of H, with
+//   d(xi_R) = xi_P v + xi_H u ,   d(rho H) = rho_P H v + rho u ,
+// the row of a wet node is  dR = sum_s ( V_s v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1 of its own
+// x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact: nothing is lagged.
+#pragma once
+
+#include <array>
+
+#include "gearfilm/ehl/reynolds.hpp"
+
+namespace gearfilm {
+
+/// Neighbours in the stencil of a node.
+enum Neighbour { west_west, west, centre, east, south, north, neighbour_count };
+
+template <class Real>
+struct LinearFilm {
+  explicit LinearFilm(const Grid& grid)
+      : by_pressure{Field<Real>(grid), Field<Real>(grid), Field<Real>(grid),
+                    Field<Real>(grid), Field<Real>(grid), Field<Real>(grid)},
+        by_film(by_pressure) {}
+
+  std::array<Field<Real>, neighbour_count> by_pressure;  ///< V_s
+  std::array<Field<Real>, neighbour_count> by_film;      ///< W_s
+};
+
+/// Fills the stencil from a state with ghosts and wet mask. storage_shift: d(dT-rate)/d(rho H) of the time scheme,
+/// 0 for a stationary film.
+template <class Real>
+void linearise(const Grid& grid, double entrainment, double storage_shift, const FilmState& state,
+               LinearFilm<Real>& linear);
+
+/// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
+template <class Real>
+void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);
+
+/// The derivative of the rows by H_0 (u = 1 everywhere, v = 0), compact.
+void film_shift_column(const LinearFilm<double>& linear, double* column);
+
+}  // namespace gearfilm

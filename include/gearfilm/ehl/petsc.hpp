@@ -1,0 +1,113 @@
+// Ownership and errors of PETSc objects: the only place where PETSc's C conventions meet C++.
+//
+// Outside a callback: petsc_check(VecNorm(...)) turns an error code into an exception. Inside a callback given to
+// PETSc: `return petsc_callback([&] { ... });` turns an exception into an error code; it is thrown again, as it was,
+// by the petsc_check around the PETSc call that ran the callback.
+#pragma once
+
+#include <petscdmda.h>
+#include <petscsf.h>
+#include <petscsnes.h>
+
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+// PETSc's own name since 3.19.
+#if PETSC_VERSION_LT(3, 19, 0)
+#define PETSC_SUCCESS ((PetscErrorCode)0)
+#endif
+
+namespace gearfilm {
+
+/// A PETSc call failed: a broken invariant of this program, not of its input.
+class PetscFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws PetscFailure, or the exception that a callback left behind, unless code is PETSC_SUCCESS.
+void petsc_check(PetscErrorCode code);
+
+/// Keeps an exception until control is back on our side of PETSc.
+PetscErrorCode keep_callback_exception(std::exception_ptr exception);
+
+template <class Body>
+PetscErrorCode petsc_callback(Body&& body) {
+  try {
+    std::forward<Body>(body)();
+    return PETSC_SUCCESS;
+  } catch (...) {
+    return keep_callback_exception(std::current_exception());
+  }
+}
+
+/// Owner of one reference to a PETSc object.
+template <class Object, PetscErrorCode (*destroy)(Object*)>
+class PetscHandle {
+public:
+  PetscHandle() = default;
+  explicit PetscHandle(Object object) : object_(object) {}
+  ~PetscHandle() { reset(); }
+  PetscHandle(const PetscHandle&) = delete;
+  PetscHandle& operator=(const PetscHandle&) = delete;
+  PetscHandle(PetscHandle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+  PetscHandle& operator=(PetscHandle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      object_ = std::exchange(other.object_, nullptr);
+    }
+    return *this;
+  }
+
+  operator Object() const { return object_; }
+  /// For PETSc's creating functions: releases what is held and gives the address to fill.
+  Object* put() {
+    reset();
+    return &object_;
+  }
+  void reset() {
+    if (object_) destroy(&object_);
+    object_ = nullptr;
+  }
+
+private:
+  Object object_ = nullptr;
+};
+
+using OwnedVec = PetscHandle<Vec, VecDestroy>;
+using OwnedMat = PetscHandle<Mat, MatDestroy>;
+using OwnedKSP = PetscHandle<KSP, KSPDestroy>;
+using OwnedPC = PetscHandle<PC, PCDestroy>;
+using OwnedSNES = PetscHandle<SNES, SNESDestroy>;
+using OwnedDM = PetscHandle<DM, DMDestroy>;
+using OwnedSF = PetscHandle<PetscSF, PetscSFDestroy>;
+
+/// The local part of a vector, for the time of a scope.
+class VecReading {
+public:
+  explicit VecReading(Vec vec) : vec_(vec) { petsc_check(VecGetArrayRead(vec_, &values_)); }
+  ~VecReading() { (void)VecRestoreArrayRead(vec_, &values_); }
+  VecReading(const VecReading&) = delete;
+  VecReading& operator=(const VecReading&) = delete;
+  operator const double*() const { return values_; }
+
+private:
+  Vec vec_;
+  const double* values_ = nullptr;
+};
+
+class VecWriting {
+public:
+  explicit VecWriting(Vec vec) : vec_(vec) { petsc_check(VecGetArray(vec_, &values_)); }
+  ~VecWriting() { (void)VecRestoreArray(vec_, &values_); }
+  VecWriting(const VecWriting&) = delete;
+  VecWriting& operator=(const VecWriting&) = delete;
+  operator double*() const { return values_; }
+
+private:
+  Vec vec_;
+  double* values_ = nullptr;
+};
+
+}  // namespace gearfilm

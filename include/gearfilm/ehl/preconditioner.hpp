@@ -1,0 +1,32 @@
+// Multigrid preconditioner of the linearised film of one contact.
+//
+// One V-cycle of PETSc's PCMG. Its levels are shells: the operator of every level is the film linearised about the
+// state injected from the finest one (linear_film.hpp) with that level's own convolution, its smoother the
+// distributive line relaxation (line_smoother.hpp), its transfers those of transfer.hpp. One level means the
+// smoother alone. Where a coarser grid would leave a process fewer than two rows, every process goes on with the
+// whole rest of the hierarchy itself: the same cycle for any number of processes.
+#pragma once
+
+#include <memory>
+
+#include "gearfilm/ehl/film_state.hpp"
+#include "gearfilm/ehl/solver_options.hpp"
+
+namespace gearfilm {
+
+class FilmPreconditioner {
+public:
+  virtual ~FilmPreconditioner() = default;
+
+  /// Takes over a state (with ghosts and wet mask) of the finest grid.
+  virtual void update(const FilmState& state, double entrainment, double storage_shift) = 0;
+  /// change = approximate inverse of the linearised rows applied to residual; both compact.
+  virtual void apply(const double* residual, double* change) = 0;
+  virtual int levels() const = 0;
+};
+
+/// Arithmetic and number of levels by the options; C_h as in Scales. The grid must outlive the preconditioner.
+std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
+                                                             const SolverOptions& options);
+
+}  // namespace gearfilm

@@ -1,0 +1,46 @@
+// Reynolds' equation with cavitation on one grid: its residual.
+//
+//   R = -d/dX(xi_R dP/dX) - d/dY(xi_R dP/dY) + U d(rho H)/dX + d(rho H)/dT ,      P >= 0, R >= 0, P R = 0
+// (22) of doi 10.1016/j.triboint.2013.01.017, sign reversed so that R and P form a complementarity problem.
+// Poiseuille terms central with xi_R averaged at cell faces; wedge second-order upwind (first order in the first
+// row); the squeeze term is given, so that any time scheme can supply it.
+//
+// Cavitation is written into the residual as G = min(d P, R) with the node's own scale
+//   d = 2 xi_R (1/h_x^2 + 1/h_y^2) + 0.05 U/h_x :
+// one scale for all nodes makes Newton cycle. Boundary nodes have G = d P.
+#pragma once
+
+#include "gearfilm/ehl/film_state.hpp"
+
+namespace gearfilm {
+
+/// What distinguishes a contact at one moment from the reference contact of the Scales.
+struct ContactConditions {
+  double radius_ratio = 1.0;  ///< Rbar = R_x/R_x* [-]
+  double entrainment = 1.0;   ///< U = u_m/u_m* [-]
+  double gap_offset = 0.0;    ///< added to H: tip relief, pitch error [-]
+};
+
+/// Weights of one node's equation that do not depend on the solution.
+struct ReynoldsWeights {
+  ReynoldsWeights(const Grid& grid, double entrainment)
+      : inverse_h_x2(1.0 / (grid.h_x() * grid.h_x())),
+        inverse_h_y2(1.0 / (grid.h_y() * grid.h_y())),
+        wedge(entrainment / grid.h_x()) {}
+
+  /// d, the scale of a cavitated node's row.
+  double row_scale(double conductance) const {
+    return 2.0 * conductance * (inverse_h_x2 + inverse_h_y2) + 0.05 * wedge;
+  }
+
+  double inverse_h_x2;
+  double inverse_h_y2;
+  double wedge;  ///< U/h_x
+};
+
+/// Computes G on the own nodes, compact, and marks state.wet. Needs the ghosts of the state.
+/// storage_rate: d(rho H)/dT, compact, or null for a stationary film.
+void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const double* storage_rate,
+                       double* residual);
+
+}  // namespace gearfilm

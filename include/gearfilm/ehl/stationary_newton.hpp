@@ -1,0 +1,66 @@
+// Newton's method for the stationary film of one contact under a prescribed force, on one grid.
+//
+//   G(P, H_0) = 0 ,   F - Int Int P dX dY = 0                                 (contact_film.hpp)
+// solved together as one bordered system by SNES: exact matrix-free Jacobian, backtracking, FGMRES, and as
+// preconditioner the film's own, with H_0 eliminated through one preconditioned column. A pseudo-time step adds the
+// squeeze term.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/ehl/contact_film.hpp"
+
+namespace gearfilm {
+
+/// Work done by nonlinear solves.
+struct SolveCounts {
+  int newton = 0;
+  int krylov = 0;
+  long convolutions = 0;    ///< double-precision ones on the grid itself
+  double residual = 0.0;    ///< last root mean square
+};
+
+/// A film: compact pressure, and its rigid displacement.
+struct FilmSolution {
+  std::vector<double> pressure;
+  double H0 = 0.0;
+};
+
+/// Newton's method for the bordered system on one grid.
+class StationaryNewton {
+public:
+  StationaryNewton(ContactFilm& film, const SolverOptions& options);
+
+  /// Solves from `guess` in place. With storage: one pseudo-time step, d(rho H)/dT = shift (rho H - storage).
+  /// False if Newton did not reach its tolerance; then `guess` holds the last iterate.
+  bool solve(double force, FilmSolution& guess, double shift = 0.0, const double* storage = nullptr);
+
+  const SolveCounts& counts() const { return counts_; }
+
+private:
+  void evaluate(Vec state, Vec residual);
+  void update_jacobian(Vec state);
+  void multiply(Vec change, Vec rows);
+  void precondition(Vec residual, Vec change);
+  double broadcast(double value) const;
+  double integral(const double* values) const;
+
+  ContactFilm& film_;
+  const Grid& grid_;
+  int size_;        ///< own nodes
+  bool has_scalar_; ///< the first process also holds H_0
+  double load_weight_; ///< sqrt(nodes)
+  double force_ = 0.0;
+  double shift_ = 0.0;
+  const double* storage_ = nullptr;
+  std::vector<double> storage_rate_;
+  std::vector<double> column_;          ///< dG/dH_0
+  std::vector<double> column_solution_; ///< (dG/dP)^-1 dG/dH_0, approximately
+  double schur_ = 0.0;                  ///< d(load row)/dH_0 after elimination
+  OwnedVec state_, residual_, residual_at_state_;
+  OwnedMat jacobian_;
+  OwnedSNES snes_;
+  SolveCounts counts_;
+};
+
+}  // namespace gearfilm

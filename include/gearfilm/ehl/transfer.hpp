@@ -1,0 +1,28 @@
+// Transfer between a grid and its coarsening by two.
+//
+// Full weighting (1/4 1/2 1/4 in both directions) for residuals, bilinear interpolation for corrections, injection
+// for states. Cavitated and boundary nodes neither give nor receive.
+#pragma once
+
+#include "gearfilm/ehl/film_state.hpp"
+
+namespace gearfilm {
+
+/// coarse = full weighting of fine; fine needs its ghosts. Zero at coarse nodes that are not wet.
+template <class Real>
+void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
+                       const Field<double>& coarse_wet, Field<Real>& coarse);
+
+/// fine += bilinear interpolation of coarse at wet nodes; coarse needs its ghosts.
+template <class Real>
+void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
+                      const Field<double>& fine_wet, Field<Real>& fine);
+
+/// fine = cubic interpolation of coarse (own nodes), for first guesses of smooth fields.
+void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,
+                       Field<double>& fine);
+
+/// Every field of the coarse state is the fine one at the same point (own nodes).
+void inject_state(const Grid& fine_grid, const Grid& coarse_grid, FilmState& fine, FilmState& coarse);
+
+}  // namespace gearfilm

@@ -1,0 +1,23 @@
+// A spur-gear pair as its drawing gives it. All lengths in [m], angles in [rad].
+#pragma once
+
+namespace gearfilm {
+
+/// One gear of the pair.
+struct SpurGear {
+  int teeth = 0;              ///< number of teeth Z
+  double outer_radius = 0.0;  ///< tip circle radius R_a [m]
+  double crowning = 0.0;      ///< lead crowning mag over half the face width [m]
+};
+
+/// The pair: pinion (gear 1, the driver) and wheel (gear 2).
+struct SpurGearPair {
+  SpurGear pinion;
+  SpurGear wheel;
+  double module_length = 0.0;    ///< normal module m_n [m]
+  double pressure_angle = 0.0;   ///< of the basic rack, alpha [rad]
+  double centre_distance = 0.0;  ///< working centre distance a_w [m]
+  double face_width = 0.0;       ///< F_w [m]
+};
+
+}  // namespace gearfilm

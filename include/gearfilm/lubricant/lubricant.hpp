@@ -1,0 +1,40 @@
+// Density and viscosity of the oil as functions of pressure, relative to ambient.
+//
+//   rho/rho_0 = (5.9e8 + 1.34 p)/(5.9e8 + p)                              Dowson and Higginson 1966
+//   eta/eta_0 = exp{ (ln eta_0 + 9.67) [ (1 + p/p_0)^z - 1 ] }            Roelands 1966, p_0 = 1.96e8 Pa
+//               z = alpha_B p_0/(ln eta_0 + 9.67)
+//   eta/eta_0 = exp(alpha_B p)                                            Barus 1893
+// Eqs (8), (9) of doi 10.1016/j.triboint.2013.01.017. Pressures in [Pa], eta_0 in [Pa s], alpha_B in [1/Pa].
+// Below p = 0 (met only inside an iteration) both laws are continued as constants, with zero derivatives.
+#pragma once
+
+namespace gearfilm {
+
+enum class ViscosityLaw { roelands, barus };
+enum class DensityLaw { dowson_higginson, incompressible };
+
+/// An isothermal piezoviscous compressible oil.
+struct Lubricant {
+  double viscosity = 0.0;           ///< ambient viscosity eta_0 [Pa s]
+  double pressure_viscosity = 0.0;  ///< alpha_B [1/Pa]
+  ViscosityLaw viscosity_law = ViscosityLaw::roelands;
+  DensityLaw density_law = DensityLaw::dowson_higginson;
+};
+
+/// Throws InputError unless eta_0 and alpha_B are positive and, for Roelands, ln eta_0 + 9.67 > 0.
+void check(const Lubricant& oil);
+
+/// Roelands' exponent z [-].
+double roelands_exponent(const Lubricant& oil);
+
+/// A value and its derivative with respect to pressure [1/Pa].
+struct PressureFunction {
+  double value;
+  double derivative;
+};
+
+PressureFunction relative_density(const Lubricant& oil, double pressure);
+/// ln(eta/eta_0): kept as a logarithm because eta itself spans 20 decades in a loaded contact.
+PressureFunction log_relative_viscosity(const Lubricant& oil, double pressure);
+
+}  // namespace gearfilm

@@ -1,0 +1,134 @@
+#include "gearfilm/ehl/contact_film.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+
+ContactFilm::ContactFilm(const Grid& grid, const Scales& scales, const SolverOptions& options)
+    : grid_(grid),
+      scales_(scales),
+      halo_(grid),
+      deformation_(grid, scales.C_h),
+      properties_(scales),
+      state_(grid),
+      linear_(grid),
+      preconditioner_(make_film_preconditioner(grid, scales.C_h, options)),
+      change_(grid),
+      deformed_(grid),
+      rows_(grid),
+      evaluated_pressure_(grid.local_size()) {}
+
+void ContactFilm::set_conditions(const ContactConditions& conditions) {
+  conditions_ = conditions;
+  evaluated_ = false;
+}
+
+// The processes must agree, since an evaluation is collective.
+bool ContactFilm::is_current(const double* pressure, double H0) const {
+  int same = evaluated_ && H0 == evaluated_H0_ &&
+             std::memcmp(pressure, evaluated_pressure_.data(), evaluated_pressure_.size() * sizeof(double)) == 0;
+  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, grid_.comm());
+  return same;
+}
+
+void ContactFilm::evaluate(const double* pressure, double H0) {
+  if (is_current(pressure, H0)) return;
+  state_.pressure.load(pressure);
+  deformation_.apply(state_.pressure, state_.film);
+  ++convolutions_;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* film = state_.film.row(i);
+    const double x = grid_.x(i);
+    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.radius_ratio;
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const double y = grid_.y(j);
+      film[j] += gap + 0.5 * scales_.radius_ratio * y * y;
+    }
+  }
+  properties_.evaluate(state_);
+  exchange_ghosts(halo_, state_);
+  std::copy_n(pressure, evaluated_pressure_.size(), evaluated_pressure_.data());
+  evaluated_H0_ = H0;
+  evaluated_ = true;
+}
+
+void ContactFilm::residual(const double* pressure, double H0, const double* storage_rate, double* residual) {
+  evaluate(pressure, H0);
+  reynolds_residual(grid_, conditions_.entrainment, state_, storage_rate, residual);
+}
+
+void ContactFilm::storage(const double* pressure, double H0, double* storage) {
+  evaluate(pressure, H0);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* density = state_.density.row(i);
+    const double* film = state_.film.row(i);
+    double* line = storage + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * film[j];
+  }
+}
+
+void ContactFilm::linearise(double storage_shift) {
+  gearfilm::linearise(grid_, conditions_.entrainment, storage_shift, state_, linear_);
+  preconditioner_->update(state_, conditions_.entrainment, storage_shift);
+}
+
+void ContactFilm::multiply(const double* change, double change_H0, double* rows) {
+  const ScopedEvent event(Kernel::jacobian_apply);
+  change_.load(change);
+  halo_.exchange(change_);
+  deformation_.apply(change_, deformed_);
+  ++convolutions_;
+  if (change_H0 != 0.0) {
+    for (int i = 0; i < grid_.nx(); ++i) {
+      double* line = deformed_.row(i);
+      for (int j = 0; j < grid_.y_count(); ++j) line[j] += change_H0;
+    }
+  }
+  halo_.exchange(deformed_);
+  apply_stencil(linear_, change_, deformed_, rows_);
+  rows_.store(rows);
+}
+
+void ContactFilm::film_shift(double* column) const { film_shift_column(linear_, column); }
+
+FilmFigures ContactFilm::figures() const {
+  // Sums, then maxima (minima negated), so that two reductions serve all.
+  double sums[3] = {0.0, 0.0, 0.0};
+  double maxima[2] = {-INFINITY, -INFINITY};
+  const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
+  const int j_centre = grid_.local_row(static_cast<int>(std::lround(grid_.shape().y_half / grid_.h_y())));
+  if (j_centre >= 0) {
+    sums[1] = state_.film.row(i_centre)[j_centre];
+    sums[2] = state_.pressure.row(i_centre)[j_centre];
+  }
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      sums[0] += state_.pressure.row(i)[j];
+      maxima[0] = std::max(maxima[0], state_.pressure.row(i)[j]);
+      maxima[1] = std::max(maxima[1], -state_.film.row(i)[j]);
+    }
+  }
+  int finite = std::isfinite(sums[0]) && std::isfinite(maxima[0]) && std::isfinite(maxima[1]);
+  MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, grid_.comm());
+  MPI_Allreduce(MPI_IN_PLACE, maxima, 2, MPI_DOUBLE, MPI_MAX, grid_.comm());
+  MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_LAND, grid_.comm());
+  return {sums[0] * grid_.h_x() * grid_.h_y(), sums[1], -maxima[1], sums[2], maxima[0], finite != 0};
+}
+
+void hertz_pressure(const Grid& grid, const Scales& scales, double force_ratio, double* pressure) {
+  const double growth = std::cbrt(force_ratio);
+  const double kappa = scales.hertz.ellipticity;
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double x = grid.x(i) / growth, y = kappa * grid.y(j) / growth;
+      const double inside = 1.0 - x * x - y * y;
+      const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
+      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? growth * std::sqrt(inside) : 0.0;
+    }
+  }
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,171 @@
+#include "gearfilm/ehl/deformation.hpp"
+
+#include <cmath>
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)); }
+
+std::vector<int> cut_evenly(int items, int processes) {
+  std::vector<int> ranges(processes + 1);
+  for (int p = 0; p <= processes; ++p) ranges[p] = static_cast<int>(static_cast<long>(items) * p / processes);
+  return ranges;
+}
+
+}  // namespace
+
+double love_kernel(double x, double y, double h_x, double h_y) {
+  const double x_low = x - 0.5 * h_x, x_high = x + 0.5 * h_x;
+  const double y_low = y - 0.5 * h_y, y_high = y + 0.5 * h_y;
+  return love_corner(x_high, y_high) - love_corner(x_low, y_high) - love_corner(x_high, y_low) +
+         love_corner(x_low, y_low);
+}
+
+template <class Real>
+Deformation<Real>::Deformation(const Grid& grid, double C_h)
+    : comm_(grid.comm()),
+      rank_(grid.rank()),
+      C_h_(C_h),
+      h_x_(grid.h_x()),
+      h_y_(grid.h_y()),
+      nx_(grid.nx()),
+      ny_(grid.ny()),
+      rows_(grid.y_count()),
+      length_x_(fftw::fast_length(2 * grid.nx() - 1, true)),
+      length_y_(fftw::fast_length(2 * grid.ny() - 1, false)),
+      wave_ranges_(cut_evenly(length_x_ / 2 + 1, grid.processes())),
+      y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
+      padded_(static_cast<std::size_t>(length_x_) * rows_),
+      result_(static_cast<std::size_t>(length_x_) * rows_),
+      x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * rows_),
+      exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * ny_),
+      y_lines_(static_cast<std::size_t>(wave_count()) * length_y_) {
+  plan_transforms();
+  transform_kernel();
+}
+
+template <class Real>
+void Deformation<Real>::plan_transforms() {
+  using Fftw = fftw::Interface<Real>;
+  using Raw = typename Fftw::Complex*;
+  const bool alone = wave_ranges_.size() == 2;
+  // On one process the x-transform writes straight into the padded y-lines: no transposition at all.
+  auto* spectrum = reinterpret_cast<Raw>(alone ? y_lines_.data() : x_spectrum_.data());
+  const int spectrum_stride = alone ? length_y_ : rows_;
+  x_forward_ = fftw::Plan<Real>(Fftw::many_r2c(1, &length_x_, rows_, padded_.data(), nullptr, rows_, 1, spectrum,
+                                               nullptr, spectrum_stride, 1, FFTW_MEASURE));
+  x_backward_ = fftw::Plan<Real>(Fftw::many_c2r(1, &length_x_, rows_, spectrum, nullptr, spectrum_stride, 1,
+                                                result_.data(), nullptr, rows_, 1, FFTW_MEASURE));
+  if (wave_count() > 0) {
+    auto* lines = reinterpret_cast<Raw>(y_lines_.data());
+    for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
+      (sign == FFTW_FORWARD ? y_forward_ : y_backward_) =
+          fftw::Plan<Real>(Fftw::many_c2c(1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1,
+                                          length_y_, sign, FFTW_MEASURE));
+    }
+  }
+}
+
+// The kernel is even in x and y, so its transform is real. It passes through the same distributed transforms as a
+// field, with the mirrored half filled in instead of zeros. Evaluated in double: differences of nearly equal corners.
+template <class Real>
+void Deformation<Real>::transform_kernel() {
+  const int row_begin = y_ranges_[rank_];
+  Real* padded = padded_.data();
+  std::fill_n(padded, static_cast<std::size_t>(length_x_) * rows_, Real(0));
+  for (int i = 0; i < nx_; ++i) {
+    for (int j = 0; j < rows_; ++j) {
+      const Real value = static_cast<Real>(coefficient(i, row_begin + j));
+      padded[i * rows_ + j] = value;
+      if (i > 0) padded[(length_x_ - i) * rows_ + j] = value;
+    }
+  }
+  x_forward_.execute();
+  to_y_lines();
+  for (int k = 0; k < wave_count(); ++k) {
+    Complex* line = y_lines_.data() + static_cast<std::size_t>(k) * length_y_;
+    for (int j = 1; j < ny_; ++j) line[length_y_ - j] = line[j];
+  }
+  y_forward_.execute();
+  kernel_.resize(static_cast<std::size_t>(wave_count()) * length_y_);
+  const Real scale = Real(1.0 / (static_cast<double>(length_x_) * length_y_));
+  for (std::size_t n = 0; n < kernel_.size(); ++n) kernel_[n] = scale * y_lines_.data()[n].real();
+  std::fill_n(padded, static_cast<std::size_t>(length_x_) * rows_, Real(0));
+}
+
+template <class Real>
+void Deformation<Real>::to_y_lines() const {
+  Complex* lines = y_lines_.data();
+  const int waves = wave_count();
+  if (wave_ranges_.size() > 2) {
+    // Blocks are contiguous on the sending side: [wave numbers of the receiver][own rows].
+    const int processes = static_cast<int>(wave_ranges_.size()) - 1;
+    std::vector<int> send(processes), send_at(processes), receive(processes), receive_at(processes);
+    for (int p = 0; p < processes; ++p) {
+      send[p] = 2 * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_;
+      send_at[p] = 2 * wave_ranges_[p] * rows_;
+      receive[p] = 2 * waves * (y_ranges_[p + 1] - y_ranges_[p]);
+      receive_at[p] = 2 * waves * y_ranges_[p];
+    }
+    const MPI_Datatype type = std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
+    MPI_Alltoallv(x_spectrum_.data(), send.data(), send_at.data(), type, exchanged_.data(), receive.data(),
+                  receive_at.data(), type, comm_);
+    for (int p = 0; p < processes; ++p) {
+      const int rows = y_ranges_[p + 1] - y_ranges_[p];
+      const Complex* block = exchanged_.data() + static_cast<std::size_t>(waves) * y_ranges_[p];
+      for (int k = 0; k < waves; ++k) {
+        std::copy_n(block + static_cast<std::size_t>(k) * rows, rows,
+                    lines + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p]);
+      }
+    }
+  }
+  for (int k = 0; k < waves; ++k) {
+    std::fill_n(lines + static_cast<std::size_t>(k) * length_y_ + ny_, length_y_ - ny_, Complex(0));
+  }
+}
+
+template <class Real>
+void Deformation<Real>::to_x_lines() const {
+  if (wave_ranges_.size() == 2) return;
+  const int waves = wave_count();
+  const int processes = static_cast<int>(wave_ranges_.size()) - 1;
+  std::vector<int> send(processes), send_at(processes), receive(processes), receive_at(processes);
+  for (int p = 0; p < processes; ++p) {
+    const int rows = y_ranges_[p + 1] - y_ranges_[p];
+    Complex* block = exchanged_.data() + static_cast<std::size_t>(waves) * y_ranges_[p];
+    for (int k = 0; k < waves; ++k) {
+      std::copy_n(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p], rows,
+                  block + static_cast<std::size_t>(k) * rows);
+    }
+    send[p] = 2 * waves * rows;
+    send_at[p] = 2 * waves * y_ranges_[p];
+    receive[p] = 2 * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_;
+    receive_at[p] = 2 * wave_ranges_[p] * rows_;
+  }
+  const MPI_Datatype type = std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
+  MPI_Alltoallv(exchanged_.data(), send.data(), send_at.data(), type, x_spectrum_.data(), receive.data(),
+                receive_at.data(), type, comm_);
+}
+
+template <class Real>
+void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformation) const {
+  const ScopedEvent event(Kernel::deformation);
+  for (int i = 0; i < nx_; ++i) std::copy_n(pressure.row(i), rows_, padded_.data() + static_cast<std::size_t>(i) * rows_);
+  x_forward_.execute();
+  to_y_lines();
+  y_forward_.execute();
+  Complex* lines = y_lines_.data();
+  for (std::size_t n = 0; n < kernel_.size(); ++n) lines[n] *= kernel_[n];
+  y_backward_.execute();
+  to_x_lines();
+  x_backward_.execute();
+  for (int i = 0; i < nx_; ++i) std::copy_n(result_.data() + static_cast<std::size_t>(i) * rows_, rows_, deformation.row(i));
+}
+
+template class Deformation<float>;
+template class Deformation<double>;
+
+}  // namespace gearfilm

@@ -1,0 +1,177 @@
+#include "gearfilm/ehl/line_smoother.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double distributive_limit = 0.3;  // on xi_R/h_x^2
+constexpr double distributive_damping = 0.6;
+constexpr double plain_damping = 0.8;
+
+}  // namespace
+
+template <class Real>
+LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Real>& deformation)
+    : halo_(halo),
+      nx_(grid.nx()),
+      rows_(grid.y_count()),
+      inverse_h_x2_(1.0 / (grid.h_x() * grid.h_x())),
+      band_(static_cast<std::size_t>(nx_) * band_width * rows_),
+      distributive_(grid),
+      damping_(grid),
+      wet_(grid),
+      spread_(grid) {
+  const double inverse_h_y2 = 1.0 / (grid.h_y() * grid.h_y());
+  const double w_x = 0.5 * inverse_h_x2_ / (inverse_h_x2_ + inverse_h_y2);
+  const double w_y = 0.5 * inverse_h_y2 / (inverse_h_x2_ + inverse_h_y2);
+  weight_x_ = static_cast<Real>(w_x);
+  weight_y_ = static_cast<Real>(w_y);
+  const auto kernel = [&](int i, int j) { return deformation.coefficient(std::abs(i), std::abs(j)); };
+  const auto spread_out = [&](int i, int j) {
+    return -w_x * (kernel(i - 1, j) + kernel(i + 1, j)) - w_y * (kernel(i, j - 1) + kernel(i, j + 1));
+  };
+  for (int i = 0; i <= reach; ++i) {
+    plain_.same_line[i] = static_cast<Real>(kernel(i, 0));
+    plain_.next_line[i] = static_cast<Real>(kernel(i, 1));
+    correction_.same_line[i] = static_cast<Real>(spread_out(i, 0));
+    correction_.next_line[i] = static_cast<Real>(spread_out(i, 1));
+  }
+}
+
+template <class Real>
+void LineSmoother<Real>::choose_unknowns(const FilmState& state) {
+  for (int i = 0; i < nx_; ++i) {
+    for (int j = 0; j < rows_; ++j) {
+      const bool wet = state.wet.row(i)[j] != 0.0;
+      const bool distributive = wet && state.conductance.row(i)[j] * inverse_h_x2_ < distributive_limit;
+      wet_.row(i)[j] = wet ? 1 : 0;
+      distributive_.row(i)[j] = distributive ? 1 : 0;
+      damping_.row(i)[j] = static_cast<Real>(!wet ? 1.0 : distributive ? distributive_damping : plain_damping);
+    }
+  }
+}
+
+// Entry (i, i + offset) of every line: the change of row i per unit of the unknown at i + offset.
+template <class Real>
+template <int offset>
+void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i) {
+  const int column = i + offset;
+  Real* __restrict entry = band(i, offset);
+  if (column < 1 || column > nx_ - 2) {
+    std::fill_n(entry, rows_, Real(0));
+    return;
+  }
+  const Real* __restrict distributive = distributive_.row(column);
+  std::array<const Real*, neighbour_count> v, u;
+  for (int n = 0; n < neighbour_count; ++n) {
+    v[n] = linear.by_pressure[n].row(i);
+    u[n] = linear.by_film[n].row(i);
+  }
+  constexpr int distance[4] = {std::abs(-2 - offset), std::abs(-1 - offset), std::abs(offset), std::abs(1 - offset)};
+  constexpr int own = std::abs(offset);
+  const auto [plain_line, plain_next] = plain_;
+  const auto [spread_line, spread_next] = correction_;
+  for (int j = 0; j < rows_; ++j) {
+    const Real next_line = u[south][j] + u[north][j];
+    Real plain = next_line * plain_next[own];
+    Real spread = next_line * spread_next[own];
+    for (int n = west_west; n <= east; ++n) {
+      plain += u[n][j] * plain_line[distance[n]];
+      spread += u[n][j] * spread_line[distance[n]];
+      if (distance[n] == 0) plain += v[n][j];
+      if (distance[n] == 1) spread -= weight_x_ * v[n][j];
+    }
+    if constexpr (offset == 0) spread -= weight_y_ * (v[south][j] + v[north][j]);
+    entry[j] = plain + distributive[j] * spread;
+  }
+}
+
+template <class Real>
+template <int... index>
+void LineSmoother<Real>::assemble_line(const LinearFilm<Real>& linear, int i, std::integer_sequence<int, index...>) {
+  (assemble_diagonal<index - half_width>(linear, i), ...);
+}
+
+template <class Real>
+void LineSmoother<Real>::factor(const LinearFilm<Real>& linear, const FilmState& state) {
+  const ScopedEvent event(Kernel::smoother_factor);
+  choose_unknowns(state);
+  for (int i = 1; i < nx_ - 1; ++i) assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
+  factor_bands();
+}
+
+// LU without pivoting, all lines side by side; the diagonal is stored inverted.
+template <class Real>
+void LineSmoother<Real>::factor_bands() {
+  for (int i = 1; i < nx_ - 1; ++i) {
+    Real* __restrict pivot = band(i, 0);
+    for (int j = 0; j < rows_; ++j) pivot[j] = Real(1) / pivot[j];
+    for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
+      Real* __restrict lower = band(i + k, -k);
+      for (int j = 0; j < rows_; ++j) lower[j] *= pivot[j];
+      for (int c = 1; c <= half_width; ++c) {
+        const Real* __restrict upper = band(i, c);
+        Real* __restrict target = band(i + k, c - k);
+        for (int j = 0; j < rows_; ++j) target[j] -= lower[j] * upper[j];
+      }
+    }
+  }
+}
+
+template <class Real>
+void LineSmoother<Real>::solve_bands(Field<Real>& values) {
+  for (int i = 1; i < nx_ - 1; ++i) {
+    const Real* __restrict solved = values.row(i);
+    for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
+      const Real* __restrict lower = band(i + k, -k);
+      Real* __restrict target = values.row(i + k);
+      for (int j = 0; j < rows_; ++j) target[j] -= lower[j] * solved[j];
+    }
+  }
+  for (int i = nx_ - 2; i >= 1; --i) {
+    Real* __restrict value = values.row(i);
+    for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
+      const Real* __restrict upper = band(i, k);
+      const Real* __restrict solved = values.row(i + k);
+      for (int j = 0; j < rows_; ++j) value[j] -= upper[j] * solved[j];
+    }
+    const Real* __restrict pivot = band(i, 0);
+    for (int j = 0; j < rows_; ++j) value[j] *= pivot[j];
+  }
+}
+
+template <class Real>
+void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
+  const ScopedEvent event(Kernel::smoother_sweep);
+  solve_bands(residual);
+  for (int i = 1; i < nx_ - 1; ++i) {
+    Real* __restrict value = residual.row(i);
+    Real* __restrict spread = spread_.row(i);
+    for (int j = 0; j < rows_; ++j) {
+      value[j] *= damping_.row(i)[j];
+      spread[j] = value[j] * distributive_.row(i)[j];
+    }
+  }
+  halo_.exchange(spread_);
+  for (int i = 1; i < nx_ - 1; ++i) {
+    const Real* __restrict here = spread_.row(i);
+    const Real* __restrict before = spread_.row(i - 1);
+    const Real* __restrict after = spread_.row(i + 1);
+    const Real* __restrict wet = wet_.row(i);
+    const Real* __restrict value = residual.row(i);
+    Real* __restrict out = change.row(i);
+    for (int j = 0; j < rows_; ++j) {
+      const Real neighbours = weight_x_ * (before[j] + after[j]) + weight_y_ * (here[j - 1] + here[j + 1]);
+      out[j] += value[j] - wet[j] * neighbours;
+    }
+  }
+}
+
+template class LineSmoother<float>;
+template class LineSmoother<double>;
+
+}  // namespace gearfilm

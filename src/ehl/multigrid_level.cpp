@@ -1,0 +1,87 @@
+#include "gearfilm/ehl/multigrid_level.hpp"
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+MultigridLevel<Real>::MultigridLevel(Grid grid, double C_h)
+    : grid_(std::move(grid)),
+      halo_(grid_),
+      deformation_(grid_, C_h),
+      linear_(grid_),
+      smoother_(grid_, halo_, deformation_),
+      state_(grid_),
+      change_(grid_),
+      deformed_(grid_),
+      rows_(grid_) {}
+
+template <class Real>
+void MultigridLevel<Real>::update(double entrainment, double storage_shift) {
+  exchange_ghosts(halo_, state_);
+  linearise(grid_, entrainment, storage_shift, state_, linear_);
+  smoother_.factor(linear_, state_);
+}
+
+template <class Real>
+void MultigridLevel<Real>::apply_operator() {
+  halo_.exchange(change_);
+  deformation_.apply(change_, deformed_);
+  halo_.exchange(deformed_);
+  apply_stencil(linear_, change_, deformed_, rows_);
+}
+
+template <class Real>
+void MultigridLevel<Real>::multiply(const double* change, double* rows) {
+  change_.load(change);
+  apply_operator();
+  rows_.store(rows);
+}
+
+template <class Real>
+void MultigridLevel<Real>::smooth(const double* right_side, double* change, int sweeps, bool zero_guess) {
+  if (zero_guess) {
+    change_.fill(Real(0));
+  } else {
+    change_.load(change);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    if (sweep == 0 && zero_guess) {
+      rows_.load(right_side);
+    } else {
+      apply_operator();
+      for (int i = 0; i < grid_.nx(); ++i) {
+        Real* rows = rows_.row(i);
+        const double* right = right_side + static_cast<std::size_t>(i) * grid_.y_count();
+        for (int j = 0; j < grid_.y_count(); ++j) rows[j] = static_cast<Real>(right[j]) - rows[j];
+      }
+    }
+    smoother_.relax(rows_, change_);
+  }
+  change_.store(change);
+}
+
+template <class Real>
+void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, const double* fine_residual, double* residual) {
+  const ScopedEvent event(Kernel::transfer);
+  fine.rows_.load(fine_residual);
+  fine.halo_.exchange(fine.rows_);
+  rows_.fill(Real(0));
+  restrict_residual(fine.grid_, grid_, fine.rows_, state_.wet, rows_);
+  rows_.store(residual);
+}
+
+template <class Real>
+void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, const double* correction, double* fine_change) {
+  const ScopedEvent event(Kernel::transfer);
+  change_.load(correction);
+  halo_.exchange(change_);
+  fine.change_.load(fine_change);
+  add_interpolated(grid_, fine.grid_, change_, fine.state_.wet, fine.change_);
+  fine.change_.store(fine_change);
+}
+
+template class MultigridLevel<float>;
+template class MultigridLevel<double>;
+
+}  // namespace gearfilm

@@ -1,0 +1,308 @@
+#include "gearfilm/ehl/preconditioner.hpp"
+
+#include <vector>
+
+#include "gearfilm/ehl/multigrid_level.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int fewest_rows_per_process = 2;
+
+/// Collects compact fields of a distributed grid on every process, in the order of the gathered grid.
+class Gather {
+public:
+  explicit Gather(const Grid& grid) : grid_(grid), counts_(grid.processes()), offsets_(grid.processes()) {
+    for (int p = 0; p < grid.processes(); ++p) {
+      counts_[p] = grid.nx() * (grid.y_ranges()[p + 1] - grid.y_ranges()[p]);
+      offsets_[p] = grid.nx() * grid.y_ranges()[p];
+    }
+    blocks_.resize(static_cast<std::size_t>(grid.nx()) * grid.ny());
+  }
+
+  void to_all(const double* own, double* whole) {
+    MPI_Allgatherv(own, grid_.local_size(), MPI_DOUBLE, blocks_.data(), counts_.data(), offsets_.data(), MPI_DOUBLE,
+                   grid_.comm());
+    for (int p = 0; p < grid_.processes(); ++p) {
+      const int rows = grid_.y_ranges()[p + 1] - grid_.y_ranges()[p];
+      for (int i = 0; i < grid_.nx(); ++i) {
+        std::copy_n(blocks_.data() + offsets_[p] + static_cast<std::size_t>(i) * rows, rows,
+                    whole + static_cast<std::size_t>(i) * grid_.ny() + grid_.y_ranges()[p]);
+      }
+    }
+  }
+  void own_part(const double* whole, double* own) const {
+    for (int i = 0; i < grid_.nx(); ++i) {
+      std::copy_n(whole + static_cast<std::size_t>(i) * grid_.ny() + grid_.y_begin(), grid_.y_count(),
+                  own + static_cast<std::size_t>(i) * grid_.y_count());
+    }
+  }
+
+private:
+  const Grid& grid_;
+  std::vector<int> counts_, offsets_;
+  std::vector<double> blocks_;
+};
+
+template <class Real>
+class FilmMultigrid final : public FilmPreconditioner {
+public:
+  FilmMultigrid(const Grid& grid, double C_h, const SolverOptions& options) : options_(options) {
+    build_levels(grid, C_h);
+    build_cycle();
+  }
+
+  void update(const FilmState& state, double entrainment, double storage_shift) override {
+    levels_.front()->state() = state;
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+      if (l > 0) {
+        inject_state(levels_[l - 1]->grid(), levels_[l]->grid(), levels_[l - 1]->state(), levels_[l]->state());
+      }
+      levels_[l]->update(entrainment, storage_shift);
+    }
+    if (whole_) update_gathered(entrainment, storage_shift);
+  }
+
+  void apply(const double* residual, double* change) override {
+    petsc_check(VecPlaceArray(right_side_, residual));
+    petsc_check(VecPlaceArray(solution_, change));
+    petsc_check(PCApply(cycle_, right_side_, solution_));
+    petsc_check(VecResetArray(right_side_));
+    petsc_check(VecResetArray(solution_));
+  }
+
+  int levels() const override {
+    return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0);
+  }
+
+private:
+  using Level = MultigridLevel<Real>;
+
+  /// A level beside its PETSc callbacks' needs.
+  struct Shell {
+    Level* level;
+    Level* finer;  ///< null on the finest
+    int sweeps;
+  };
+
+  void build_levels(const Grid& grid, double C_h);
+  void build_cycle();
+  void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
+  void configure_gathered(KSP ksp, Mat matrix);
+  void update_gathered(double entrainment, double storage_shift);
+  OwnedMat level_operator(Shell& shell) const;
+  OwnedMat transfer(Shell& shell, bool interpolation) const;
+
+  SolverOptions options_;
+  std::vector<std::unique_ptr<Level>> levels_;          ///< finest first
+  std::vector<std::unique_ptr<Shell>> shells_;          ///< one a level
+  std::vector<OwnedMat> matrices_;
+  OwnedPC cycle_;
+  OwnedVec right_side_, solution_;                      ///< wrap the caller's arrays
+  // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
+  std::optional<Grid> whole_grid_;
+  std::optional<Gather> gather_;
+  std::unique_ptr<FilmState> whole_state_;
+  std::unique_ptr<FilmPreconditioner> whole_;
+  std::vector<double> whole_residual_, whole_change_;
+};
+
+template <class Real>
+void FilmMultigrid<Real>::build_levels(const Grid& grid, double C_h) {
+  const Grid* last = &grid;
+  levels_.push_back(std::make_unique<Level>(Grid(grid.comm(), grid.shape()), C_h));
+  while (last->can_coarsen() && (options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels)) {
+    if (grid.processes() > 1 && last->fewest_coarse_rows() < fewest_rows_per_process) {
+      whole_grid_.emplace(last->gathered());
+      gather_.emplace(levels_.back()->grid());
+      whole_state_ = std::make_unique<FilmState>(*whole_grid_);
+      SolverOptions rest = options_;
+      if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
+      whole_ = std::make_unique<FilmMultigrid<Real>>(*whole_grid_, C_h, rest);
+      whole_residual_.resize(whole_grid_->local_size());
+      whole_change_.resize(whole_grid_->local_size());
+      return;
+    }
+    levels_.push_back(std::make_unique<Level>(last->coarsened(), C_h));
+    last = &levels_.back()->grid();
+  }
+}
+
+template <class Real>
+OwnedMat FilmMultigrid<Real>::level_operator(Shell& shell) const {
+  OwnedMat matrix;
+  const PetscInt size = shell.level->grid().local_size();
+  petsc_check(MatCreateShell(shell.level->grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
+  const auto multiply = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      own->level->multiply(VecReading(in), VecWriting(out));
+    });
+  };
+  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  return matrix;
+}
+
+// PETSc's convention: a transfer matrix is fine by coarse for interpolation, coarse by fine for restriction.
+template <class Real>
+OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
+  OwnedMat matrix;
+  const PetscInt coarse = shell.level->grid().local_size(), fine = shell.finer->grid().local_size();
+  petsc_check(MatCreateShell(shell.level->grid().comm(), interpolation ? fine : coarse, interpolation ? coarse : fine,
+                             PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
+  const auto restriction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      own->level->restrict_from(*own->finer, VecReading(in), VecWriting(out));
+    });
+  };
+  const auto add_correction = +[](Mat mat, Vec in, Vec before, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      if (before != out) petsc_check(VecCopy(before, out));
+      own->level->interpolate_to(*own->finer, VecReading(in), VecWriting(out));
+    });
+  };
+  const auto correction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      petsc_check(VecSet(out, 0.0));
+      own->level->interpolate_to(*own->finer, VecReading(in), VecWriting(out));
+    });
+  };
+  if (interpolation) {
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(correction)));
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT_ADD, reinterpret_cast<void (*)()>(add_correction)));
+  } else {
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(restriction)));
+  }
+  return matrix;
+}
+
+template <class Real>
+void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps) {
+  petsc_check(KSPSetType(ksp, KSPRICHARDSON));
+  petsc_check(KSPSetNormType(ksp, KSP_NORM_NONE));
+  petsc_check(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, sweeps));
+  petsc_check(KSPSetOperators(ksp, matrix, matrix));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "distributive line relaxation"));
+  petsc_check(PCShellSetContext(pc, &shell));
+  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(PCShellGetContext(shell_pc, &own));
+      own->level->smooth(VecReading(in), VecWriting(out), 1, true);
+    });
+  }));
+  petsc_check(PCShellSetApplyRichardson(
+      pc, [](PC shell_pc, Vec in, Vec out, Vec, PetscReal, PetscReal, PetscReal, PetscInt its, PetscBool zero_guess,
+             PetscInt* done, PCRichardsonConvergedReason* reason) -> PetscErrorCode {
+        return petsc_callback([&] {
+          Shell* own = nullptr;
+          petsc_check(PCShellGetContext(shell_pc, &own));
+          own->level->smooth(VecReading(in), VecWriting(out), its, zero_guess == PETSC_TRUE);
+          *done = its;
+          *reason = PCRICHARDSON_CONVERGED_ITS;
+        });
+      }));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::configure_gathered(KSP ksp, Mat matrix) {
+  petsc_check(KSPSetType(ksp, KSPPREONLY));
+  petsc_check(KSPSetOperators(ksp, matrix, matrix));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "coarse levels whole on every process"));
+  petsc_check(PCShellSetContext(pc, this));
+  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      FilmMultigrid* own = nullptr;
+      petsc_check(PCShellGetContext(shell_pc, &own));
+      own->gather_->to_all(VecReading(in), own->whole_residual_.data());
+      own->whole_->apply(own->whole_residual_.data(), own->whole_change_.data());
+      own->gather_->own_part(own->whole_change_.data(), VecWriting(out));
+    });
+  }));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::build_cycle() {
+  const int count = static_cast<int>(levels_.size());
+  const Grid& grid = levels_.front()->grid();
+  petsc_check(PCCreate(grid.comm(), cycle_.put()));
+  petsc_check(PCSetType(cycle_, PCMG));
+  petsc_check(PCMGSetLevels(cycle_, count, nullptr));
+  petsc_check(PCMGSetType(cycle_, PC_MG_MULTIPLICATIVE));
+  petsc_check(PCMGSetCycleType(cycle_, PC_MG_CYCLE_V));
+  for (int l = 0; l < count; ++l) {
+    shells_.push_back(std::make_unique<Shell>(Shell{levels_[l].get(), l > 0 ? levels_[l - 1].get() : nullptr, 0}));
+  }
+  // PCMG numbers its levels from the coarsest.
+  for (int l = 0; l < count; ++l) {
+    const int petsc_level = count - 1 - l;
+    matrices_.push_back(level_operator(*shells_[l]));
+    const Mat matrix = matrices_.back();
+    if (l == 0) petsc_check(PCSetOperators(cycle_, matrix, matrix));
+    if (petsc_level == 0) {
+      KSP coarse = nullptr;
+      petsc_check(PCMGGetCoarseSolve(cycle_, &coarse));
+      if (whole_) {
+        configure_gathered(coarse, matrix);
+      } else {
+        configure_smoother(coarse, matrix, *shells_[l], count == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
+      }
+    } else {
+      KSP down = nullptr, up = nullptr;
+      // Two solvers: a common one would compute the first residual of a zero guess.
+      petsc_check(PCMGGetSmootherDown(cycle_, petsc_level, &down));
+      petsc_check(PCMGGetSmootherUp(cycle_, petsc_level, &up));
+      configure_smoother(down, matrix, *shells_[l], options_.smoothing_sweeps);
+      configure_smoother(up, matrix, *shells_[l], options_.smoothing_sweeps);
+    }
+    if (l > 0) {
+      const int finer = petsc_level + 1;
+      matrices_.push_back(transfer(*shells_[l], true));
+      petsc_check(PCMGSetInterpolation(cycle_, finer, matrices_.back()));
+      matrices_.push_back(transfer(*shells_[l], false));
+      petsc_check(PCMGSetRestriction(cycle_, finer, matrices_.back()));
+    }
+  }
+  petsc_check(VecCreateMPIWithArray(grid.comm(), 1, grid.local_size(), PETSC_DETERMINE, nullptr, right_side_.put()));
+  petsc_check(VecCreateMPIWithArray(grid.comm(), 1, grid.local_size(), PETSC_DETERMINE, nullptr, solution_.put()));
+  petsc_check(PCSetUp(cycle_));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shift) {
+  std::vector<double> own(levels_.back()->grid().local_size());
+  std::vector<double> whole(whole_grid_->local_size());
+  const auto sources = levels_.back()->state().fields();
+  const auto targets = whole_state_->fields();
+  for (std::size_t n = 0; n < sources.size(); ++n) {
+    sources[n]->store(own.data());
+    gather_->to_all(own.data(), whole.data());
+    targets[n]->load(whole.data());
+  }
+  whole_->update(*whole_state_, entrainment, storage_shift);
+}
+
+}  // namespace
+
+std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
+                                                             const SolverOptions& options) {
+  if (options.precision == Precision::single_precision) {
+    return std::make_unique<FilmMultigrid<float>>(grid, C_h, options);
+  }
+  return std::make_unique<FilmMultigrid<double>>(grid, C_h, options);
+}
+
+}  // namespace gearfilm

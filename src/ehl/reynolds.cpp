@@ -1,0 +1,74 @@
+#include "gearfilm/ehl/reynolds.hpp"
+
+#include <vector>
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Wedge U d(rho H)/dX of line i in upwind differences.
+void add_wedge(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
+  const auto mass = [&](int n, int j) { return state.density.row(n)[j] * state.film.row(n)[j]; };
+  const int rows = state.film.y_count();
+  if (i == 1) {
+    for (int j = 0; j < rows; ++j) line[j] += weights.wedge * (mass(i, j) - mass(i - 1, j));
+  } else {
+    for (int j = 0; j < rows; ++j) {
+      line[j] += weights.wedge * (1.5 * mass(i, j) - 2.0 * mass(i - 1, j) + 0.5 * mass(i - 2, j));
+    }
+  }
+}
+
+/// Poiseuille flow out of the cells of line i.
+void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
+  const double* p = state.pressure.row(i);
+  const double* p_west = state.pressure.row(i - 1);
+  const double* p_east = state.pressure.row(i + 1);
+  const double* xi = state.conductance.row(i);
+  const double* xi_west = state.conductance.row(i - 1);
+  const double* xi_east = state.conductance.row(i + 1);
+  for (int j = 0; j < state.film.y_count(); ++j) {
+    const double east = 0.5 * (xi[j] + xi_east[j]) * (p_east[j] - p[j]);
+    const double west = 0.5 * (xi[j] + xi_west[j]) * (p[j] - p_west[j]);
+    const double north = 0.5 * (xi[j] + xi[j + 1]) * (p[j + 1] - p[j]);
+    const double south = 0.5 * (xi[j] + xi[j - 1]) * (p[j] - p[j - 1]);
+    line[j] -= weights.inverse_h_x2 * (east - west) + weights.inverse_h_y2 * (north - south);
+  }
+}
+
+}  // namespace
+
+void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const double* storage_rate,
+                       double* residual) {
+  const ScopedEvent event(Kernel::residual);
+  const ReynoldsWeights weights(grid, entrainment);
+  const int rows = grid.y_count();
+  std::vector<double> line(rows);
+  const int first_row = grid.local_row(0), last_row = grid.local_row(grid.ny() - 1);
+  for (int i = 0; i < grid.nx(); ++i) {
+    const bool interior = i > 0 && i < grid.nx() - 1;
+    const double* pressure = state.pressure.row(i);
+    const double* conductance = state.conductance.row(i);
+    double* wet = state.wet.row(i);
+    double* out = residual + static_cast<std::size_t>(i) * rows;
+    if (interior) {
+      std::fill(line.begin(), line.end(), 0.0);
+      if (storage_rate) std::copy_n(storage_rate + static_cast<std::size_t>(i) * rows, rows, line.begin());
+      add_wedge(state, weights, i, line.data());
+      add_poiseuille(state, weights, i, line.data());
+    }
+    for (int j = 0; j < rows; ++j) {
+      const double cavitated = weights.row_scale(conductance[j]) * pressure[j];
+      wet[j] = interior && line[j] < cavitated ? 1.0 : 0.0;
+      out[j] = wet[j] != 0.0 ? line[j] : cavitated;
+    }
+    for (int edge : {first_row, last_row}) {
+      if (edge < 0) continue;
+      wet[edge] = 0.0;
+      out[edge] = weights.row_scale(conductance[edge]) * pressure[edge];
+    }
+  }
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,117 @@
+#include "gearfilm/ehl/stationary.hpp"
+
+#include <memory>
+#include <sstream>
+
+#include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/ehl/events.hpp"
+#include "gearfilm/ehl/transfer.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double first_pseudo_step = 0.05;
+constexpr double last_pseudo_step = 20.0;
+constexpr double pseudo_step_growth = 2.0;
+constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid with at least so many lines
+
+/// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
+bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, double force, FilmSolution& solution) {
+  std::vector<double> storage(film.grid().local_size());
+  double step = first_pseudo_step;
+  for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
+    film.storage(solution.pressure.data(), solution.H0, storage.data());
+    FilmSolution next = solution;
+    if (newton.solve(force, next, 1.0 / step, storage.data())) {
+      solution = std::move(next);
+      step *= pseudo_step_growth;
+    } else {
+      step *= 0.25;
+      if (step < 1e-6) return false;
+    }
+  }
+  return newton.solve(force, solution);
+}
+
+/// Solves from a guess by Newton alone, or through pseudo-time where that fails.
+bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, double force, FilmSolution& solution,
+                   bool guess_is_close) {
+  if (guess_is_close) {
+    FilmSolution direct = solution;
+    if (newton.solve(force, direct)) {
+      solution = std::move(direct);
+      return true;
+    }
+  }
+  return solve_through_pseudo_time(film, newton, force, solution);
+}
+
+/// Dry pressure, and an H_0 that puts the dry contact's flat gap at the film that the formula expects.
+FilmSolution dry_guess(const ContactFilm& film, double force) {
+  const Scales& scales = film.scales();
+  FilmSolution guess;
+  guess.pressure.resize(film.grid().local_size());
+  const double ratio = force / scales.static_force;
+  hertz_pressure(film.grid(), scales, ratio, guess.pressure.data());
+  const double approach = hertz_contact(scales.solids, ratio * scales.operation.load).approach;
+  const double expected = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
+  guess.H0 = (expected - approach) / scales.film;
+  return guess;
+}
+
+FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const FilmSolution& coarse) {
+  Field<double> values(coarse_grid), interpolated(fine_grid);
+  values.load(coarse.pressure.data());
+  interpolate_cubic(coarse_grid, fine_grid, values, interpolated);
+  FilmSolution fine;
+  fine.pressure.resize(fine_grid.local_size());
+  interpolated.store(fine.pressure.data());
+  for (double& pressure : fine.pressure) pressure = std::max(pressure, 0.0);
+  fine.H0 = coarse.H0;
+  return fine;
+}
+
+[[noreturn]] void report_failure(const Grid& grid, const SolveCounts& counts) {
+  std::ostringstream message;
+  message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
+          << counts.residual << " after " << counts.newton
+          << " Newton iterations; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
+             "grid_y_half), or raise solver_newton_max_iterations";
+  throw SolveError(message.str());
+}
+
+}  // namespace
+
+StationaryResult solve_stationary(ContactFilm& film, double force, const SolverOptions& options) {
+  const ScopedStage stage("Stationary film");
+  std::vector<std::unique_ptr<Grid>> coarser;  // next coarser first
+  const Grid* last = &film.grid();
+  while (last->can_coarsen() && (last->nx() - 1) / 2 + 1 >= coarsest_nx && last->fewest_coarse_rows() >= 2) {
+    coarser.push_back(std::make_unique<Grid>(last->coarsened()));
+    last = coarser.back().get();
+  }
+
+  StationaryResult result;
+  const Grid* before = nullptr;
+  for (std::size_t n = coarser.size() + 1; n-- > 0;) {
+    std::unique_ptr<ContactFilm> coarse_film;
+    if (n > 0) {
+      coarse_film = std::make_unique<ContactFilm>(*coarser[n - 1], film.scales(), options);
+      coarse_film->set_conditions(film.conditions());
+    }
+    ContactFilm& present = coarse_film ? *coarse_film : film;
+    StationaryNewton newton(present, options);
+    result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, force);
+    if (!solve_on_grid(present, newton, force, result.solution, before != nullptr)) {
+      report_failure(present.grid(), newton.counts());
+    }
+    result.by_grid.push_back(newton.counts());
+    before = &present.grid();
+  }
+  result.counts = result.by_grid.back();
+  result.figures = film.figures();
+  return result;
+}
+
+}  // namespace gearfilm

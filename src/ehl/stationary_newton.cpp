@@ -1,0 +1,161 @@
+#include "gearfilm/ehl/stationary_newton.hpp"
+
+#include <cmath>
+
+namespace gearfilm {
+
+// State and residual: the own nodes, and on the first process one more entry for H_0 and the load.
+// The load row is weighted by sqrt(nodes), so that norm/sqrt(nodes) is a root mean square over the film plus the
+// relative error of the load.
+StationaryNewton::StationaryNewton(ContactFilm& film, const SolverOptions& options)
+    : film_(film),
+      grid_(film.grid()),
+      size_(grid_.local_size()),
+      has_scalar_(grid_.rank() == 0),
+      load_weight_(std::sqrt(static_cast<double>(grid_.nx()) * grid_.ny())),
+      storage_rate_(size_),
+      column_(size_),
+      column_solution_(size_) {
+  const PetscInt local = size_ + (has_scalar_ ? 1 : 0);
+  petsc_check(VecCreateMPI(grid_.comm(), local, PETSC_DETERMINE, state_.put()));
+  petsc_check(VecDuplicate(state_, residual_.put()));
+  petsc_check(VecDuplicate(state_, residual_at_state_.put()));
+  petsc_check(MatCreateShell(grid_.comm(), local, local, PETSC_DETERMINE, PETSC_DETERMINE, this, jacobian_.put()));
+  const auto multiply_callback = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      StationaryNewton* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      own->multiply(in, out);
+    });
+  };
+  petsc_check(MatShellSetOperation(jacobian_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply_callback)));
+
+  petsc_check(SNESCreate(grid_.comm(), snes_.put()));
+  petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
+  petsc_check(SNESSetType(snes_, SNESNEWTONLS));
+  petsc_check(SNESSetFunction(
+      snes_, residual_,
+      [](SNES, Vec state, Vec residual, void* context) -> PetscErrorCode {
+        return petsc_callback([&] { static_cast<StationaryNewton*>(context)->evaluate(state, residual); });
+      },
+      this));
+  petsc_check(SNESSetJacobian(
+      snes_, jacobian_, jacobian_,
+      [](SNES, Vec state, Mat matrix, Mat, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          static_cast<StationaryNewton*>(context)->update_jacobian(state);
+          petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+          petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+        });
+      },
+      this));
+  petsc_check(SNESSetTolerances(snes_, options.newton_tolerance * load_weight_, 1e-30, 1e-12,
+                                options.newton_max_iterations, 100 * options.newton_max_iterations));
+  petsc_check(SNESSetMaxLinearSolveFailures(snes_, options.newton_max_iterations));
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes_, &ksp));
+  petsc_check(KSPSetType(ksp, KSPFGMRES));
+  petsc_check(KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, options.krylov_max_iterations));
+  petsc_check(KSPGMRESSetRestart(ksp, std::min(options.krylov_max_iterations, 60)));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "film preconditioner with H_0 eliminated"));
+  petsc_check(PCShellSetContext(pc, this));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      StationaryNewton* own = nullptr;
+      petsc_check(PCShellGetContext(shell, &own));
+      own->precondition(in, out);
+    });
+  }));
+  petsc_check(SNESSetFromOptions(snes_));
+}
+
+double StationaryNewton::broadcast(double value) const {
+  if (grid_.processes() > 1) MPI_Bcast(&value, 1, MPI_DOUBLE, 0, grid_.comm());
+  return value;
+}
+
+double StationaryNewton::integral(const double* values) const {
+  double sum = 0.0;
+  for (int n = 0; n < size_; ++n) sum += values[n];
+  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid_.comm());
+  return sum * grid_.h_x() * grid_.h_y();
+}
+
+void StationaryNewton::evaluate(Vec state, Vec residual) {
+  const VecReading in(state);
+  const VecWriting out(residual);
+  const double H0 = broadcast(has_scalar_ ? in[size_] : 0.0);
+  const double* rate = nullptr;
+  if (storage_) {
+    film_.storage(in, H0, storage_rate_.data());
+    for (int n = 0; n < size_; ++n) storage_rate_[n] = shift_ * (storage_rate_[n] - storage_[n]);
+    rate = storage_rate_.data();
+  }
+  film_.residual(in, H0, rate, out);
+  const double carried = integral(in);
+  if (has_scalar_) out[size_] = load_weight_ * (force_ - carried) / force_;
+}
+
+void StationaryNewton::update_jacobian(Vec state) {
+  // The wet mask belongs to the last residual; a line search may have left another state than the accepted one.
+  evaluate(state, residual_at_state_);
+  film_.linearise(shift_);
+  film_.film_shift(column_.data());
+  film_.precondition(column_.data(), column_solution_.data());
+  schur_ = load_weight_ / force_ * integral(column_solution_.data());
+}
+
+void StationaryNewton::multiply(Vec change, Vec rows) {
+  const VecReading in(change);
+  const VecWriting out(rows);
+  film_.multiply(in, broadcast(has_scalar_ ? in[size_] : 0.0), out);
+  const double carried = integral(in);
+  if (has_scalar_) out[size_] = -load_weight_ * carried / force_;
+}
+
+// With z = M^-1 r and y = M^-1 dG/dH_0: v = z - y dH_0, and the load row gives dH_0.
+void StationaryNewton::precondition(Vec residual, Vec change) {
+  const VecReading in(residual);
+  const VecWriting out(change);
+  film_.precondition(in, out);
+  const double carried = load_weight_ / force_ * integral(out);
+  const double load_residual = broadcast(has_scalar_ ? in[size_] : 0.0);
+  const double change_H0 = (load_residual + carried) / schur_;
+  for (int n = 0; n < size_; ++n) out[n] -= change_H0 * column_solution_[n];
+  if (has_scalar_) out[size_] = change_H0;
+}
+
+bool StationaryNewton::solve(double force, FilmSolution& guess, double shift, const double* storage) {
+  force_ = force;
+  shift_ = shift;
+  storage_ = storage;
+  {
+    const VecWriting values(state_);
+    std::copy_n(guess.pressure.data(), size_, static_cast<double*>(values));
+    if (has_scalar_) values[size_] = guess.H0;
+  }
+  const long before = film_.convolutions();
+  petsc_check(SNESSolve(snes_, nullptr, state_));
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  PetscInt newton = 0, krylov = 0;
+  petsc_check(SNESGetConvergedReason(snes_, &reason));
+  petsc_check(SNESGetIterationNumber(snes_, &newton));
+  petsc_check(SNESGetLinearSolveIterations(snes_, &krylov));
+  PetscReal norm = 0.0;
+  petsc_check(SNESGetFunctionNorm(snes_, &norm));
+  counts_.newton += newton;
+  counts_.krylov += krylov;
+  counts_.convolutions += film_.convolutions() - before;
+  counts_.residual = norm / load_weight_;
+  {
+    const VecReading values(state_);
+    std::copy_n(static_cast<const double*>(values), size_, guess.pressure.data());
+    guess.H0 = broadcast(has_scalar_ ? values[size_] : 0.0);
+  }
+  return reason > 0;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,104 @@
+#include "gearfilm/ehl/transfer.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Local fine row at the same place as the local coarse row J.
+int same_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
+  return 2 * (coarse_grid.y_begin() + J) - fine_grid.y_begin();
+}
+
+}  // namespace
+
+template <class Real>
+void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
+                       const Field<double>& coarse_wet, Field<Real>& coarse) {
+  for (int I = 1; I < coarse_grid.nx() - 1; ++I) {
+    const Real* before = fine.row(2 * I - 1);
+    const Real* here = fine.row(2 * I);
+    const Real* after = fine.row(2 * I + 1);
+    const auto across = [&](int j) { return Real(0.25) * (before[j] + after[j]) + Real(0.5) * here[j]; };
+    const double* wet = coarse_wet.row(I);
+    Real* out = coarse.row(I);
+    for (int J = 0; J < coarse_grid.y_count(); ++J) {
+      const int j = same_row(fine_grid, coarse_grid, J);
+      out[J] = static_cast<Real>(wet[J]) * (Real(0.25) * (across(j - 1) + across(j + 1)) + Real(0.5) * across(j));
+    }
+  }
+}
+
+template <class Real>
+void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
+                      const Field<double>& fine_wet, Field<Real>& fine) {
+  for (int i = 1; i < fine_grid.nx() - 1; ++i) {
+    const Real* below = coarse.row(i / 2);
+    const Real* above = coarse.row((i + 1) / 2);
+    const double* wet = fine_wet.row(i);
+    Real* out = fine.row(i);
+    for (int j = 0; j < fine_grid.y_count(); ++j) {
+      const int row = fine_grid.y_begin() + j;
+      const int J = row / 2 - coarse_grid.y_begin();
+      const int J_next = (row + 1) / 2 - coarse_grid.y_begin();
+      out[j] += static_cast<Real>(wet[j]) * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
+    }
+  }
+}
+
+// Midway between two nodes the cubic through four is the mean less a sixteenth of the two second differences: second
+// differences travel between processes with a single ghost row.
+void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,
+                       Field<double>& fine) {
+  const Halo halo(coarse_grid);
+  Field<double> values(coarse), bend_x(coarse_grid), bend_y(coarse_grid), bend_xy(coarse_grid);
+  halo.exchange(values);
+  const int last = coarse_grid.ny() - 1;
+  const auto bend_along_y = [&](const Field<double>& from, Field<double>& to) {
+    for (int I = 0; I < coarse_grid.nx(); ++I) {
+      for (int J = 0; J < coarse_grid.y_count(); ++J) {
+        const int row = coarse_grid.y_begin() + J;
+        if (row == 0 || row == last) continue;
+        to.row(I)[J] = from.row(I)[J - 1] - 2.0 * from.row(I)[J] + from.row(I)[J + 1];
+      }
+    }
+    halo.exchange(to);
+  };
+  for (int I = 1; I < coarse_grid.nx() - 1; ++I) {
+    for (int J = 0; J < coarse_grid.y_count(); ++J) {
+      bend_x.row(I)[J] = values.row(I - 1)[J] - 2.0 * values.row(I)[J] + values.row(I + 1)[J];
+    }
+  }
+  halo.exchange(bend_x);
+  bend_along_y(values, bend_y);
+  bend_along_y(bend_x, bend_xy);
+  for (int i = 0; i < fine_grid.nx(); ++i) {
+    const int below = i / 2, above = (i + 1) / 2;
+    for (int j = 0; j < fine_grid.y_count(); ++j) {
+      const int row = fine_grid.y_begin() + j;
+      const int J = row / 2 - coarse_grid.y_begin(), J_next = (row + 1) / 2 - coarse_grid.y_begin();
+      const auto mean = [&](const Field<double>& field) {
+        return 0.25 * (field.row(below)[J] + field.row(below)[J_next] + field.row(above)[J] + field.row(above)[J_next]);
+      };
+      const double along_x = below == above ? 0.0 : 0.125, along_y = J == J_next ? 0.0 : 0.125;
+      fine.row(i)[j] = mean(values) - along_x * mean(bend_x) - along_y * mean(bend_y) + along_x * along_y * mean(bend_xy);
+    }
+  }
+}
+
+void inject_state(const Grid& fine_grid, const Grid& coarse_grid, FilmState& fine, FilmState& coarse) {
+  const auto sources = fine.fields();
+  const auto targets = coarse.fields();
+  for (std::size_t n = 0; n < sources.size(); ++n) {
+    for (int I = 0; I < coarse_grid.nx(); ++I) {
+      for (int J = 0; J < coarse_grid.y_count(); ++J) {
+        targets[n]->row(I)[J] = sources[n]->row(2 * I)[same_row(fine_grid, coarse_grid, J)];
+      }
+    }
+  }
+}
+
+template void restrict_residual(const Grid&, const Grid&, const Field<float>&, const Field<double>&, Field<float>&);
+template void restrict_residual(const Grid&, const Grid&, const Field<double>&, const Field<double>&, Field<double>&);
+template void add_interpolated(const Grid&, const Grid&, const Field<float>&, const Field<double>&, Field<float>&);
+template void add_interpolated(const Grid&, const Grid&, const Field<double>&, const Field<double>&, Field<double>&);
+
+}  // namespace gearfilm

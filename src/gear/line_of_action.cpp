@@ -1,0 +1,192 @@
+// Kinematics along the line of action of an involute spur-gear pair, eqs (13)-(19) of
+// doi 10.1016/j.triboint.2013.01.017. With t = tan(alpha'), cos(alpha') = (R_b1+R_b2)/a_w:
+//   R_1x = R_b1 t + xi,  R_2x = R_b2 t - xi,  R_x = R_1x R_2x/(R_1x+R_2x)
+//   xi_s = -( sqrt(R_a2^2-R_b2^2) - R_b2 t ),  xi_e = sqrt(R_a1^2-R_b1^2) - R_b1 t,  p_b = 2 pi R_b1/Z_1
+#include "gearfilm/gear/line_of_action.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+namespace {
+
+using std::numbers::pi;
+
+// The checks state what is right, so that NaN fails them: every comparison with it is false.
+void require_positive_length(double value, const std::string& parameter) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  std::ostringstream message;
+  message << parameter << " = " << value
+          << " m is not a length above zero: give the dimension of the drawing in metres";
+  throw InputError(message.str());
+}
+
+void require_teeth(int teeth, const std::string& parameter) {
+  if (teeth > 0) return;
+  std::ostringstream message;
+  message << parameter << " = " << teeth << " is not a number of teeth: give a positive integer";
+  throw InputError(message.str());
+}
+
+void require_crowning(double crowning, const std::string& parameter) {
+  if (crowning >= 0.0 && std::isfinite(crowning)) return;
+  std::ostringstream message;
+  message << parameter << " = " << crowning
+          << " m is not a lead crowning: give zero (straight flanks) or a positive length in metres";
+  throw InputError(message.str());
+}
+
+void check_dimensions(const SpurGearPair& pair) {
+  require_teeth(pair.pinion.teeth, "pinion_teeth");
+  require_teeth(pair.wheel.teeth, "wheel_teeth");
+  require_positive_length(pair.pinion.outer_radius, "pinion_outer_radius");
+  require_positive_length(pair.wheel.outer_radius, "wheel_outer_radius");
+  require_positive_length(pair.module_length, "gear_module");
+  require_positive_length(pair.centre_distance, "gear_centre_distance");
+  require_positive_length(pair.face_width, "gear_face_width");
+  require_crowning(pair.pinion.crowning, "pinion_crowning");
+  require_crowning(pair.wheel.crowning, "wheel_crowning");
+  if (!(pair.pressure_angle > 0.0 && pair.pressure_angle < pi / 2.0)) {
+    std::ostringstream message;
+    message << "gear_pressure_angle_deg = " << pair.pressure_angle * 180.0 / pi
+            << " is not between 0 and 90 degrees: give the angle of the basic rack (20 is usual)";
+    throw InputError(message.str());
+  }
+}
+
+double base_radius(const SpurGear& gear, const SpurGearPair& pair) {
+  return gear.teeth * pair.module_length * std::cos(pair.pressure_angle) / 2.0;
+}
+
+// Tangent length from the base circle to the tip circle: the largest radius of curvature of the flank [m].
+double tip_radius_of_curvature(const SpurGear& gear, double base_radius, const std::string& name) {
+  if (gear.outer_radius <= base_radius) {
+    std::ostringstream message;
+    message << name << "_outer_radius = " << gear.outer_radius << " m is not above the base radius " << base_radius
+            << " m: there is no involute flank; enlarge " << name << "_outer_radius or reduce " << name
+            << "_teeth, gear_module";
+    throw InputError(message.str());
+  }
+  return std::sqrt((gear.outer_radius - base_radius) * (gear.outer_radius + base_radius));
+}
+
+void check_flank(double smallest_radius, const std::string& gear, const std::string& mate) {
+  if (smallest_radius > 0.0) return;
+  std::ostringstream message;
+  message << "the radius of curvature of the " << gear << " flank falls to " << smallest_radius << " m on the path of "
+          << "contact: below the base circle there is no involute; reduce " << mate << "_outer_radius";
+  throw InputError(message.str());
+}
+
+void check_path(double entry, double exit, double base_pitch) {
+  std::ostringstream message;
+  const double contact_ratio = (exit - entry) / base_pitch;
+  if (contact_ratio < 1.0) {
+    message << "contact ratio " << contact_ratio << " is below 1: the pair cannot transmit motion; enlarge the tip "
+            << "circles or the face of action (pinion_outer_radius, wheel_outer_radius)";
+    throw InputError(message.str());
+  }
+  // The pitch point is the reference of every scale, so it has to lie on the path of contact.
+  if (entry >= 0.0) {
+    message << "the path of contact begins " << entry << " m after the pitch point and does not contain it; "
+            << "enlarge wheel_outer_radius or reduce gear_centre_distance";
+    throw InputError(message.str());
+  }
+  if (exit <= 0.0) {
+    message << "the path of contact ends " << -exit << " m before the pitch point and does not contain it; "
+            << "enlarge pinion_outer_radius or reduce gear_centre_distance";
+    throw InputError(message.str());
+  }
+}
+
+}  // namespace
+
+LineOfAction::LineOfAction(const SpurGearPair& pair) {
+  check_dimensions(pair);
+  base_radius_pinion_ = base_radius(pair.pinion, pair);
+  base_radius_wheel_ = base_radius(pair.wheel, pair);
+  const double base_radii = base_radius_pinion_ + base_radius_wheel_;
+  if (pair.centre_distance <= base_radii) {
+    std::ostringstream message;
+    message << "gear_centre_distance = " << pair.centre_distance << " m is not above the sum of the base radii "
+            << base_radii << " m: the base circles overlap; enlarge gear_centre_distance or reduce gear_module";
+    throw InputError(message.str());
+  }
+  working_pressure_angle_ = std::acos(base_radii / pair.centre_distance);
+  speed_ratio_ = static_cast<double>(pair.pinion.teeth) / pair.wheel.teeth;
+  base_pitch_ = 2.0 * pi * base_radius_pinion_ / pair.pinion.teeth;
+
+  const double tip_pinion = tip_radius_of_curvature(pair.pinion, base_radius_pinion_, "pinion");
+  const double tip_wheel = tip_radius_of_curvature(pair.wheel, base_radius_wheel_, "wheel");
+  entry_ = radius_wheel(0.0) - tip_wheel;
+  exit_ = tip_pinion - radius_pinion(0.0);
+  check_flank(radius_pinion(entry_), "pinion", "wheel");
+  check_flank(radius_wheel(exit_), "wheel", "pinion");
+  check_path(entry_, exit_, base_pitch_);
+
+  // R_iy = F_w^2/(8 mag_i); the curvatures 1/R_iy add, so one straight flank or two need no special case.
+  const double crowning = pair.pinion.crowning + pair.wheel.crowning;
+  radius_y_ =
+      crowning > 0.0 ? pair.face_width * pair.face_width / (8.0 * crowning) : std::numeric_limits<double>::infinity();
+}
+
+double LineOfAction::radius_pinion(double xi) const {
+  return base_radius_pinion_ * std::tan(working_pressure_angle_) + xi;
+}
+
+double LineOfAction::radius_wheel(double xi) const {
+  return base_radius_wheel_ * std::tan(working_pressure_angle_) - xi;
+}
+
+double LineOfAction::radius_x(double xi) const {
+  const double pinion = radius_pinion(xi);
+  const double wheel = radius_wheel(xi);
+  return pinion * wheel / (pinion + wheel);
+}
+
+double LineOfAction::entrainment_velocity(double xi, double pinion_speed) const {
+  // u_m = Omega_1 [R_b1 tan(alpha') + (1-tau) xi/2]
+  return pinion_speed * (radius_pinion(0.0) + (1.0 - speed_ratio_) * xi / 2.0);
+}
+
+double LineOfAction::sliding_velocity(double xi, double pinion_speed) const {
+  // u_1 - u_2 = Omega_1 (R_1x - tau R_2x); the terms without xi cancel because tau R_b2 = R_b1, and are left
+  // out so that the pitch point rolls exactly.
+  return pinion_speed * (1.0 + speed_ratio_) * xi;
+}
+
+double LineOfAction::travel_velocity(double pinion_speed) const {
+  return pinion_speed * base_radius_pinion_;
+}
+
+std::vector<double> LineOfAction::contact_positions(double xi) const {
+  assert(std::isfinite(xi));
+  // A contact that enters or leaves sits at an end of the path up to round-off: it counts as within.
+  constexpr double tolerance = 1e-12;  // in base pitches
+  const int first = static_cast<int>(std::floor((exit_ - xi) / base_pitch_ + tolerance));
+  const int last = static_cast<int>(std::ceil((entry_ - xi) / base_pitch_ - tolerance));
+  std::vector<double> positions;
+  for (int n = first; n >= last; --n) positions.push_back(std::clamp(xi + n * base_pitch_, entry_, exit_));
+  return positions;
+}
+
+double mesh_frequency(const SpurGearPair& pair, double pinion_speed) {
+  return pinion_speed * pair.pinion.teeth / (2.0 * pi);
+}
+
+double equivalent_mass(const LineOfAction& line, double pinion_inertia, double wheel_inertia) {
+  assert(pinion_inertia > 0.0 && wheel_inertia > 0.0);
+  const double r1 = line.base_radius_pinion();
+  const double r2 = line.base_radius_wheel();
+  return 1.0 / (r1 * r1 / pinion_inertia + r2 * r2 / wheel_inertia);
+}
+
+}  // namespace gearfilm
