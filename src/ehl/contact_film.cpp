@@ -118,15 +118,14 @@ FilmFigures ContactFilm::figures() const {
   return {sums[0] * grid_.h_x() * grid_.h_y(), sums[1], -maxima[1], sums[2], maxima[0], finite != 0};
 }
 
-void hertz_pressure(const Grid& grid, const Scales& scales, double force_ratio, double* pressure) {
-  const double growth = std::cbrt(force_ratio);
-  const double kappa = scales.hertz.ellipticity;
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, double* pressure) {
+  const double top = contact.pressure / scales.pressure;
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      const double x = grid.x(i) / growth, y = kappa * grid.y(j) / growth;
+      const double x = grid.x(i) * scales.length / contact.a, y = grid.y(j) * scales.length / contact.b;
       const double inside = 1.0 - x * x - y * y;
       const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
-      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? growth * std::sqrt(inside) : 0.0;
+      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;
     }
   }
 }

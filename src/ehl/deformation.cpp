@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/ehl/halo.hpp"
 
 namespace gearfilm {
 namespace {
@@ -43,6 +44,7 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * rows_),
       exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * ny_),
       y_lines_(static_cast<std::size_t>(wave_count()) * length_y_) {
+  count_blocks();
   plan_transforms();
   transform_kernel();
 }
@@ -51,10 +53,9 @@ template <class Real>
 void Deformation<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
-  const bool alone = wave_ranges_.size() == 2;
   // On one process the x-transform writes straight into the padded y-lines: no transposition at all.
-  auto* spectrum = reinterpret_cast<Raw>(alone ? y_lines_.data() : x_spectrum_.data());
-  const int spectrum_stride = alone ? length_y_ : rows_;
+  auto* spectrum = reinterpret_cast<Raw>(alone() ? y_lines_.data() : x_spectrum_.data());
+  const int spectrum_stride = alone() ? length_y_ : rows_;
   x_forward_ = fftw::Plan<Real>(Fftw::many_r2c(1, &length_x_, rows_, padded_.data(), nullptr, rows_, 1, spectrum,
                                                nullptr, spectrum_stride, 1, FFTW_MEASURE));
   x_backward_ = fftw::Plan<Real>(Fftw::many_c2r(1, &length_x_, rows_, spectrum, nullptr, spectrum_stride, 1,
@@ -97,57 +98,50 @@ void Deformation<Real>::transform_kernel() {
 }
 
 template <class Real>
-void Deformation<Real>::to_y_lines() const {
-  Complex* lines = y_lines_.data();
-  const int waves = wave_count();
-  if (wave_ranges_.size() > 2) {
-    // Blocks are contiguous on the sending side: [wave numbers of the receiver][own rows].
-    const int processes = static_cast<int>(wave_ranges_.size()) - 1;
-    std::vector<int> send(processes), send_at(processes), receive(processes), receive_at(processes);
-    for (int p = 0; p < processes; ++p) {
-      send[p] = 2 * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_;
-      send_at[p] = 2 * wave_ranges_[p] * rows_;
-      receive[p] = 2 * waves * (y_ranges_[p + 1] - y_ranges_[p]);
-      receive_at[p] = 2 * waves * y_ranges_[p];
-    }
-    const MPI_Datatype type = std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
-    MPI_Alltoallv(x_spectrum_.data(), send.data(), send_at.data(), type, exchanged_.data(), receive.data(),
-                  receive_at.data(), type, comm_);
-    for (int p = 0; p < processes; ++p) {
-      const int rows = y_ranges_[p + 1] - y_ranges_[p];
-      const Complex* block = exchanged_.data() + static_cast<std::size_t>(waves) * y_ranges_[p];
-      for (int k = 0; k < waves; ++k) {
-        std::copy_n(block + static_cast<std::size_t>(k) * rows, rows,
-                    lines + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p]);
-      }
+void Deformation<Real>::count_blocks() {
+  const int processes = static_cast<int>(wave_ranges_.size()) - 1;
+  constexpr int reals = 2;  // of a complex value
+  for (int p = 0; p < processes; ++p) {
+    x_side_.counts.push_back(reals * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_);
+    x_side_.offsets.push_back(reals * wave_ranges_[p] * rows_);
+    y_side_.counts.push_back(reals * wave_count() * (y_ranges_[p + 1] - y_ranges_[p]));
+    y_side_.offsets.push_back(reals * wave_count() * y_ranges_[p]);
+  }
+}
+
+// Blocks travel as [wave numbers][rows]; on the x side they already lie so, on the y side they are parts of longer
+// lines. copy(line, block, rows) moves one piece between the two.
+template <class Real>
+template <class Copy>
+void Deformation<Real>::for_each_block_line(Copy copy) const {
+  for (std::size_t p = 0; p + 1 < y_ranges_.size(); ++p) {
+    const int rows = y_ranges_[p + 1] - y_ranges_[p];
+    Complex* block = exchanged_.data() + static_cast<std::size_t>(wave_count()) * y_ranges_[p];
+    for (int k = 0; k < wave_count(); ++k) {
+      copy(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p],
+           block + static_cast<std::size_t>(k) * rows, rows);
     }
   }
-  for (int k = 0; k < waves; ++k) {
-    std::fill_n(lines + static_cast<std::size_t>(k) * length_y_ + ny_, length_y_ - ny_, Complex(0));
+}
+
+template <class Real>
+void Deformation<Real>::to_y_lines() const {
+  if (!alone()) {
+    MPI_Alltoallv(x_spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(),
+                  exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), comm_);
+    for_each_block_line([](Complex* line, const Complex* block, int rows) { std::copy_n(block, rows, line); });
+  }
+  for (int k = 0; k < wave_count(); ++k) {
+    std::fill_n(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + ny_, length_y_ - ny_, Complex(0));
   }
 }
 
 template <class Real>
 void Deformation<Real>::to_x_lines() const {
-  if (wave_ranges_.size() == 2) return;
-  const int waves = wave_count();
-  const int processes = static_cast<int>(wave_ranges_.size()) - 1;
-  std::vector<int> send(processes), send_at(processes), receive(processes), receive_at(processes);
-  for (int p = 0; p < processes; ++p) {
-    const int rows = y_ranges_[p + 1] - y_ranges_[p];
-    Complex* block = exchanged_.data() + static_cast<std::size_t>(waves) * y_ranges_[p];
-    for (int k = 0; k < waves; ++k) {
-      std::copy_n(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p], rows,
-                  block + static_cast<std::size_t>(k) * rows);
-    }
-    send[p] = 2 * waves * rows;
-    send_at[p] = 2 * waves * y_ranges_[p];
-    receive[p] = 2 * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_;
-    receive_at[p] = 2 * wave_ranges_[p] * rows_;
-  }
-  const MPI_Datatype type = std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
-  MPI_Alltoallv(exchanged_.data(), send.data(), send_at.data(), type, x_spectrum_.data(), receive.data(),
-                receive_at.data(), type, comm_);
+  if (alone()) return;
+  for_each_block_line([](const Complex* line, Complex* block, int rows) { std::copy_n(line, rows, block); });
+  MPI_Alltoallv(exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(),
+                x_spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), comm_);
 }
 
 template <class Real>

@@ -110,7 +110,7 @@ private:
 template <class Real>
 void FilmMultigrid<Real>::build_levels(const Grid& grid, double C_h) {
   const Grid* last = &grid;
-  levels_.push_back(std::make_unique<Level>(Grid(grid.comm(), grid.shape()), C_h));
+  levels_.push_back(std::make_unique<Level>(grid.copy(), C_h));
   while (last->can_coarsen() && (options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels)) {
     if (grid.processes() > 1 && last->fewest_coarse_rows() < fewest_rows_per_process) {
       whole_grid_.emplace(last->gathered());

@@ -52,11 +52,10 @@ FilmSolution dry_guess(const ContactFilm& film, double force) {
   const Scales& scales = film.scales();
   FilmSolution guess;
   guess.pressure.resize(film.grid().local_size());
-  const double ratio = force / scales.static_force;
-  hertz_pressure(film.grid(), scales, ratio, guess.pressure.data());
-  const double approach = hertz_contact(scales.solids, ratio * scales.operation.load).approach;
+  const HertzContact dry = dry_contact(scales, film.conditions(), force);
+  hertz_pressure(film.grid(), scales, dry, guess.pressure.data());
   const double expected = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
-  guess.H0 = (expected - approach) / scales.film;
+  guess.H0 = (expected - dry.approach) / scales.film - film.conditions().gap_offset;
   return guess;
 }
 
@@ -103,11 +102,11 @@ StationaryResult solve_stationary(ContactFilm& film, double force, const SolverO
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton(present, options);
     result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, force);
-    if (!solve_on_grid(present, newton, force, result.solution, before != nullptr)) {
-      report_failure(present.grid(), newton.counts());
-    }
+    const bool solved = solve_on_grid(present, newton, force, result.solution, before != nullptr);
+    if (!solved && n == 0) report_failure(present.grid(), newton.counts());
     result.by_grid.push_back(newton.counts());
-    before = &present.grid();
+    // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
+    before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
   result.figures = film.figures();

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/ehl/deformation.hpp"
 #include "gearfilm/ehl/linear_film.hpp"
 #include "gearfilm/ehl/preconditioner.hpp"
@@ -76,7 +77,7 @@ private:
   long convolutions_ = 0;
 };
 
-/// The pressure of the dry contact under the force F (in units of the static one) in the reference geometry; compact.
-void hertz_pressure(const Grid& grid, const Scales& scales, double force_ratio, double* pressure);
+/// Pressure of a dry contact on the own nodes, zero on the boundary; compact.
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, double* pressure);
 
 }  // namespace gearfilm

@@ -31,7 +31,16 @@ public:
 
 private:
   using Complex = std::complex<Real>;
+  /// What travels to or from every process, in numbers of Real.
+  struct Blocks {
+    std::vector<int> counts;
+    std::vector<int> offsets;
+  };
 
+  bool alone() const { return wave_ranges_.size() == 2; }
+  void count_blocks();
+  template <class Copy>
+  void for_each_block_line(Copy copy) const;
   void plan_transforms();
   void transform_kernel();
   void to_y_lines() const;
@@ -50,6 +59,8 @@ private:
   int length_y_;
   std::vector<int> wave_ranges_;  ///< first x wave number of every process, and their number
   std::vector<int> y_ranges_;
+  Blocks x_side_;                 ///< of x_spectrum_
+  Blocks y_side_;                 ///< of exchanged_
   // Work space of apply(); [x or wave number][y], y contiguous.
   mutable fftw::Buffer<Real> padded_;        ///< [length_x][rows], zero from nx on
   mutable fftw::Buffer<Real> result_;        ///< [length_x][rows]

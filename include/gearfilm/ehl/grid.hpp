@@ -65,6 +65,8 @@ public:
   int fewest_coarse_rows() const;
   /// Every second node; a coarse row belongs to the process that owns the same fine row.
   Grid coarsened() const;
+  /// The same grid, cut alike.
+  Grid copy() const { return Grid(comm_, shape_, y_ranges_); }
   /// The same grid, whole on every process.
   Grid gathered() const;
 

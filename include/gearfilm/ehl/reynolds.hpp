@@ -14,13 +14,6 @@
 
 namespace gearfilm {
 
-/// What distinguishes a contact at one moment from the reference contact of the Scales.
-struct ContactConditions {
-  double radius_ratio = 1.0;  ///< Rbar = R_x/R_x* [-]
-  double entrainment = 1.0;   ///< U = u_m/u_m* [-]
-  double gap_offset = 0.0;    ///< added to H: tip relief, pitch error [-]
-};
-
 /// Weights of one node's equation that do not depend on the solution.
 struct ReynoldsWeights {
   ReynoldsWeights(const Grid& grid, double entrainment)

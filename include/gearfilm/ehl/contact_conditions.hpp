@@ -1,0 +1,17 @@
+// What distinguishes a contact at one moment from the reference contact of the Scales, and its dry counterpart.
+#pragma once
+
+#include "gearfilm/contact/scales.hpp"
+
+namespace gearfilm {
+
+struct ContactConditions {
+  double radius_ratio = 1.0;  ///< Rbar = R_x/R_x* [-]
+  double entrainment = 1.0;   ///< U = u_m/u_m* [-]
+  double gap_offset = 0.0;    ///< added to H: tip relief, pitch error [-]
+};
+
+/// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI].
+HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
+
+}  // namespace gearfilm

@@ -1,0 +1,17 @@
+// Whether a computed film may be believed.
+//
+// A film is outside its model when it is not finite, when H <= 0 somewhere, or when the Hertz ellipse of the force
+// it carries reaches the side or outlet edge of its grid (the inlet always carries a little pressure; the ellipse
+// must not reach it either). Films computed beyond that look plausible and are wrong by factors.
+#pragma once
+
+#include <string>
+
+#include "gearfilm/ehl/contact_film.hpp"
+
+namespace gearfilm {
+
+/// Throws SolveError naming `where` (contact and position), what is wrong and the remedy.
+void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where);
+
+}  // namespace gearfilm
