@@ -1,42 +1,43 @@
 #include "gearfilm/ehl/validity.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
-void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where) {
-  std::ostringstream message;
-  message << where << ": ";
-  if (!figures.finite) {
-    message << "the film is not finite; use a finer grid (grid_nx, grid_ny)";
+void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions,
+                  double pressure_integral, const std::string& where) {
+  if (pressure_integral <= 0.0) return;
+  const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
+  const auto require = [&](double half_axis, double edge, const std::string& side, const std::string& option) {
+    if (half_axis < std::abs(edge)) return;
+    std::ostringstream message;
+    message << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
+            << " times the static load (" << half_axis << " of the static half-axis) reaches the " << side
+            << " edge of the grid at " << edge << "; set " << option << " beyond "
+            << std::copysign(1.1 * half_axis, edge);
     throw SolveError(message.str());
+  };
+  const GridShape& shape = grid.shape();
+  require(ellipse.b / scales.hertz.b, scales.hertz.ellipticity * shape.y_half, "side", "grid_y_half");
+  require(ellipse.a / scales.hertz.a, shape.x_max, "outlet", "grid_x_max");
+  require(ellipse.a / scales.hertz.a, shape.x_min, "inlet", "grid_x_min");
+}
+
+void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where) {
+  if (!figures.finite) {
+    throw SolveError(where + ": the film is not finite; use a finer grid (grid_nx, grid_ny)");
   }
-  const Scales& scales = film.scales();
   if (figures.smallest_film <= 0.0) {
-    message << "smallest film " << figures.smallest_film * scales.film
+    std::ostringstream message;
+    message << where << ": smallest film " << figures.smallest_film * film.scales().film
             << " m is not positive; use a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
                "grid_y_half)";
     throw SolveError(message.str());
   }
-  if (figures.pressure_integral <= 0.0) return;
-  const HertzContact ellipse = dry_contact(scales, film.conditions(), figures.pressure_integral);
-  const GridShape& shape = film.grid().shape();
-  const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
-  const double force_ratio = figures.pressure_integral / scales.static_force;
-  const double kappa = scales.hertz.ellipticity;
-  const auto require = [&](double half_axis, double edge, const std::string& side, const std::string& option) {
-    if (half_axis < edge) return;
-    const double margin = option == "grid_x_min" ? -1.1 : 1.1;
-    message << "the Hertz ellipse under " << force_ratio << " times the static load (half-axis " << half_axis
-            << " of the static one) reaches the " << side << " edge of the grid at " << edge << "; set " << option
-            << " beyond " << margin * half_axis;
-    throw SolveError(message.str());
-  };
-  require(kappa * b, kappa * shape.y_half, "side", "grid_y_half");
-  require(a, shape.x_max, "outlet", "grid_x_max");
-  require(a, -shape.x_min, "inlet", "grid_x_min");
+  check_domain(film.grid(), film.scales(), film.conditions(), figures.pressure_integral, where);
 }
 
 }  // namespace gearfilm

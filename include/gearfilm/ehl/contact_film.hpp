@@ -52,6 +52,7 @@ public:
 
   /// Of the last state.
   FilmFigures figures() const;
+  const FilmState& state() const { return state_; }
   const Field<double>& pressure() const { return state_.pressure; }
   const Field<double>& film() const { return state_.film; }
   /// Double-precision convolutions so far on this grid.

@@ -3,6 +3,7 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <memory>

@@ -1,0 +1,16 @@
+// The commands of the program. Each takes a checked case, prints its main results and writes them to the case's
+// output folder.
+#pragma once
+
+#include "gearfilm/io/case.hpp"
+
+namespace gearfilm {
+
+/// Derived quantities only, no field solve.
+void run_info(MPI_Comm comm, const Case& problem);
+/// Stationary film at one position.
+void run_steady(MPI_Comm comm, const Case& problem);
+/// The standard set of speed measurements.
+void run_bench(MPI_Comm comm, const Case& problem);
+
+}  // namespace gearfilm

@@ -1,0 +1,57 @@
+// A case: what is to be computed, ready for the solvers.
+#pragma once
+
+#include <petscsys.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/gear/gear_pair.hpp"
+#include "gearfilm/gear/line_of_action.hpp"
+#include "gearfilm/io/parameter_values.hpp"
+
+namespace gearfilm {
+
+enum class CaseKind { gear_pair, contact };
+
+struct Case {
+  std::string name;
+  CaseKind kind = CaseKind::gear_pair;
+
+  // Of a gear pair only.
+  std::optional<SpurGearPair> gears;
+  std::optional<LineOfAction> line;
+  double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
+  double torque = 0.0;                    ///< T_g1 on the pinion [N m]
+  std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
+
+  // The reference contact: the pitch point of a gear pair, or the bare contact.
+  ContactSolids solids;
+  Lubricant oil;
+  ContactOperation operation;  ///< w*, by gear.load_model; u_m*
+  Scales scales;
+
+  Domain domain;
+  int nx = 0;  ///< nodes along X
+  int ny = 0;  ///< nodes along Y
+  SolverOptions solver;
+
+  double steady_position = 0.0;    ///< xi of a stationary contact [m]; zero for a bare contact
+  double steady_load_ratio = 1.0;  ///< its force over w* [-]
+
+  std::filesystem::path output_directory;
+  ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
+};
+
+/// Builds the case from a complete set of values. Throws InputError for values that do not fit together: a pair that
+/// cannot mesh, masses or moduli given twice or by half, a position off the path of contact.
+Case make_case(const ParameterValues& values);
+
+/// Reads a case file under the present command line. Collective; throws InputError on all ranks alike.
+Case read_case(MPI_Comm comm, const std::string& file);
+
+}  // namespace gearfilm

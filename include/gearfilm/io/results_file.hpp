@@ -1,0 +1,53 @@
+// results.h5: fields of contacts, with parameters and version as attributes.
+//
+//   /                     attributes: program, version, command
+//   /parameters           attributes: every parameter of the run
+//   /contact0             attributes: position and scales of the contact
+//   /contact0/P, H        pressure [Pa] and film thickness [m] as (nx, ny)
+//   /contact0/x, y        coordinates along and across entrainment [m]
+//   /contact0/mesh        the same as (nx, ny, 2), for ParaView through results.xmf
+// Written by all processes together through PETSc's HDF5 viewer.
+#pragma once
+
+#include <petscviewerhdf5.h>
+
+#include <filesystem>
+#include <string>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/ehl/field.hpp"
+
+namespace gearfilm {
+
+class ResultsFile {
+ public:
+  /// Creates the file; it takes its name only in finish().
+  ResultsFile(MPI_Comm comm, std::filesystem::path path);
+
+  void attribute(const std::string& group, const std::string& name, const std::string& value);
+  void attribute(const std::string& group, const std::string& name, double value);
+
+  /// Coordinates of a contact's grid [m].
+  void grid(const std::string& group, const Grid& grid, const Scales& scales);
+  /// One field in SI: values times scale.
+  void field(const std::string& group, const std::string& name, const std::string& unit, const Grid& grid,
+             const Field<double>& values, double scale);
+
+  void finish();
+
+ private:
+  using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
+
+  void view(const std::string& group, const std::string& name, Vec vec, const std::string& unit);
+  void line(const std::string& group, const std::string& name, const std::vector<double>& values);
+
+  MPI_Comm comm_;
+  std::filesystem::path path_;
+  OwnedViewer viewer_;
+};
+
+/// results.xmf beside results.h5: the description by which ParaView opens one contact's fields.
+void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& group,
+                const Grid& grid);
+
+}  // namespace gearfilm

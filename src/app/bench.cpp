@@ -1,0 +1,110 @@
+// Speed of the kernels and of stationary solves, in seconds, per node, and in convolution times (yardstick.hpp).
+#include <cmath>
+
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/stopwatch.hpp"
+#include "gearfilm/app/yardstick.hpp"
+#include "gearfilm/ehl/multigrid_level.hpp"
+#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/summary.hpp"
+
+namespace gearfilm {
+namespace {
+
+struct GridSize {
+  int nx, ny;
+};
+constexpr GridSize standard_grids[] = {{129, 65}, {129, 129}, {257, 257}};
+constexpr int kernel_runs = 41;
+constexpr int solve_runs = 3;
+
+/// The measurements on one grid.
+class GridBench {
+public:
+  GridBench(MPI_Comm comm, const Case& problem, GridSize size)
+      : comm_(comm),
+        problem_(problem),
+        grid_(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
+        film_(grid_, problem.scales, problem.solver),
+        unit_(convolution_time(size.nx, size.ny)),
+        change_(grid_.local_size()),
+        rows_(grid_.local_size()) {
+    MPI_Bcast(&unit_, 1, MPI_DOUBLE, 0, comm);
+  }
+
+  Summary run() {
+    petsc_check(PetscPrintf(comm_, "\n%d x %d nodes, convolution time %.4g ms\n%-28s %12s %10s %12s\n", grid_.nx(),
+                            grid_.ny(), 1e3 * unit_, "", "time [ms]", "ns/node", "convolutions"));
+    solve();
+    kernels<float>("single");
+    kernels<double>("double");
+    film_kernels();
+    return {{"nx", grid_.nx()}, {"ny", grid_.ny()}, {"convolution_time", unit_}, {"rows", table_}};
+  }
+
+private:
+  void report(const std::string& name, double seconds) {
+    MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    const double per_node = 1e9 * seconds / (static_cast<double>(grid_.nx()) * grid_.ny());
+    petsc_check(PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node,
+                            seconds / unit_));
+    table_.push_back({{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node},
+                      {"convolutions", seconds / unit_}});
+  }
+
+  void solve() {
+    report("stationary film",
+           median_time([&] { result_ = solve_stationary(film_, problem_.scales.static_force, problem_.solver); }, 0.0, 0,
+                       solve_runs));
+  }
+
+  template <class Real>
+  void kernels(const std::string& precision) {
+    MultigridLevel<Real> level(grid_.copy(), problem_.scales.C_h);
+    level.state() = film_.state();
+    const Deformation<Real> deformation(grid_, problem_.scales.C_h);
+    Field<Real> pressure(grid_), deformed(grid_);
+    report("deformation, " + precision,
+           median_time([&] { deformation.apply(pressure, deformed); }, 0.0, 0, kernel_runs));
+    report("smoother factors, " + precision, median_time([&] { level.update(1.0, 0.0); }, 0.0, 0, kernel_runs));
+    report("smoother sweep, " + precision,
+           median_time([&] { level.smooth(rows_.data(), change_.data(), 1, true); }, 0.0, 0, kernel_runs));
+  }
+
+  void film_kernels() {
+    FilmSolution& solution = result_.solution;
+    report("film and residual", median_time(
+                                    [&] {
+                                      solution.H0 = std::nextafter(solution.H0, 0.0);  // else the film is reused
+                                      film_.residual(solution.pressure.data(), solution.H0, nullptr, rows_.data());
+                                    },
+                                    0.0, 0, kernel_runs));
+    report("linearisation, all levels", median_time([&] { film_.linearise(0.0); }, 0.0, 0, kernel_runs));
+    report("Jacobian application",
+           median_time([&] { film_.multiply(rows_.data(), 0.0, change_.data()); }, 0.0, 0, kernel_runs));
+    report("V-cycle", median_time([&] { film_.precondition(rows_.data(), change_.data()); }, 0.0, 0, kernel_runs));
+  }
+
+  MPI_Comm comm_;
+  const Case& problem_;
+  Grid grid_;
+  ContactFilm film_;
+  double unit_;
+  StationaryResult result_;
+  std::vector<double> change_, rows_;
+  Summary table_ = Summary::array();
+};
+
+}  // namespace
+
+void run_bench(MPI_Comm comm, const Case& problem) {
+  prepare_output_directory(comm, problem.output_directory);
+  Summary summary;
+  summary["case"] = problem.name;
+  summary["grids"] = Summary::array();
+  for (const GridSize size : standard_grids) summary["grids"].push_back(GridBench(comm, problem, size).run());
+  write_summary(comm, problem.output_directory / "summary.json", summary);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,102 @@
+#include "gearfilm/app/command_line.hpp"
+
+#include <array>
+#include <cctype>
+
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/ehl/petsc.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/options.hpp"
+#include "gearfilm/version.hpp"
+
+namespace gearfilm {
+namespace {
+
+struct Command {
+  const char* name;
+  void (*run)(MPI_Comm, const Case&);
+  const char* meaning;
+};
+
+constexpr std::array<Command, 3> commands = {{
+    {"info", run_info, "derived quantities of a case, no field solve"},
+    {"steady", run_steady, "stationary film of one contact"},
+    {"bench", run_bench, "speed of the kernels and of stationary solves"},
+}};
+constexpr const char* parameters_command = "parameters";
+
+std::string usage() {
+  std::string text =
+      "gearfilm " + std::string(version) +
+      "\nLubricant films and vibration of spur-gear pairs.\n\n"
+      "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
+      "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
+  for (const Command& command : commands) {
+    text += "  " + std::string(command.name) + std::string(12 - std::string(command.name).size(), ' ') + command.meaning + "\n";
+  }
+  return text + "  parameters  the table of all parameters in Markdown (needs no case)\n\n";
+}
+
+bool starts_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && !(std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.');
+}
+
+}  // namespace
+
+CommandLine::CommandLine(int argc, char** argv) {
+  petsc_arguments_.emplace_back(argc > 0 ? argv[0] : "gearfilm");
+  bool after_option = false;
+  for (int n = 1; n < argc; ++n) {
+    const std::string word = argv[n];
+    if (word == "-help" || word == "--help" || word == "-h") {
+      help_ = true;
+      continue;
+    }
+    if (word == "-version" || word == "--version") {
+      version_ = true;
+      continue;
+    }
+    petsc_arguments_.push_back(word);
+    const bool option = starts_option(word);
+    if (!option && !after_option) {
+      std::string& place = command_.empty() ? command_ : case_file_.empty() ? case_file_ : surplus_;
+      if (place.empty()) place = word;
+    }
+    after_option = option;
+  }
+}
+
+void run(MPI_Comm comm, const CommandLine& command_line) {
+  if (command_line.wants_version()) {
+    petsc_check(PetscPrintf(comm, "gearfilm %s\n", version));
+    return;
+  }
+  if (command_line.wants_help()) {
+    petsc_check(PetscPrintf(comm, "%s%s", usage().c_str(), parameter_help().c_str()));
+    return;
+  }
+  if (command_line.command() == parameters_command) {
+    petsc_check(PetscPrintf(comm, "%s", parameter_markdown().c_str()));
+    return;
+  }
+  std::string known;
+  for (const Command& command : commands) {
+    known += (known.empty() ? "" : ", ") + std::string(command.name);
+    if (command_line.command() != command.name) continue;
+    if (command_line.case_file().empty()) {
+      throw InputError("no case file given; run 'gearfilm " + command_line.command() + " CASE.yaml'");
+    }
+    if (!command_line.surplus().empty()) {
+      throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
+    }
+    command.run(comm, read_case(comm, command_line.case_file()));
+    for (const std::string& option : unused_options()) {
+      petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: option %s was not used\n", option.c_str()));
+    }
+    return;
+  }
+  throw InputError((command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
+                   "; use one of " + known + ", " + parameters_command + ", or -help");
+}
+
+}  // namespace gearfilm

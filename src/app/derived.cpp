@@ -1,0 +1,67 @@
+#include "gearfilm/app/derived.hpp"
+
+#include <numbers>
+
+#include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+
+namespace gearfilm {
+namespace {
+
+void add_gear_geometry(const Case& problem, Summary& summary) {
+  const LineOfAction& line = *problem.line;
+  summary["working_pressure_angle_deg"] = line.working_pressure_angle() * 180.0 / std::numbers::pi;
+  summary["base_radius_pinion"] = line.base_radius_pinion();
+  summary["base_radius_wheel"] = line.base_radius_wheel();
+  summary["base_pitch"] = line.base_pitch();
+  summary["xi_entry"] = line.entry();
+  summary["xi_exit"] = line.exit();
+  summary["contact_ratio"] = line.contact_ratio();
+}
+
+void add_mesh_motion(const Case& problem, Summary& summary) {
+  const double f_m = mesh_frequency(*problem.gears, problem.pinion_speed);
+  summary["f_m"] = f_m;
+  summary["mesh_period"] = 1.0 / f_m;
+  summary["mesh_period_dimensionless"] = 1.0 / (f_m * problem.scales.time);
+  if (!problem.equivalent_mass) return;
+  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  summary["m_ge"] = *problem.equivalent_mass;
+  summary["I_n"] = problem.scales.inertia(*problem.equivalent_mass);
+  summary["k_el"] = k_el;
+  summary["f_n"] = natural_frequency(k_el, *problem.equivalent_mass);
+}
+
+}  // namespace
+
+Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation) {
+  return {{"hamrock_dowson_h_central", hamrock_dowson_central(solids, oil, operation)},
+          {"hamrock_dowson_h_min", hamrock_dowson_minimum(solids, oil, operation)},
+          {"nijenbanning_venner_moes_h_central", nijenbanning_venner_moes_central(solids, oil, operation)}};
+}
+
+Summary derived_quantities(const Case& problem) {
+  const Scales& scales = problem.scales;
+  const MoesGroups groups = moes_groups(scales.solids, scales.oil, scales.operation);
+  Summary summary;
+  summary["case"] = problem.name;
+  if (problem.line) add_gear_geometry(problem, summary);
+  summary["R_x"] = scales.solids.radius_x;
+  summary["R_y"] = scales.solids.radius_y;
+  summary["E_prime"] = scales.solids.reduced_modulus;
+  summary["load"] = scales.operation.load;
+  summary["entrainment_velocity"] = scales.operation.entrainment_velocity;
+  summary["kappa"] = scales.hertz.ellipticity;
+  summary["a"] = scales.hertz.a;
+  summary["b"] = scales.hertz.b;
+  summary["p_hertz"] = scales.hertz.pressure;
+  summary["hertz_approach"] = scales.hertz.approach;
+  summary["M"] = groups.M;
+  summary["L"] = groups.L;
+  summary["D"] = groups.D;
+  if (problem.line) add_mesh_motion(problem, summary);
+  summary.update(film_predictions(scales.solids, scales.oil, scales.operation));
+  return summary;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,31 @@
+#include "gearfilm/app/session.hpp"
+
+#include <slepcsys.h>
+
+#include <cstdlib>
+
+#include "gearfilm/ehl/events.hpp"
+
+namespace gearfilm {
+
+Session::Session(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {
+  for (std::string& argument : arguments_) pointers_.push_back(argument.data());
+  pointers_.push_back(nullptr);
+  count_ = static_cast<int>(arguments_.size());
+  values_ = pointers_.data();
+
+  // Open MPI's default file layer leaves a semaphore behind when a run is killed inside a file open; every later open
+  // of a file of that name then hangs.
+  setenv("OMPI_MCA_io", "romio321", 0);
+  petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
+  // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
+  petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  register_events();
+}
+
+Session::~Session() {
+  (void)PetscPopErrorHandler();
+  (void)SlepcFinalize();
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,134 @@
+// `gearfilm steady`: the stationary film of one contact at one position on the line of action.
+#include <sstream>
+
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/derived.hpp"
+#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/results_file.hpp"
+#include "gearfilm/version.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// The contact at the chosen position: conditions for the solver, and in SI for the film formulas.
+struct Position {
+  ContactConditions conditions;
+  ContactSolids solids;
+  ContactOperation operation;
+  std::string label;
+};
+
+Position steady_position(const Case& problem) {
+  Position position{{}, problem.scales.solids, problem.scales.operation, "bare contact"};
+  if (problem.line) {
+    const double xi = problem.steady_position;
+    position.solids.radius_x = problem.line->radius_x(xi);
+    position.operation.entrainment_velocity = problem.line->entrainment_velocity(xi, problem.pinion_speed);
+    position.conditions.radius_ratio = position.solids.radius_x / problem.scales.solids.radius_x;
+    position.conditions.entrainment =
+        position.operation.entrainment_velocity / problem.scales.operation.entrainment_velocity;
+    std::ostringstream label;
+    label << "contact 0 at xi = " << 1e3 * xi << " mm";
+    position.label = label.str();
+  }
+  position.operation.load *= problem.steady_load_ratio;
+  return position;
+}
+
+Summary film_summary(const Case& problem, const Position& position, const StationaryResult& result) {
+  const Scales& scales = problem.scales;
+  Summary summary;
+  summary["case"] = problem.name;
+  summary["nx"] = problem.nx;
+  summary["ny"] = problem.ny;
+  if (problem.line) summary["position"] = problem.steady_position;
+  summary["h_central"] = scales.film * result.figures.central_film;
+  summary["h_min"] = scales.film * result.figures.smallest_film;
+  summary["p_central"] = scales.pressure * result.figures.central_pressure;
+  summary["p_max"] = scales.pressure * result.figures.largest_pressure;
+  summary["force"] = scales.force(result.figures.pressure_integral);
+  summary["H0"] = result.solution.H0;
+  summary["H_central"] = result.figures.central_film;
+  summary["H_min"] = result.figures.smallest_film;
+  summary["residual"] = result.counts.residual;
+  SolveCounts total;
+  for (const SolveCounts& counts : result.by_grid) {
+    total.newton += counts.newton;
+    total.krylov += counts.krylov;
+    total.convolutions += counts.convolutions;
+  }
+  summary["newton_iterations"] = result.counts.newton;
+  summary["krylov_iterations"] = result.counts.krylov;
+  summary["convolutions"] = result.counts.convolutions;
+  summary["newton_iterations_all_grids"] = total.newton;
+  summary["krylov_iterations_all_grids"] = total.krylov;
+  summary["convolutions_all_grids"] = total.convolutions;
+  summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);
+  return summary;
+}
+
+void write_results(MPI_Comm comm, const Case& problem, const Position& position, const ContactFilm& film,
+                   const Summary& summary) {
+  const std::string group = "/contact0";
+  ResultsFile file(comm, problem.output_directory / "results.h5");
+  file.attribute("/", "program", std::string("gearfilm"));
+  file.attribute("/", "version", std::string(version));
+  file.attribute("/", "command", std::string("steady"));
+  for (const EchoedValue& echoed : problem.parameters.echo()) {
+    file.attribute("/parameters", echoed.name, echoed.unit.empty() || echoed.unit == "-" ? echoed.value : echoed.value + " " + echoed.unit);
+  }
+  const Scales& scales = problem.scales;
+  file.grid(group, film.grid(), scales);
+  file.field(group, "P", "Pa", film.grid(), film.pressure(), scales.pressure);
+  file.field(group, "H", "m", film.grid(), film.film(), scales.film);
+  file.attribute(group, "xi", problem.steady_position);
+  file.attribute(group, "R_x", position.solids.radius_x);
+  file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
+  file.attribute(group, "force", summary["force"].get<double>());
+  file.attribute(group, "H0", summary["H0"].get<double>());
+  file.attribute(group, "a", scales.hertz.a);
+  file.attribute(group, "b", scales.hertz.b);
+  file.attribute(group, "p_hertz", scales.hertz.pressure);
+  file.finish();
+  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group, film.grid());
+  write_summary(comm, problem.output_directory / "summary.json", summary);
+}
+
+void print_result(MPI_Comm comm, const Case& problem, const Position& position, const Summary& summary) {
+  const Summary& predicted = summary["predictions"];
+  const auto um = [](const Summary& value) { return 1e6 * value.get<double>(); };
+  petsc_check(PetscPrintf(comm,
+                          "%s, %d x %d nodes: film %.4f um central, %.4f um smallest; pressure %.4f GPa largest; "
+                          "force %.6g N\n",
+                          position.label.c_str(), problem.nx, problem.ny, um(summary["h_central"]), um(summary["h_min"]),
+                          1e-9 * summary["p_max"].get<double>(), summary["force"].get<double>()));
+  petsc_check(PetscPrintf(comm,
+                          "formulas: Hamrock-Dowson %.4f um central, %.4f um smallest; Nijenbanning-Venner-Moes %.4f um "
+                          "central\n",
+                          um(predicted["hamrock_dowson_h_central"]), um(predicted["hamrock_dowson_h_min"]),
+                          um(predicted["nijenbanning_venner_moes_h_central"])));
+  petsc_check(PetscPrintf(comm, "%d Newton and %d Krylov iterations on this grid, residual %.2e\n",
+                          summary["newton_iterations"].get<int>(), summary["krylov_iterations"].get<int>(),
+                          summary["residual"].get<double>()));
+}
+
+}  // namespace
+
+void run_steady(MPI_Comm comm, const Case& problem) {
+  const Grid grid(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny));
+  const Position position = steady_position(problem);
+  prepare_output_directory(comm, problem.output_directory);
+  ContactFilm film(grid, problem.scales, problem.solver);
+  film.set_conditions(position.conditions);
+  const double force = problem.steady_load_ratio * problem.scales.static_force;
+  check_domain(grid, problem.scales, position.conditions, force, position.label);
+  const StationaryResult result = solve_stationary(film, force, problem.solver);
+  check_validity(film, result.figures, position.label);
+  const Summary summary = film_summary(problem, position, result);
+  write_results(comm, problem, position, film, summary);
+  print_result(comm, problem, position, summary);
+}
+
+}  // namespace gearfilm

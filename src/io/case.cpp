@@ -1,0 +1,201 @@
+#include "gearfilm/io/case.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/contact/moes.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/case_file.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+// The physics know no files: what they find wrong gets the name of the file here.
+template <class Make>
+auto in_file_of(const ParameterValues& values, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(values.file() + ": " + error.what());
+  }
+}
+
+std::string quoted(const std::string& name) {
+  return "'" + name + "'";
+}
+
+SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
+  return {.teeth = values.integer(gear + ".teeth"),
+          .outer_radius = values.real(gear + ".outer_radius"),
+          .crowning = values.real(gear + ".crowning")};
+}
+
+SpurGearPair read_gear_pair(const ParameterValues& values) {
+  return {.pinion = read_gear(values, "pinion"),
+          .wheel = read_gear(values, "wheel"),
+          .module_length = values.real("gear.module"),
+          .pressure_angle = values.real("gear.pressure_angle_deg") * pi / 180.0,
+          .centre_distance = values.real("gear.centre_distance"),
+          .face_width = values.real("gear.face_width")};
+}
+
+// Either both inertias or the mass itself; none for a pair that does not vibrate.
+std::optional<double> read_equivalent_mass(const ParameterValues& values, const LineOfAction& line) {
+  const std::string mass = "gear.equivalent_mass", pinion = "pinion.inertia", wheel = "wheel.inertia";
+  for (const std::string& inertia : {pinion, wheel}) {
+    if (values.has(mass) && values.has(inertia))
+      throw InputError(values.origin(inertia) + ": both " + quoted(inertia) + " and " + quoted(mass) +
+                       " are given, and each says how heavy the gears are; delete one");
+  }
+  if (values.has(pinion) != values.has(wheel)) {
+    const std::string& given = values.has(pinion) ? pinion : wheel;
+    const std::string& missing = values.has(pinion) ? wheel : pinion;
+    throw InputError(values.origin(given) + ": " + quoted(given) + " is given without " + quoted(missing) +
+                     "; give both inertias, " + quoted(mass) + ", or neither");
+  }
+  if (values.has(mass)) return values.real(mass);
+  if (values.has(pinion)) return equivalent_mass(line, values.real(pinion), values.real(wheel));
+  return {};
+}
+
+ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction& line) {
+  if (!std::isfinite(line.radius_y()))
+    throw InputError(values.origin("pinion.crowning") +
+                     ": 'pinion.crowning' and 'wheel.crowning' are both 0 m, a line " +
+                     "contact, which is not modelled; give at least one crowning > 0");
+  return {.radius_x = line.radius_x(0.0),
+          .radius_y = line.radius_y(),
+          .reduced_modulus = reduced_modulus(values.real("pinion.youngs_modulus"), values.real("pinion.poisson_ratio"),
+                                             values.real("wheel.youngs_modulus"), values.real("wheel.poisson_ratio"))};
+}
+
+// w* = T_g1/R_b1, or its equivalent point load (27).
+double reference_load(const Case& gear_case, double face_width) {
+  const double tooth_force = gear_case.torque / gear_case.line->base_radius_pinion();
+  if (gear_case.parameters.text("gear.load_model") == "point") return tooth_force;
+  const ContactSolids& solids = gear_case.solids;
+  return equivalent_point_load(
+      solids, hertz_line_half_width(tooth_force / face_width, solids.radius_x, solids.reduced_modulus));
+}
+
+void set_gear_pair(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.gears = read_gear_pair(values);
+  result.line = in_file_of(values, [&] { return LineOfAction(*result.gears); });
+  result.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
+  result.torque = values.real("pinion.torque");
+  result.equivalent_mass = read_equivalent_mass(values, *result.line);
+  result.solids = solids_at_pitch(values, *result.line);
+  result.operation = in_file_of(values, [&] {
+    return ContactOperation{.load = reference_load(result, result.gears->face_width),
+                            .entrainment_velocity = result.line->entrainment_velocity(0.0, result.pinion_speed)};
+  });
+}
+
+double read_reduced_modulus(const ParameterValues& values) {
+  const std::array<std::string, 4> bodies = {"contact.youngs_modulus_1", "contact.poisson_ratio_1",
+                                             "contact.youngs_modulus_2", "contact.poisson_ratio_2"};
+  const std::string reduced = "contact.reduced_modulus";
+  for (const std::string& body : bodies) {
+    if (values.has(reduced) && values.has(body))
+      throw InputError(values.origin(body) + ": both " + quoted(body) + " and " + quoted(reduced) +
+                       " are given; delete one");
+    if (!values.has(reduced) && !values.has(body))
+      throw InputError(values.file() + ": " + quoted(body) + " is missing; give " + quoted(reduced) +
+                       ", or Young's modulus and Poisson's ratio of both bodies");
+  }
+  if (values.has(reduced)) return values.real(reduced);
+  return reduced_modulus(values.real(bodies[0]), values.real(bodies[1]), values.real(bodies[2]),
+                         values.real(bodies[3]));
+}
+
+void set_bare_contact(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.solids = {.radius_x = values.real("contact.radius_x"),
+                   .radius_y = values.real("contact.radius_y"),
+                   .reduced_modulus = read_reduced_modulus(values)};
+  result.operation = {.load = values.real("contact.load"),
+                      .entrainment_velocity = values.real("contact.entrainment_velocity")};
+}
+
+Lubricant read_lubricant(const ParameterValues& values) {
+  const Lubricant oil = {
+      .viscosity = values.real("lubricant.viscosity"),
+      .pressure_viscosity = values.real("lubricant.pressure_viscosity"),
+      .viscosity_law = values.text("lubricant.viscosity_law") == "barus" ? ViscosityLaw::barus : ViscosityLaw::roelands,
+      .density_law = values.text("lubricant.density_law") == "incompressible" ? DensityLaw::incompressible
+                                                                              : DensityLaw::dowson_higginson};
+  in_file_of(values, [&] { check(oil); });
+  return oil;
+}
+
+Domain read_domain(const ParameterValues& values, double M) {
+  Domain domain = default_domain(M);
+  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
+  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
+  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
+  return domain;
+}
+
+SolverOptions read_solver_options(const ParameterValues& values) {
+  return {.newton_tolerance = values.real("solver.newton_tolerance"),
+          .newton_max_iterations = values.integer("solver.newton_max_iterations"),
+          .krylov_tolerance = values.real("solver.krylov_tolerance"),
+          .krylov_max_iterations = values.integer("solver.krylov_max_iterations"),
+          .levels = values.integer("solver.levels"),
+          .smoothing_sweeps = values.integer("solver.smoothing_sweeps"),
+          .coarse_sweeps = values.integer("solver.coarse_sweeps"),
+          .precision =
+              values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
+}
+
+double read_steady_position(const Case& result) {
+  const std::string name = "steady.position";
+  const double position = result.parameters.real(name);
+  const std::string given =
+      result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
+  if (!result.line) {
+    if (position != 0.0) throw InputError(given + ", but a bare contact has no line of action; delete the key");
+    return position;
+  }
+  const double entry = result.line->entry(), exit = result.line->exit();
+  if (position < entry || position > exit)
+    throw InputError(given + ", off the path of contact; give a number in [" + format_value(entry) + ", " +
+                     format_value(exit) + "] m");
+  return position;
+}
+
+}  // namespace
+
+Case make_case(const ParameterValues& values) {
+  Case result;
+  result.parameters = values;
+  result.name = values.text("case.name");
+  result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
+  result.oil = read_lubricant(values);
+  if (result.kind == CaseKind::gear_pair) {
+    set_gear_pair(result);
+  } else {
+    set_bare_contact(result);
+  }
+  in_file_of(values, [&] {
+    result.scales = make_scales(result.solids, result.oil, result.operation);
+    result.domain = read_domain(values, moes_groups(result.solids, result.oil, result.operation).M);
+  });
+  result.nx = values.integer("grid.nx");
+  result.ny = values.integer("grid.ny");
+  result.solver = read_solver_options(values);
+  result.steady_position = read_steady_position(result);
+  result.steady_load_ratio = values.real("steady.load_ratio");
+  result.output_directory = values.text("output.dir");
+  return result;
+}
+
+Case read_case(MPI_Comm comm, const std::string& file) {
+  return make_case(read_parameters(comm, file));
+}
+
+}  // namespace gearfilm

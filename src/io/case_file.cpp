@@ -1,0 +1,164 @@
+// YAML events rather than yaml-cpp's nodes: nodes keep one of two equal keys without a word.
+#include "gearfilm/io/case_file.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/options.hpp"
+
+namespace gearfilm {
+namespace {
+
+bool is_section(const std::string& name) {
+  return std::ranges::any_of(parameter_table(),
+                             [&](const Parameter& parameter) { return parameter.section() == name; });
+}
+
+// Collects the leaves of nested maps under their full names.
+class EntryCollector : public YAML::EventHandler {
+ public:
+  explicit EntryCollector(std::string file) : file_(std::move(file)) {}
+
+  std::vector<CaseFileEntry> take_entries() { return std::move(entries_); }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) fail(mark, "a second YAML document begins; give one case a file");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
+    // An empty file is a case without keys: what is missing is said later.
+    if (open_maps_.empty()) return;
+    if (expects_key()) fail(mark, "a key is empty; give it a name");
+    reject_empty(mark);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string& text) override {
+    if (open_maps_.empty()) fail(mark, "'" + text + "' is not a case; give keys with values, 'section: {key: value}'");
+    if (expects_key()) return begin_key(mark, text);
+    if (is_section(key_))
+      fail(mark, "'" + key_ + "' is a section, but has the value '" + text + "'; give keys under it");
+    require_known_key(key_, place(mark));
+    if (text.empty()) reject_empty(mark);
+    entries_.push_back({key_, text, mark.line + 1});
+    key_.clear();
+  }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    if (!open_maps_.empty() && expects_key()) fail(mark, "a key is itself a list of keys; give it a name");
+    open_maps_.push_back(std::exchange(key_, {}));
+  }
+  void OnMapEnd() override { open_maps_.pop_back(); }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    fail(mark,
+         (key_.empty() ? "the content" : "'" + key_ + "'") + " is a list; no parameter takes one, give one value");
+  }
+  void OnSequenceEnd() override {}
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    fail(mark, "YAML aliases ('*name') are not read; write the value out");
+  }
+
+ private:
+  bool expects_key() const { return key_.empty(); }
+  std::string place(const YAML::Mark& mark) const { return file_ + ":" + std::to_string(mark.line + 1); }
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
+    throw InputError(place(mark) + ": " + message);
+  }
+
+  [[noreturn]] void reject_empty(const YAML::Mark& mark) const {
+    if (is_section(key_)) fail(mark, "section '" + key_ + "' is empty; give keys under it or delete it");
+    require_known_key(key_, place(mark));
+    fail(mark, "'" + key_ + "' has no value; give " + describe_allowed(*find_parameter(key_)));
+  }
+
+  void begin_key(const YAML::Mark& mark, const std::string& text) {
+    if (text.empty()) fail(mark, "a key is empty; give it a name");
+    key_ = open_maps_.back().empty() ? text : open_maps_.back() + "." + text;
+    const auto [earlier, is_new] = lines_.emplace(key_, mark.line + 1);
+    if (!is_new)
+      fail(mark, "duplicate key '" + key_ + "', first given in line " + std::to_string(earlier->second) +
+                     "; delete one of the two");
+  }
+
+  std::string file_;
+  std::vector<CaseFileEntry> entries_;
+  std::vector<std::string> open_maps_;  // full names of the maps that are open; the outermost has none
+  std::string key_;                     // full name of the key whose value comes next
+  std::map<std::string, int> lines_;    // where each key was first given
+  int documents_ = 0;
+};
+
+// Empty with a reason when the file cannot be read.
+std::string read_here(const std::string& file, std::string& reason) {
+  constexpr std::streamsize largest = 1 << 20;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    reason = "is a directory";
+    return {};
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    reason = std::filesystem::exists(file, ignored) ? "cannot be opened" : "does not exist";
+    return {};
+  }
+  std::string text(largest + 1, '\0');
+  stream.read(text.data(), largest + 1);
+  text.resize(stream.gcount());
+  if (stream.bad()) reason = "cannot be read";
+  if (stream.gcount() > largest) reason = "is larger than 1 MB, which no case file is";
+  return text;
+}
+
+void broadcast(MPI_Comm comm, std::string& text) {
+  int size = static_cast<int>(text.size());
+  MPI_Bcast(&size, 1, MPI_INT, 0, comm);
+  text.resize(size);
+  MPI_Bcast(text.data(), size, MPI_CHAR, 0, comm);
+}
+
+}  // namespace
+
+std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::string& text) {
+  EntryCollector collector(file);
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(collector)) {
+    }
+  } catch (const YAML::Exception& error) {
+    throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": malformed YAML (" + error.msg +
+                     "); check indentation, colons and quotes");
+  }
+  return collector.take_entries();
+}
+
+std::string read_text(MPI_Comm comm, const std::string& file) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::string reason;
+  std::string text = rank == 0 ? read_here(file, reason) : std::string();
+  broadcast(comm, reason);
+  if (!reason.empty()) throw InputError("case file '" + file + "' " + reason + "; check its path");
+  broadcast(comm, text);
+  return text;
+}
+
+ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
+  const std::vector<CaseFileEntry> entries = parse_case_text(file, read_text(comm, file));
+  require_known_options();
+  ParameterValues values = merge_with_options(file, entries);
+  values.complete();
+  return values;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,135 @@
+#include "gearfilm/io/options.hpp"
+
+#include <petscsys.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+
+#include "gearfilm/ehl/petsc.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/case_file.hpp"
+
+namespace gearfilm {
+namespace {
+
+// What PETSc and SLEPc read when the object concerned is created, after our check.
+constexpr auto object_prefixes = std::to_array<std::string_view>(
+    {"ao_",   "bv_",         "da_",  "dm_",  "draw_", "ds_",  "eps_", "fieldsplit_", "fn_",        "is_", "ksp_",
+     "mat_",  "matmatmult_", "mfn_", "mg_",  "nep_",  "npc_", "pc_",  "pep_",        "redundant_", "rg_", "sf_",
+     "snes_", "st_",         "sub_", "svd_", "tao_",  "ts_",  "vec_", "vecscatter_", "viewer_"});
+// What PETSc reads at its start or when it ends, whatever the program does.
+constexpr auto general_prefixes = std::to_array<std::string_view>(
+    {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",
+     "log_",      "malloc", "memory_",      "mpidump",           "objects_",          "on_error_", "options_",
+     "petsc",     "saws",   "slepc",        "start_in_debugger", "stop_for_debugger", "use_gpu",   "version"});
+
+// Option names do not depend on case, as in PETSc.
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return lower;
+}
+
+template <class Prefixes>
+bool begins_with_any(std::string_view option, const Prefixes& prefixes) {
+  const std::string name = lower_case(option.substr(option.starts_with('-') ? 1 : 0));
+  return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+bool is_parameter_option(std::string_view option) {
+  const std::string name = lower_case(option);
+  return std::ranges::any_of(parameter_table(), [&](const Parameter& parameter) { return parameter.option() == name; });
+}
+
+struct Option {
+  std::string name;  // with its dash
+  std::string value;
+};
+
+// The options that nothing has read so far.
+std::vector<Option> options_left() {
+  PetscInt count = 0;
+  char** names = nullptr;
+  char** values = nullptr;
+  petsc_check(PetscOptionsLeftGet(nullptr, &count, &names, &values));
+  std::vector<Option> options;
+  for (PetscInt n = 0; n < count; ++n) options.push_back({std::string("-") + names[n], values[n] ? values[n] : ""});
+  petsc_check(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
+  return options;
+}
+
+std::string as_typed(const Option& option) {
+  return option.value.empty() ? option.name : option.name + " " + option.value;
+}
+
+// The value in the database, empty if it was given without one; false where there is no such option.
+bool find_option(const std::string& option, std::string& value) {
+  const char* text = nullptr;
+  PetscBool found = PETSC_FALSE;
+  petsc_check(PetscOptionsFindPair(nullptr, nullptr, option.c_str(), &text, &found));
+  value = text ? text : "";
+  return found == PETSC_TRUE;
+}
+
+// Options that a case file has put into the database, so that the next one does not take them for the command line.
+std::map<std::string, std::string>& options_from_file() {
+  static std::map<std::string, std::string> options;
+  return options;
+}
+
+void remove_options_of_earlier_file() {
+  for (const auto& [option, value] : options_from_file()) {
+    std::string present;
+    if (find_option(option, present) && present == value) petsc_check(PetscOptionsClearValue(nullptr, option.c_str()));
+  }
+  options_from_file().clear();
+}
+
+}  // namespace
+
+bool is_petsc_option(std::string_view option) {
+  return begins_with_any(option, object_prefixes) || begins_with_any(option, general_prefixes);
+}
+
+void require_known_options() {
+  for (const Option& option : options_left()) {
+    if (is_petsc_option(option.name) || is_parameter_option(option.name)) continue;
+    throw InputError("command line: unknown option '" + as_typed(option) + "'; did you mean '" +
+                     nearest_parameter_by_option(option.name).option() + "'?");
+  }
+}
+
+ParameterValues merge_with_options(const std::string& file, const std::vector<CaseFileEntry>& entries) {
+  remove_options_of_earlier_file();
+  std::map<std::string, std::string> origins;
+  for (const CaseFileEntry& entry : entries) {
+    const std::string origin = file + ":" + std::to_string(entry.line);
+    const Parameter& parameter = *find_parameter(entry.name);
+    parse_value(parameter, entry.value, origin);  // wrong even if the command line overrides it
+    std::string overriding;
+    if (find_option(parameter.option(), overriding)) continue;
+    petsc_check(PetscOptionsSetValue(nullptr, parameter.option().c_str(), entry.value.c_str()));
+    options_from_file()[parameter.option()] = entry.value;
+    origins[entry.name] = origin;
+  }
+  ParameterValues values(file);
+  for (const Parameter& parameter : parameter_table()) {
+    std::string value;
+    if (!find_option(parameter.option(), value)) continue;
+    const auto origin = origins.find(parameter.name);
+    values.set(parameter.name, value, origin != origins.end() ? origin->second : "option " + parameter.option());
+  }
+  return values;
+}
+
+std::vector<std::string> unused_options() {
+  std::vector<std::string> unused;
+  for (const Option& option : options_left()) {
+    if (!begins_with_any(option.name, general_prefixes)) unused.push_back(as_typed(option));
+  }
+  return unused;
+}
+
+}  // namespace gearfilm

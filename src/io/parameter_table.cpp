@@ -1,0 +1,229 @@
+// The records. Units are SI; an angle or a speed in another unit says so in its name. Upper ends of ranges catch a
+// wrong unit (millimetres for metres, GPa for Pa); the physics needs none.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/io/parameter.hpp"
+
+namespace gearfilm {
+namespace {
+
+using Records = std::vector<Parameter>;
+using Words = std::vector<std::string>;
+
+Range at_least(double lower) {
+  return {.lower = lower};
+}
+Range above(double lower) {
+  return {.lower = lower, .lower_open = true};
+}
+Range below(double upper) {
+  return {.upper = upper, .upper_open = true};
+}
+Range closed(double lower, double upper) {
+  return {.lower = lower, .upper = upper};
+}
+Range left_open(double lower, double upper) {
+  return {.lower = lower, .upper = upper, .lower_open = true};
+}
+Range right_open(double lower, double upper) {
+  return {.lower = lower, .upper = upper, .upper_open = true};
+}
+Range open(double lower, double upper) {
+  return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
+}
+Range odd(double lower, double upper) {
+  return {.lower = lower, .upper = upper, .odd = true};
+}
+
+// One record; section() puts the section before the name.
+Parameter number(std::string name, std::string symbol, std::string unit, const Range& range, std::string meaning) {
+  return {.name = std::move(name),
+          .symbol = std::move(symbol),
+          .unit = std::move(unit),
+          .range = range,
+          .meaning = std::move(meaning)};
+}
+
+Parameter whole(std::string name, std::string symbol, const Range& range, std::string meaning) {
+  Parameter parameter = number(std::move(name), std::move(symbol), "-", range, std::move(meaning));
+  parameter.type = ParameterType::integer;
+  return parameter;
+}
+
+Parameter word(std::string name, std::string meaning) {
+  return {.name = std::move(name), .type = ParameterType::text, .meaning = std::move(meaning)};
+}
+
+// The first choice is the default.
+Parameter choice(std::string name, Words choices, std::string meaning) {
+  return {.name = std::move(name),
+          .type = ParameterType::choice,
+          .presence = Presence::preset,
+          .fallback = choices.front(),
+          .choices = std::move(choices),
+          .meaning = std::move(meaning)};
+}
+
+Parameter preset(const ParameterValue& value, Parameter parameter) {
+  parameter.presence = Presence::preset;
+  parameter.fallback = format_value(value);
+  return parameter;
+}
+
+Parameter optional(std::string when_absent, Parameter parameter) {
+  parameter.presence = Presence::optional;
+  parameter.fallback = std::move(when_absent);
+  return parameter;
+}
+
+// Keys of the top level have no section: name is empty.
+Records section(const std::string& name, Scope scope, Records records) {
+  for (Parameter& parameter : records) {
+    if (!name.empty()) parameter.name = name + "." + parameter.name;
+    parameter.scope = scope;
+  }
+  return records;
+}
+
+Records case_records() {
+  return section("case", Scope::any,
+                 {optional("name of the case file", word("name", "name of the case in its results")),
+                  choice("kind", {"gear_pair", "contact"},
+                         "a pair of spur gears, or one bare contact given by its radii and load")});
+}
+
+// What both gears have; subscript 1 is the pinion, 2 the wheel.
+Records one_gear_records(const std::string& subscript) {
+  const std::string without_inertia = "none; give both inertias, gear.equivalent_mass, or neither";
+  return {
+      whole("teeth", "Z_" + subscript, closed(3, 10000), "number of teeth"),
+      number("outer_radius", "R_a" + subscript, "m", left_open(0, 10), "radius of the tip circle"),
+      number("crowning", "mag_" + subscript, "m", closed(0, 0.01), "lead crowning over half the face width"),
+      number("youngs_modulus", "E_" + subscript, "Pa", left_open(1e5, 1e13), "Young's modulus"),
+      number("poisson_ratio", "nu_" + subscript, "-", right_open(0, 0.5), "Poisson's ratio"),
+      optional(without_inertia,
+               number("inertia", "I_g" + subscript, "kg m^2", above(0), "moment of inertia about its axis")),
+  };
+}
+
+Records pinion_records() {
+  Records records = one_gear_records("1");
+  records.push_back(number("speed_rpm", "Omega_1", "rpm", left_open(0, 1e6), "rotational speed of the pinion"));
+  records.push_back(number("torque", "T_g1", "N m", above(0), "torque on the pinion"));
+  return section("pinion", Scope::gear_pair, std::move(records));
+}
+
+Records wheel_records() {
+  return section("wheel", Scope::gear_pair, one_gear_records("2"));
+}
+
+Records gear_records() {
+  return section(
+      "gear", Scope::gear_pair,
+      {number("module", "m_n", "m", left_open(0, 0.1), "normal module"),
+       number("pressure_angle_deg", "alpha", "deg", open(0, 45), "pressure angle of the basic rack"),
+       number("centre_distance", "a_w", "m", left_open(0, 20), "working centre distance"),
+       number("face_width", "F_w", "m", left_open(0, 5), "face width"),
+       optional("from both inertias; without them no vibration",
+                number("equivalent_mass", "m_ge", "kg", above(0), "mass of both gears along the line of action")),
+       choice("load_model", {"point", "line_equivalent"},
+              "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
+              "half-axis a of the line contact under that force")});
+}
+
+Records contact_records() {
+  const std::string unless_reduced = "needed without contact.reduced_modulus";
+  const Range modulus = left_open(1e5, 1e13);
+  const Range ratio = right_open(0, 0.5);
+  return section("contact", Scope::contact,
+                 {number("radius_x", "R_x", "m", left_open(0, 1000), "reduced radius along the entrainment"),
+                  number("radius_y", "R_y", "m", left_open(0, 1000), "reduced radius across the entrainment"),
+                  optional("from the moduli and ratios of both bodies",
+                           number("reduced_modulus", "E'", "Pa", modulus,
+                                  "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
+                  optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
+                  optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
+                  optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
+                  optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
+                  number("load", "w", "N", above(0), "load"),
+                  number("entrainment_velocity", "u_m", "m/s", above(0), "mean velocity of the two surfaces")});
+}
+
+Records lubricant_records() {
+  return section(
+      "lubricant", Scope::any,
+      {number("viscosity", "eta_0", "Pa s", left_open(0, 1e4), "viscosity at ambient pressure"),
+       number("pressure_viscosity", "alpha_B", "1/Pa", left_open(0, 1e-6), "pressure-viscosity coefficient"),
+       choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
+       choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")});
+}
+
+Records grid_records() {
+  const Domain long_domain = default_domain(0.0);
+  const Domain short_domain = default_domain(HUGE_VAL);
+  const auto by_load = [&](double Domain::*bound) {
+    return format_value(long_domain.*bound) + " for M < 200, else " + format_value(short_domain.*bound);
+  };
+  return section(
+      "grid", Scope::any,
+      {preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
+       preset(65, whole("ny", "N_y", odd(9, 16385), "nodes across the entrainment, boundaries included")),
+       optional(by_load(&Domain::x_min), number("x_min", "X_min", "a", below(-1), "inlet edge of the domain")),
+       optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", above(1), "outlet edge of the domain")),
+       optional(by_load(&Domain::y_half), number("y_half", "", "b", above(1), "half the width of the domain"))});
+}
+
+Records steady_records() {
+  return section(
+      "steady", Scope::any,
+      {preset(0.0, number("position", "xi", "m", {}, "position on the line of action, zero at the pitch point")),
+       preset(1.0, number("load_ratio", "F/F*", "-", above(0), "force on the contact over its reference load"))});
+}
+
+Records solver_records() {
+  const SolverOptions standard;
+  Parameter precision = choice("precision", {"single", "double"}, "arithmetic of the multigrid preconditioner");
+  if (standard.precision == Precision::double_precision) precision.fallback = "double";
+  return section(
+      "solver", Scope::any,
+      {preset(standard.newton_tolerance,
+              number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of the scaled residual")),
+       preset(standard.newton_max_iterations,
+              whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
+       preset(standard.krylov_tolerance,
+              number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve")),
+       preset(standard.krylov_max_iterations,
+              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+       preset(standard.levels,
+              whole("levels", "", closed(0, 20), "multigrid levels of the preconditioner; 0: chosen by the grid")),
+       preset(standard.smoothing_sweeps,
+              whole("smoothing_sweeps", "", closed(1, 1000), "sweeps before and after a coarse-grid correction")),
+       preset(standard.coarse_sweeps, whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
+       std::move(precision)});
+}
+
+Records output_records() {
+  return section("output", Scope::any,
+                 {optional("output/ and case.name", word("dir", "directory that receives the results"))});
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameter_table() {
+  static const Records table = [] {
+    Records all;
+    for (Records& records : std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(),
+                                                 contact_records(), lubricant_records(), grid_records(),
+                                                 steady_records(), solver_records(), output_records()})
+      std::ranges::move(records, std::back_inserter(all));
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace gearfilm

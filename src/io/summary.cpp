@@ -1,0 +1,30 @@
+#include "gearfilm/io/summary.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/output_directory.hpp"
+
+namespace gearfilm {
+namespace {
+
+void require_finite(const Summary& value, const std::string& name) {
+  if (value.is_structured()) {
+    for (const auto& [key, item] : value.items()) require_finite(item, name.empty() ? key : name + "." + key);
+  } else if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+    throw SolveError("result '" + name + "' is not finite; nothing of it is written");
+  }
+}
+
+}  // namespace
+
+void write_summary(MPI_Comm comm, const std::filesystem::path& path, const Summary& summary) {
+  require_finite(summary, "");
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  if (rank == 0) std::ofstream(part_of(path)) << summary.dump(2) << '\n';
+  finish_part(comm, path);
+}
+
+}  // namespace gearfilm

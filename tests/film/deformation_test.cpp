@@ -1,0 +1,167 @@
+// Elastic deformation: the kernel, the distributed convolution, and Hertz' solution.
+#include "gearfilm/ehl/deformation.hpp"
+
+#include <numbers>
+
+#include "film_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+// Integral of 1/sqrt(x^2 + y^2) over a cell that does not contain the origin: 5-point Gauss rule on 64 x 64 panels.
+// The nearest singularity, half a cell away, is 10 half-panels off or more in the cells tested: error 20^-10.
+double quadrature(double x, double y, double h_x, double h_y) {
+  constexpr double node[5] = {-0.906179845938664, -0.538469310105683, 0.0, 0.538469310105683, 0.906179845938664};
+  constexpr double weight[5] = {0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
+                                0.236926885056189};
+  constexpr int panels = 64;
+  double sum = 0.0;
+  for (int k = 0; k < 5 * panels; ++k) {
+    const double s = x - 0.5 * h_x + h_x / panels * (k / 5 + 0.5 * (1.0 + node[k % 5]));
+    for (int l = 0; l < 5 * panels; ++l) {
+      const double t = y - 0.5 * h_y + h_y / panels * (l / 5 + 0.5 * (1.0 + node[l % 5]));
+      sum += weight[k % 5] * weight[l % 5] / std::hypot(s, t);
+    }
+  }
+  return 0.25 * h_x * h_y / (panels * panels) * sum;
+}
+
+TEST(LoveKernel, is_the_integral_over_a_distant_cell) {
+  for (const double h_y : {0.1, 0.03, 0.4}) {
+    for (const auto& [i, j] : {std::pair{1, 0}, {0, 1}, {1, 1}, {5, 2}, {-3, 4}, {2, -7}}) {
+      constexpr double h_x = 0.1;
+      const double expected = quadrature(i * h_x, j * h_y, h_x, h_y);
+      // Four corners of size (distance) cancel to (cell area)/(distance): round-off times (distance/cell)^2 ~ 1e3.
+      EXPECT_NEAR(love_kernel(i * h_x, j * h_y, h_x, h_y), expected, 1e-12 * expected) << i << ' ' << j << ' ' << h_y;
+    }
+  }
+}
+
+// In polar coordinates the integral over the own cell is that of the distance to its rim over the angle.
+TEST(LoveKernel, is_the_integral_over_the_own_cell) {
+  for (const double h_y : {0.1, 0.03, 0.4}) {
+    constexpr double h_x = 0.1;
+    constexpr int steps = 2000;
+    const double corner = std::atan2(h_y, h_x);
+    double sum = 0.0;
+    // Midpoint rule on either side of the corner, where the rim is smooth.
+    for (int k = 0; k < steps; ++k) {
+      const double middle = (k + 0.5) / steps;
+      sum += corner / steps * 0.5 * h_x / std::cos(corner * middle);
+      sum += (pi / 2 - corner) / steps * 0.5 * h_y / std::sin(corner + (pi / 2 - corner) * middle);
+    }
+    // The rule is off by (step)^2/24 times the change of slope, 1e-7 to 1e-6 of the value.
+    EXPECT_NEAR(love_kernel(0.0, 0.0, h_x, h_y), 4.0 * sum, 2e-6 * 4.0 * sum) << h_y;
+  }
+}
+
+template <class Real>
+class DeformationOf : public testing::Test {
+protected:
+  // Round-off of a transform of a few hundred points, relative to the largest deformation.
+  static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
+};
+using Precisions = testing::Types<float, double>;
+TYPED_TEST_SUITE(DeformationOf, Precisions);
+
+TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum) {
+  using Real = TypeParam;
+  // The last one has fewer wave numbers (6) than some processes would have rows.
+  for (const GridShape& shape : {GridShape{17, 11, -2.083, 1.25, 6.8}, GridShape{24, 15, -4.5, 1.5, 3.0},
+                                 GridShape{5, 33, -1.0, 1.0, 1.0}}) {
+    const Grid grid(PETSC_COMM_WORLD, shape);
+    constexpr double C_h = 0.37;
+    const Deformation<Real> deformation(grid, C_h);
+    Field<Real> pressure(grid), deformed(grid);
+    pressure.fill(Real(1e6));  // ghosts must not matter
+    deformed.fill(Real(-1.0));
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) pressure.row(i)[j] = static_cast<Real>(noise(i, grid.y_begin() + j));
+    }
+    deformation.apply(pressure, deformed);
+    double error = 0.0, top = 0.0;
+    for (int i = 0; i < grid.nx(); ++i) {
+      EXPECT_EQ(deformed.row(i)[-1], Real(-1.0));
+      EXPECT_EQ(deformed.row(i)[grid.y_count()], Real(-1.0));
+      for (int j = 0; j < grid.y_count(); ++j) {
+        double sum = 0.0;
+        for (int k = 0; k < grid.nx(); ++k) {
+          for (int row = 0; row < grid.ny(); ++row) {
+            const double distance_x = (i - k) * grid.h_x(), distance_y = (grid.y_begin() + j - row) * grid.h_y();
+            sum += C_h * love_kernel(distance_x, distance_y, grid.h_x(), grid.h_y()) *
+                   static_cast<double>(static_cast<Real>(noise(k, row)));
+          }
+        }
+        error = std::max(error, std::abs(deformed.row(i)[j] - sum));
+        top = std::max(top, std::abs(sum));
+      }
+    }
+    EXPECT_LT(maximum(error), TestFixture::tolerance * maximum(top)) << shape.nx << " x " << shape.ny;
+  }
+}
+
+TYPED_TEST(DeformationOf, a_pressure_symmetric_in_y_is_symmetric_in_y) {
+  using Real = TypeParam;
+  const Grid grid(PETSC_COMM_WORLD, {33, 17, -2.083, 1.25, 6.8});
+  const Deformation<Real> deformation(grid, 1.0);
+  Field<Real> pressure(grid), deformed(grid);
+  Field<double> in_double(grid);
+  fill(grid, pressure, [](double x, double y) { return std::exp(-x * x - 0.1 * y * y + 0.3 * x); });
+  deformation.apply(pressure, deformed);
+  fill(grid, in_double, [](double, double) { return 0.0; });
+  for (int i = 0; i < grid.nx(); ++i) std::copy_n(deformed.row(i), grid.y_count(), in_double.row(i));
+  const auto whole = whole_of(grid, in_double);
+  auto mirrored = whole;
+  for (int i = 0; i < grid.nx(); ++i) {
+    std::reverse(mirrored.begin() + i * grid.ny(), mirrored.begin() + (i + 1) * grid.ny());
+  }
+  EXPECT_LT(relative_difference(mirrored, whole), TestFixture::tolerance);
+}
+
+class HertzPressure : public testing::Test {
+protected:
+  HertzPressure() {
+    hertz_pressure(grid, contact.scales, contact.scales.hertz, pressure.data());
+    std::vector<double> unused(grid.local_size());
+    film.residual(pressure.data(), 0.0, nullptr, unused.data());
+  }
+
+  // 257 x 129: the pressure's root at the rim of the ellipse costs h^(3/2), and must stay below 1e-4.
+  FilmCase contact = table3_pitch();
+  Grid grid{PETSC_COMM_WORLD, contact.shape(257, 129)};
+  ContactFilm film{grid, contact.scales, SolverOptions{}};
+  std::vector<double> pressure = std::vector<double>(grid.local_size());
+};
+
+TEST_F(HertzPressure, deformation_flattens_hertz_pressure) {
+  const double approach = contact.scales.hertz.approach / contact.scales.film;
+  // The value that two independent programs give.
+  EXPECT_NEAR(approach, 1.64956, 1e-5);
+  double off = 0.0, sum = 0.0;
+  int nodes = 0;
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      if (std::hypot(grid.x(i), contact.scales.hertz.ellipticity * grid.y(j)) > 0.9) continue;
+      off = std::max(off, std::abs(film.film().row(i)[j] - approach));
+      sum += film.film().row(i)[j] - approach;
+      ++nodes;
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  MPI_Allreduce(MPI_IN_PLACE, &nodes, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
+  RecordProperty("flatness", std::to_string(maximum(off)));
+  report("largest deviation from a flat gap " + std::to_string(maximum(off)) + ", mean " + std::to_string(sum / nodes));
+  EXPECT_LT(maximum(off), 1e-4);
+}
+
+TEST_F(HertzPressure, carries_the_load) {
+  // Sampled with its root at the rim: off by h^(3/2), 5e-5 of the load on this grid.
+  const double load = contact.scales.static_force;
+  EXPECT_DOUBLE_EQ(load, 2.0 * pi / (3.0 * contact.scales.hertz.ellipticity));
+  EXPECT_NEAR(film.figures().pressure_integral, load, 1e-4 * load);
+}
+
+}  // namespace
+}  // namespace gearfilm

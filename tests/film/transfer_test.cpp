@@ -1,0 +1,198 @@
+// Ghost rows, and the transfer of fields between a grid and its coarsening.
+#include "gearfilm/ehl/transfer.hpp"
+
+#include "film_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+template <class Real>
+class TransferOf : public testing::Test {
+protected:
+  // Round-off of a dozen operations on values of order ten.
+  static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
+
+  // Ones inside, zeros on the boundary and at every fifth node or so.
+  static Field<double> wet_mask(const Grid& grid, unsigned seed) {
+    Field<double> wet(grid);
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? 1.0 : 0.0;
+      }
+    }
+    return wet;
+  }
+
+  Grid fine{PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5}};
+  Grid coarse = fine.coarsened();
+  Halo fine_halo{fine};
+  Halo coarse_halo{coarse};
+  Field<Real> on_fine{fine};
+  Field<Real> on_coarse{coarse};
+  Field<double> all_wet_fine{fine};
+  Field<double> all_wet_coarse{coarse};
+
+  TransferOf() {
+    all_wet_fine.fill(1.0);
+    all_wet_coarse.fill(1.0);
+  }
+};
+using Precisions = testing::Types<float, double>;
+TYPED_TEST_SUITE(TransferOf, Precisions);
+
+TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours) {
+  using Real = TypeParam;
+  const Grid& grid = this->fine;
+  const auto number = [](int i, int row) { return static_cast<Real>(1000 * (i + 1) + row + 1); };
+  Field<Real>& field = this->on_fine;
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) field.row(i)[j] = number(i, grid.y_begin() + j);
+  }
+  this->fine_halo.exchange(field);
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = -1; j <= grid.y_count(); ++j) {
+      const int row = grid.y_begin() + j;
+      EXPECT_EQ(field.row(i)[j], row < 0 || row >= grid.ny() ? Real(0) : number(i, row)) << i << ' ' << row;
+    }
+  }
+}
+
+TYPED_TEST(TransferOf, full_weighting_keeps_constants) {
+  using Real = TypeParam;
+  this->on_fine.fill(Real(0));
+  fill(this->fine, this->on_fine, [](double, double) { return 3.25; });
+  this->fine_halo.exchange(this->on_fine);
+  restrict_residual(this->fine, this->coarse, this->on_fine, this->all_wet_coarse, this->on_coarse);
+  for (int i = 1; i < this->coarse.nx() - 1; ++i) {
+    for (int j = 0; j < this->coarse.y_count(); ++j) {
+      if (!this->coarse.is_boundary(i, j)) EXPECT_EQ(this->on_coarse.row(i)[j], Real(3.25));
+    }
+  }
+}
+
+TYPED_TEST(TransferOf, full_weighting_is_zero_where_nothing_flows) {
+  using Real = TypeParam;
+  const auto wet = this->wet_mask(this->coarse, 1);
+  fill(this->fine, this->on_fine, [](double x, double) { return 2.0 + x; });
+  this->fine_halo.exchange(this->on_fine);
+  restrict_residual(this->fine, this->coarse, this->on_fine, wet, this->on_coarse);
+  for (int i = 0; i < this->coarse.nx(); ++i) {
+    for (int j = 0; j < this->coarse.y_count(); ++j) {
+      if (wet.row(i)[j] == 0.0) EXPECT_EQ(this->on_coarse.row(i)[j], Real(0));
+    }
+  }
+}
+
+TYPED_TEST(TransferOf, bilinear_interpolation_is_exact_for_bilinear_fields) {
+  using Real = TypeParam;
+  const auto plane = [](double x, double y) { return 0.5 + 2.0 * x - 3.0 * y + 0.25 * x * y; };
+  fill(this->coarse, this->on_coarse, plane);
+  this->coarse_halo.exchange(this->on_coarse);
+  this->on_fine.fill(Real(1));
+  add_interpolated(this->coarse, this->fine, this->on_coarse, this->all_wet_fine, this->on_fine);
+  for (int i = 1; i < this->fine.nx() - 1; ++i) {
+    for (int j = 0; j < this->fine.y_count(); ++j) {
+      EXPECT_NEAR(this->on_fine.row(i)[j], 1.0 + plane(this->fine.x(i), this->fine.y(j)), TestFixture::tolerance);
+    }
+  }
+}
+
+TYPED_TEST(TransferOf, interpolation_leaves_nodes_alone_that_are_not_wet) {
+  using Real = TypeParam;
+  const auto wet = this->wet_mask(this->fine, 2);
+  this->on_coarse.fill(Real(7));
+  this->on_fine.fill(Real(-2));
+  add_interpolated(this->coarse, this->fine, this->on_coarse, wet, this->on_fine);
+  for (int i = 0; i < this->fine.nx(); ++i) {
+    for (int j = 0; j < this->fine.y_count(); ++j) {
+      EXPECT_NEAR(this->on_fine.row(i)[j], wet.row(i)[j] != 0.0 ? 5.0 : -2.0, TestFixture::tolerance);
+    }
+  }
+}
+
+// Sum over coarse nodes of c R f = 1/4 sum over fine nodes of f I c, with masked f and c: what a symmetric cycle needs.
+TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpolation) {
+  using Real = TypeParam;
+  const auto wet_fine = this->wet_mask(this->fine, 3), wet_coarse = this->wet_mask(this->coarse, 4);
+  Field<Real> restricted(this->coarse), interpolated(this->fine);
+  for (int i = 0; i < this->fine.nx(); ++i) {
+    for (int j = 0; j < this->fine.y_count(); ++j) {
+      this->on_fine.row(i)[j] = static_cast<Real>(wet_fine.row(i)[j] * noise(i, this->fine.y_begin() + j, 5));
+    }
+  }
+  for (int i = 0; i < this->coarse.nx(); ++i) {
+    for (int j = 0; j < this->coarse.y_count(); ++j) {
+      this->on_coarse.row(i)[j] = static_cast<Real>(wet_coarse.row(i)[j] * noise(i, this->coarse.y_begin() + j, 6));
+    }
+  }
+  this->fine_halo.exchange(this->on_fine);
+  this->coarse_halo.exchange(this->on_coarse);
+  restrict_residual(this->fine, this->coarse, this->on_fine, wet_coarse, restricted);
+  add_interpolated(this->coarse, this->fine, this->on_coarse, wet_fine, interpolated);
+  double sums[2] = {0.0, 0.0};
+  for (int i = 0; i < this->coarse.nx(); ++i) {
+    for (int j = 0; j < this->coarse.y_count(); ++j) sums[0] += this->on_coarse.row(i)[j] * restricted.row(i)[j];
+  }
+  for (int i = 0; i < this->fine.nx(); ++i) {
+    for (int j = 0; j < this->fine.y_count(); ++j) sums[1] += 0.25 * this->on_fine.row(i)[j] * interpolated.row(i)[j];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  EXPECT_NEAR(sums[0], sums[1], TestFixture::tolerance);
+  EXPECT_GT(std::abs(sums[0]), 0.01);
+}
+
+class CubicInterpolation : public testing::Test {
+protected:
+  /// Largest error at nodes at least `margin` coarse cells from the edges.
+  template <class Function>
+  double error_for(Function f, int margin) {
+    Field<double> on_fine(fine), on_coarse(coarse);
+    fill(coarse, on_coarse, f);
+    interpolate_cubic(coarse, fine, on_coarse, on_fine);
+    double error = 0.0;
+    for (int i = 2 * margin; i < fine.nx() - 2 * margin; ++i) {
+      for (int j = 0; j < fine.y_count(); ++j) {
+        const int row = fine.y_begin() + j;
+        if (row < 2 * margin || row >= fine.ny() - 2 * margin) continue;
+        error = std::max(error, std::abs(on_fine.row(i)[j] - f(fine.x(i), fine.y(j))));
+      }
+    }
+    return maximum(error);
+  }
+
+  Grid fine{PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5}};
+  Grid coarse = fine.coarsened();
+  static constexpr double round_off = 1e-13;  // a dozen operations on values of order ten
+};
+
+TEST_F(CubicInterpolation, is_exact_for_cubics_away_from_the_edges) {
+  const auto cubic = [](double t) { return 1.0 - t + 0.5 * t * t - 2.0 * t * t * t; };
+  EXPECT_LT(error_for([&](double x, double y) { return cubic(x) * cubic(0.7 * y); }, 1), round_off);
+  EXPECT_GT(error_for([](double x, double) { return x * x * x * x; }, 1), 1e-6);
+}
+
+TEST_F(CubicInterpolation, is_exact_for_bilinear_fields_everywhere) {
+  EXPECT_LT(error_for([](double x, double y) { return 1.0 + 2.0 * x - y + 3.0 * x * y; }, 0), round_off);
+}
+
+TEST(InjectState, takes_every_field_at_the_same_point) {
+  const Grid fine(PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5});
+  const Grid coarse = fine.coarsened();
+  FilmState fine_state(fine), coarse_state(coarse);
+  const auto value = [](std::size_t n, double x, double y) { return n + 1.0 + 0.3 * x - 0.2 * y; };
+  for (std::size_t n = 0; n < fine_state.fields().size(); ++n) {
+    fill(fine, *fine_state.fields()[n], [&](double x, double y) { return value(n, x, y); });
+  }
+  inject_state(fine, coarse, fine_state, coarse_state);
+  for (std::size_t n = 0; n < coarse_state.fields().size(); ++n) {
+    for (int i = 0; i < coarse.nx(); ++i) {
+      for (int j = 0; j < coarse.y_count(); ++j) {
+        // Coordinates of one point on two grids differ by round-off.
+        EXPECT_NEAR(coarse_state.fields()[n]->row(i)[j], value(n, coarse.x(i), coarse.y(j)), 1e-14);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm

@@ -1,0 +1,289 @@
+// What a user writes, right or wrong: case files, command line, and the table of parameters behind them.
+#include <gtest/gtest.h>
+#include <petscsys.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "gearfilm/ehl/petsc.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/case.hpp"
+#include "gearfilm/io/case_file.hpp"
+#include "gearfilm/io/options.hpp"
+
+namespace gearfilm {
+namespace {
+
+const std::string source_dir = GEARFILM_SOURCE_DIR;
+
+Case read_input(const std::string& name) {
+  return read_case(PETSC_COMM_WORLD, source_dir + "/input/" + name);
+}
+
+std::string content(const std::string& path) {
+  std::ifstream stream(path);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// Options as if given on the command line, for the time of a scope.
+class CommandLine {
+ public:
+  explicit CommandLine(std::vector<std::pair<std::string, std::string>> options) : options_(std::move(options)) {
+    for (const auto& [name, value] : options_) petsc_check(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
+  }
+  ~CommandLine() {
+    for (const auto& [name, value] : options_) (void)PetscOptionsClearValue(nullptr, name.c_str());
+  }
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+ private:
+  std::vector<std::pair<std::string, std::string>> options_;
+};
+
+template <class Action>
+std::string input_error(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(no InputError)";
+}
+
+void expect_words(const std::string& message, const std::vector<std::string>& words) {
+  for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
+}
+
+TEST(CaseFile, barbieri_case_has_the_derived_quantities_of_table_3) {
+  const nlohmann::json derived =
+      nlohmann::json::parse(content(source_dir + "/tests/reference/table3.json")).at("derived");
+  const auto expect = [&](const std::string& name, double value) {
+    const double wanted = derived.at(name).at("value");
+    EXPECT_NEAR(value, wanted, std::abs(wanted) * derived.at(name).at("rel_tol").get<double>()) << name;
+  };
+  const Case barbieri = read_input("barbieri2013.yaml");
+  EXPECT_EQ(barbieri.name, "barbieri2013");
+  EXPECT_EQ(barbieri.kind, CaseKind::gear_pair);
+  EXPECT_EQ(barbieri.output_directory, "output/barbieri2013");
+  expect("contact_ratio", barbieri.line->contact_ratio());
+  expect("R_x", barbieri.solids.radius_x);
+  expect("R_y", barbieri.solids.radius_y);
+  expect("a", barbieri.scales.hertz.a);
+  expect("p_hertz", barbieri.scales.hertz.pressure);
+  expect("f_m", mesh_frequency(*barbieri.gears, barbieri.pinion_speed));
+  expect("I_n", barbieri.scales.inertia(*barbieri.equivalent_mass));
+  const MoesGroups moes = moes_groups(barbieri.solids, barbieri.oil, barbieri.operation);
+  expect("M", moes.M);
+  expect("L", moes.L);
+  // M >= 200: the short domain of the paper's Table 1.
+  EXPECT_EQ(barbieri.domain.x_min, -2.083);
+  EXPECT_EQ(barbieri.nx, 129);
+  EXPECT_EQ(barbieri.ny, 65);
+}
+
+TEST(CaseFile, wang_case_carries_the_equivalent_point_load) {
+  const Case wang = read_input("wang2004.yaml");
+  // design values of eq. (27): 493.6 N, 0.1179 mm, 0.786 GPa, printed to that many digits.
+  EXPECT_NEAR(wang.operation.load, 493.6, 0.05);
+  EXPECT_NEAR(wang.scales.hertz.a, 0.1179e-3, 0.5e-7);
+  EXPECT_NEAR(wang.scales.hertz.pressure, 0.786e9, 0.5e6);
+  EXPECT_FALSE(wang.equivalent_mass.has_value());
+  EXPECT_EQ(wang.domain.y_half, 3.0);
+  EXPECT_EQ(wang.ny, 129);
+}
+
+TEST(CaseFile, circular_case_has_moes_groups_20_and_10) {
+  const Case circular = read_input("circular_m20_l10.yaml");
+  EXPECT_EQ(circular.kind, CaseKind::contact);
+  EXPECT_FALSE(circular.gears.has_value());
+  EXPECT_FALSE(circular.line.has_value());
+  const MoesGroups moes = moes_groups(circular.solids, circular.oil, circular.operation);
+  // Load and velocity have four digits.
+  EXPECT_NEAR(moes.M, 20.0, 20.0 * 1e-3);
+  EXPECT_NEAR(moes.L, 10.0, 10.0 * 1e-3);
+}
+
+TEST(CaseFile, dotted_keys_and_nested_keys_are_the_same) {
+  const auto nested = parse_case_text("x.yaml", "pinion: {teeth: 28}\n");
+  const auto dotted = parse_case_text("x.yaml", "\npinion.teeth: 28\n");
+  ASSERT_EQ(nested.size(), 1u);
+  ASSERT_EQ(dotted.size(), 1u);
+  EXPECT_EQ(nested[0].name, dotted[0].name);
+  EXPECT_EQ(nested[0].value, dotted[0].value);
+  EXPECT_EQ(dotted[0].line, 2);
+}
+
+TEST(CaseFile, name_of_the_file_is_the_default_name) {
+  ParameterValues values("input/some_case.yaml");
+  for (const CaseFileEntry& entry : parse_case_text("x", content(source_dir + "/input/circular_m20_l10.yaml")))
+    if (entry.name != "case.name") values.set(entry.name, entry.value, "x");
+  values.complete();
+  EXPECT_EQ(make_case(values).name, "some_case");
+  EXPECT_EQ(make_case(values).output_directory, "output/some_case");
+}
+
+TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
+  {
+    const CommandLine options({{"-grid_nx", "65"}, {"-pinion_speed_rpm", "8000"}, {"-steady_position", "-1e-3"}});
+    const Case overridden = read_input("barbieri2013.yaml");
+    EXPECT_EQ(overridden.nx, 65);
+    EXPECT_DOUBLE_EQ(overridden.pinion_speed, 8000 * 2 * std::numbers::pi / 60);
+    EXPECT_DOUBLE_EQ(overridden.steady_position, -1e-3);
+  }
+  const Case plain = read_input("barbieri2013.yaml");
+  EXPECT_EQ(plain.nx, 129);
+  // wang2004 has a grid section and its own name: neither stays behind.
+  EXPECT_EQ(read_input("wang2004.yaml").ny, 129);
+  EXPECT_EQ(read_input("barbieri2013.yaml").ny, 65);
+  EXPECT_EQ(read_input("circular_m20_l10.yaml").name, "circular_m20_l10");
+}
+
+TEST(CommandLine, is_checked_like_the_file) {
+  const auto read = [] { read_input("barbieri2013.yaml"); };
+  const auto error_with = [&](const std::string& option, const std::string& value) {
+    const CommandLine options({{option, value}});
+    return input_error(read);
+  };
+  expect_words(error_with("-grid_nx", "64"), {"option -grid_nx", "64", "odd whole number", "17"});
+  expect_words(error_with("-grid_nx", "65.5"), {"option -grid_nx", "65.5", "whole number"});
+  expect_words(error_with("-grid_nx", ""), {"option -grid_nx", "no value"});
+  expect_words(error_with("-pinion_torque", "nan"), {"option -pinion_torque", "nan", "> 0"});
+  expect_words(error_with("-solver_precision", "half"), {"option -solver_precision", "half", "single, double"});
+  expect_words(error_with("-grid_nz", "65"), {"unknown option '-grid_nz 65'", "did you mean '-grid_nx'"});
+  expect_words(error_with("-nx", "65"), {"unknown option '-nx 65'", "did you mean '-grid_nx'"});
+  expect_words(error_with("--grid_nx", "65"), {"unknown option", "did you mean '-grid_nx'"});
+  expect_words(error_with("-no_grid_nx", ""), {"unknown option '-no_grid_nx'"});
+  expect_words(error_with("-contact_load", "10"), {"option -contact_load", "case.kind: contact", "gear_pair"});
+  EXPECT_EQ(input_error(read), "(no InputError)");
+}
+
+TEST(CommandLine, petsc_options_pass_and_are_reported_when_unused) {
+  const CommandLine options({{"-ksp_tpye", "cg"}, {"-log_view", ":/dev/null"}, {"-options_left", ""}});
+  EXPECT_NO_THROW(read_input("barbieri2013.yaml"));
+  const std::vector<std::string> unused = unused_options();
+  ASSERT_EQ(unused.size(), 1u);
+  EXPECT_EQ(unused.front(), "-ksp_tpye cg");
+}
+
+struct BadInput {
+  std::string file;
+  std::vector<std::string> words;
+};
+
+TEST(BadInput, message_says_where_what_and_what_to_do) {
+  const std::vector<BadInput> cases = {
+      {"missing_key", {"missing", "'pinion.teeth'", "number of teeth"}},
+      {"empty", {"missing", "'pinion.teeth'", "'lubricant.viscosity'"}},
+      {"malformed", {":", "malformed YAML"}},
+      {"unknown_key", {":5: unknown key 'pinion.teth'; did you mean 'pinion.teeth'?"}},
+      {"duplicate_key", {":12: duplicate key 'pinion.teeth'", "line 5"}},
+      {"duplicate_section", {"duplicate key 'pinion'", "line 4"}},
+      {"text_for_number", {"'pinion.speed_rpm' is 'fast', not a number", "rpm"}},
+      {"negative_module", {"'gear.module' is -3e-3 m, out of range", "(0, 0.1] m"}},
+      {"millimetres", {"'gear.module' is 3 m, out of range", "(0, 0.1] m"}},
+      {"small_centre_distance", {"centre_distance = 0.09", "base"}},
+      {"low_contact_ratio", {"contact ratio", "below 1"}},
+      {"even_grid", {"'grid.nx' is 128, out of range", "odd"}},
+      {"small_grid", {"'grid.ny' is 7, out of range", "9"}},
+      {"list", {"'pinion.torque' is a list", "one value"}},
+      {"empty_value", {"'pinion.torque' has no value", "give a number > 0 N m"}},
+      {"both_masses", {"'pinion.inertia'", "'gear.equivalent_mass'", "delete one"}},
+      {"one_inertia", {"'pinion.inertia' is given without 'wheel.inertia'"}},
+      {"no_crowning", {"'pinion.crowning'", "'wheel.crowning'", "line"}},
+      {"position_off_path", {"'steady.position' is 0.006 m", "0.00574"}},
+      {"domain_inside_ellipse", {"'grid.x_max' is 0.9 a, out of range", "> 1"}},
+      {"gear_key_in_contact", {"'pinion.teeth' belongs to case.kind: gear_pair", "contact"}},
+      {"contact_position", {"'steady.position' is 0.001 m", "no line of action"}},
+      {"both_moduli", {"'contact.youngs_modulus_1'", "'contact.reduced_modulus'", "delete one"}},
+      {"half_the_moduli", {"'contact.youngs_modulus_2' is missing", "'contact.reduced_modulus'"}},
+      {"unknown_choice", {"'lubricant.viscosity_law' is reynolds", "roelands, barus"}},
+      {"no_such_file", {"does not exist"}},
+  };
+  for (const BadInput& bad : cases) {
+    const std::string path = source_dir + "/tests/bad_input/" + bad.file + ".yaml";
+    const std::string message = input_error([&] { read_case(PETSC_COMM_WORLD, path); });
+    expect_words(message, bad.words);
+    expect_words(message, {bad.file + ".yaml"});
+  }
+}
+
+TEST(BadInput, yaml_beyond_keys_and_values_is_refused) {
+  const auto error_of = [](const std::string& text) { return input_error([&] { parse_case_text("x.yaml", text); }); };
+  expect_words(error_of("just text"), {"x.yaml:1", "'just text'"});
+  expect_words(error_of("- 1\n- 2\n"), {"x.yaml:1", "list"});
+  expect_words(error_of("pinion: 5\n"), {"'pinion' is a section"});
+  expect_words(error_of("pinion:\ngrid: {nx: 65}\n"), {"section 'pinion' is empty"});
+  expect_words(error_of("pinoin:\n"), {"unknown key 'pinoin'"});
+  expect_words(error_of("grid: {nx: &n 65, ny: *n}\n"), {"aliases"});
+  expect_words(error_of("grid: {nx: 65}\n---\ngrid: {ny: 65}\n"), {"x.yaml:2", "second YAML document"});
+  expect_words(error_of("grid: {nx: 65}\ngrid.nx: 33\n"), {"x.yaml:2", "duplicate key 'grid.nx'"});
+  expect_words(error_of("nx: 65\n"), {"unknown key 'nx'", "did you mean 'grid.nx'"});
+  expect_words(error_of("grid: {nx: {a: 1}}\n"), {"unknown key 'grid.nx.a'"});
+  expect_words(error_of("? {a: 1}\n: 2\n"), {"x.yaml:1"});
+  expect_words(error_of("grid:\n\tnx: 65\n"), {"x.yaml:2", "malformed YAML"});
+}
+
+TEST(BadInput, a_directory_is_not_a_case) {
+  expect_words(input_error([] { read_case(PETSC_COMM_WORLD, source_dir + "/input"); }), {"is a directory"});
+}
+
+TEST(Parameters, names_and_options_are_unique_and_not_petsc_ones) {
+  std::set<std::string> options;
+  for (const Parameter& parameter : parameter_table()) {
+    EXPECT_TRUE(options.insert(parameter.option()).second) << parameter.name;
+    EXPECT_FALSE(is_petsc_option(parameter.option())) << parameter.name;
+    EXPECT_FALSE(parameter.meaning.empty()) << parameter.name;
+  }
+}
+
+TEST(Parameters, defaults_are_allowed_values) {
+  for (const Parameter& parameter : parameter_table()) {
+    if (parameter.presence == Presence::preset)
+      EXPECT_NO_THROW(parse_value(parameter, parameter.fallback, "default")) << parameter.name;
+  }
+}
+
+TEST(Parameters, open_ends_exclude_and_closed_ends_include) {
+  const Parameter& module = *find_parameter("gear.module");  // (0, 0.1]
+  EXPECT_THROW(parse_value(module, "0", "x"), InputError);
+  EXPECT_NO_THROW(parse_value(module, "0.1", "x"));
+  EXPECT_THROW(parse_value(module, "0.1000001", "x"), InputError);
+  EXPECT_NO_THROW(parse_value(*find_parameter("grid.nx"), "17", "x"));
+  EXPECT_THROW(parse_value(*find_parameter("grid.nx"), "15", "x"), InputError);
+  for (const std::string text : {"inf", "nan", "1e999", "3 mm", "3mm", "0x1", "1d-3", ".", "1,5"})
+    EXPECT_THROW(parse_value(module, text, "x"), InputError) << text;
+  EXPECT_EQ(std::get<double>(parse_value(module, "+5E-3", "x")), 5e-3);
+}
+
+TEST(Parameters, echo_reads_back_as_the_same_case) {
+  const Case original = read_input("wang2004.yaml");
+  ParameterValues again("echo");
+  for (const EchoedValue& echoed : original.parameters.echo()) again.set(echoed.name, echoed.value, "echo");
+  again.complete();
+  const Case repeated = make_case(again);
+  EXPECT_EQ(repeated.name, original.name);
+  EXPECT_EQ(repeated.operation.load, original.operation.load);
+  EXPECT_EQ(repeated.scales.lambda, original.scales.lambda);
+  EXPECT_EQ(repeated.solver.newton_tolerance, original.solver.newton_tolerance);
+  EXPECT_EQ(repeated.parameters.echo().size(), original.parameters.echo().size());
+}
+
+TEST(Parameters, help_names_every_option) {
+  const std::string help = parameter_help();
+  for (const Parameter& parameter : parameter_table()) expect_words(help, {parameter.option() + " "});
+}
+
+TEST(Parameters, page_in_the_manual_is_the_generated_one) {
+  EXPECT_EQ(content(source_dir + "/docs/parameters.md"), parameter_markdown())
+      << "write docs/parameters.md anew with `gearfilm parameters`";
+}
+
+}  // namespace
+}  // namespace gearfilm
