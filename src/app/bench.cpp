@@ -55,7 +55,7 @@ private:
 
   void solve() {
     report("stationary film",
-           median_time([&] { result_ = solve_stationary(film_, problem_.scales.static_force, problem_.solver); }, 0.0, 0,
+           median_time([&] { result_ = solve_stationary(film_, LoadCondition::force(problem_.scales.static_force), problem_.solver); }, 0.0, 0,
                        solve_runs));
   }
 

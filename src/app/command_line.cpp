@@ -18,9 +18,10 @@ struct Command {
   const char* meaning;
 };
 
-constexpr std::array<Command, 3> commands = {{
+constexpr std::array<Command, 4> commands = {{
     {"info", run_info, "derived quantities of a case, no field solve"},
     {"steady", run_steady, "stationary film of one contact"},
+    {"transient", run_transient, "the gear pair marched in time"},
     {"bench", run_bench, "speed of the kernels and of stationary solves"},
 }};
 constexpr const char* parameters_command = "parameters";

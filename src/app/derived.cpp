@@ -4,6 +4,7 @@
 
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/version.hpp"
 
 namespace gearfilm {
 namespace {
@@ -62,6 +63,16 @@ Summary derived_quantities(const Case& problem) {
   if (problem.line) add_mesh_motion(problem, summary);
   summary.update(film_predictions(scales.solids, scales.oil, scales.operation));
   return summary;
+}
+
+void write_identity(ResultsFile& file, const Case& problem, const std::string& command) {
+  file.attribute("/", "program", std::string("gearfilm"));
+  file.attribute("/", "version", std::string(version));
+  file.attribute("/", "command", command);
+  for (const EchoedValue& echoed : problem.parameters.echo()) {
+    const bool pure = echoed.unit.empty() || echoed.unit == "-";
+    file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);
+  }
 }
 
 }  // namespace gearfilm

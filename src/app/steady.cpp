@@ -7,7 +7,6 @@
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/io/output_directory.hpp"
 #include "gearfilm/io/results_file.hpp"
-#include "gearfilm/version.hpp"
 
 namespace gearfilm {
 namespace {
@@ -72,13 +71,8 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
 void write_results(MPI_Comm comm, const Case& problem, const Position& position, const ContactFilm& film,
                    const Summary& summary) {
   const std::string group = "/contact0";
-  ResultsFile file(comm, problem.output_directory / "results.h5");
-  file.attribute("/", "program", std::string("gearfilm"));
-  file.attribute("/", "version", std::string(version));
-  file.attribute("/", "command", std::string("steady"));
-  for (const EchoedValue& echoed : problem.parameters.echo()) {
-    file.attribute("/parameters", echoed.name, echoed.unit.empty() || echoed.unit == "-" ? echoed.value : echoed.value + " " + echoed.unit);
-  }
+  ResultsFile file(comm, problem.output_directory / "results.h5", ResultsFile::Mode::whole);
+  write_identity(file, problem, "steady");
   const Scales& scales = problem.scales;
   file.grid(group, film.grid(), scales);
   file.field(group, "P", "Pa", film.grid(), film.pressure(), scales.pressure);
@@ -92,7 +86,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "b", scales.hertz.b);
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
-  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group, film.grid());
+  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group + "/mesh", film.grid(), {{0.0, {group}}});
   write_summary(comm, problem.output_directory / "summary.json", summary);
 }
 
@@ -124,7 +118,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;
   check_domain(grid, problem.scales, position.conditions, force, position.label);
-  const StationaryResult result = solve_stationary(film, force, problem.solver);
+  const StationaryResult result = solve_stationary(film, LoadCondition::force(force), problem.solver);
   check_validity(film, result.figures, position.label);
   const Summary summary = film_summary(problem, position, result);
   write_results(comm, problem, position, film, summary);

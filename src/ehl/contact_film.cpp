@@ -22,6 +22,7 @@ ContactFilm::ContactFilm(const Grid& grid, const Scales& scales, const SolverOpt
       evaluated_pressure_(grid.local_size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
+  if (conditions == conditions_) return;
   conditions_ = conditions;
   evaluated_ = false;
 }

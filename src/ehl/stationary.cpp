@@ -17,13 +17,13 @@ constexpr double pseudo_step_growth = 2.0;
 constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid with at least so many lines
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
-bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, double force, FilmSolution& solution) {
+bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
   std::vector<double> storage(film.grid().local_size());
   double step = first_pseudo_step;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
     film.storage(solution.pressure.data(), solution.H0, storage.data());
     FilmSolution next = solution;
-    if (newton.solve(force, next, 1.0 / step, storage.data())) {
+    if (newton.solve(load, next, 1.0 / step, storage.data())) {
       solution = std::move(next);
       step *= pseudo_step_growth;
     } else {
@@ -31,31 +31,39 @@ bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, doub
       if (step < 1e-6) return false;
     }
   }
-  return newton.solve(force, solution);
+  return newton.solve(load, solution);
 }
 
 /// Solves from a guess by Newton alone, or through pseudo-time where that fails.
-bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, double force, FilmSolution& solution,
+bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution,
                    bool guess_is_close) {
   if (guess_is_close) {
     FilmSolution direct = solution;
-    if (newton.solve(force, direct)) {
+    if (newton.solve(load, direct)) {
       solution = std::move(direct);
       return true;
     }
   }
-  return solve_through_pseudo_time(film, newton, force, solution);
+  return solve_through_pseudo_time(film, newton, load, solution);
 }
 
-/// Dry pressure, and an H_0 that puts the dry contact's flat gap at the film that the formula expects.
-FilmSolution dry_guess(const ContactFilm& film, double force) {
+/// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
+FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
-  FilmSolution guess;
-  guess.pressure.resize(film.grid().local_size());
-  const HertzContact dry = dry_contact(scales, film.conditions(), force);
+  ContactSolids solids = scales.solids;
+  solids.radius_x *= film.conditions().radius_ratio;
+  const double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
+  FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
+  double force = scales.force(load.value);
+  if (load.kind == LoadCondition::Kind::displacement) {
+    force = hertz_load(solids, gap - scales.film * (load.value + film.conditions().gap_offset));
+    if (force <= 0.0) return guess;
+  }
+  const HertzContact dry = hertz_contact(solids, force);
   hertz_pressure(film.grid(), scales, dry, guess.pressure.data());
-  const double expected = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
-  guess.H0 = (expected - dry.approach) / scales.film - film.conditions().gap_offset;
+  if (load.kind == LoadCondition::Kind::force) {
+    guess.H0 = (gap - dry.approach) / scales.film - film.conditions().gap_offset;
+  }
   return guess;
 }
 
@@ -82,7 +90,7 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
 
 }  // namespace
 
-StationaryResult solve_stationary(ContactFilm& film, double force, const SolverOptions& options) {
+StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options) {
   const ScopedStage stage("Stationary film");
   std::vector<std::unique_ptr<Grid>> coarser;  // next coarser first
   const Grid* last = &film.grid();
@@ -101,14 +109,27 @@ StationaryResult solve_stationary(ContactFilm& film, double force, const SolverO
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton(present, options);
-    result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, force);
-    const bool solved = solve_on_grid(present, newton, force, result.solution, before != nullptr);
+    result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
+    const bool solved = solve_on_grid(present, newton, load, result.solution, before != nullptr);
     if (!solved && n == 0) report_failure(present.grid(), newton.counts());
     result.by_grid.push_back(newton.counts());
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
     before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
+  result.figures = film.figures();
+  return result;
+}
+
+StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                     const FilmSolution& guess) {
+  StationaryNewton newton(film, options);
+  StationaryResult result;
+  result.solution = guess;
+  if (load.kind == LoadCondition::Kind::displacement) result.solution.H0 = load.value;
+  if (!solve_on_grid(film, newton, load, result.solution, true)) return solve_stationary(film, load, options);
+  result.by_grid.push_back(newton.counts());
+  result.counts = newton.counts();
   result.figures = film.figures();
   return result;
 }

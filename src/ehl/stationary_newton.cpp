@@ -96,7 +96,15 @@ void StationaryNewton::evaluate(Vec state, Vec residual) {
   }
   film_.residual(in, H0, rate, out);
   const double carried = integral(in);
-  if (has_scalar_) out[size_] = load_weight_ * (force_ - carried) / force_;
+  if (has_scalar_) out[size_] = load_row(H0, carried);
+}
+
+double StationaryNewton::load_row(double H0, double carried) const {
+  return load_weight_ * (fixed() ? H0 - load_.value : (load_.value - carried) / load_.value);
+}
+
+double StationaryNewton::load_row_change(double change_H0, double change_carried) const {
+  return load_weight_ * (fixed() ? change_H0 : -change_carried / load_.value);
 }
 
 void StationaryNewton::update_jacobian(Vec state) {
@@ -104,16 +112,21 @@ void StationaryNewton::update_jacobian(Vec state) {
   evaluate(state, residual_at_state_);
   film_.linearise(shift_);
   film_.film_shift(column_.data());
-  film_.precondition(column_.data(), column_solution_.data());
-  schur_ = load_weight_ / force_ * integral(column_solution_.data());
+  if (fixed()) {
+    std::fill(column_solution_.begin(), column_solution_.end(), 0.0);
+  } else {
+    film_.precondition(column_.data(), column_solution_.data());
+  }
+  schur_ = load_row_change(1.0, -integral(column_solution_.data()));
 }
 
 void StationaryNewton::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
-  film_.multiply(in, broadcast(has_scalar_ ? in[size_] : 0.0), out);
+  const double change_H0 = broadcast(has_scalar_ ? in[size_] : 0.0);
+  film_.multiply(in, change_H0, out);
   const double carried = integral(in);
-  if (has_scalar_) out[size_] = -load_weight_ * carried / force_;
+  if (has_scalar_) out[size_] = load_row_change(change_H0, carried);
 }
 
 // With z = M^-1 r and y = M^-1 dG/dH_0: v = z - y dH_0, and the load row gives dH_0.
@@ -121,15 +134,14 @@ void StationaryNewton::precondition(Vec residual, Vec change) {
   const VecReading in(residual);
   const VecWriting out(change);
   film_.precondition(in, out);
-  const double carried = load_weight_ / force_ * integral(out);
   const double load_residual = broadcast(has_scalar_ ? in[size_] : 0.0);
-  const double change_H0 = (load_residual + carried) / schur_;
+  const double change_H0 = (load_residual - load_row_change(0.0, integral(out))) / schur_;
   for (int n = 0; n < size_; ++n) out[n] -= change_H0 * column_solution_[n];
   if (has_scalar_) out[size_] = change_H0;
 }
 
-bool StationaryNewton::solve(double force, FilmSolution& guess, double shift, const double* storage) {
-  force_ = force;
+bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, double shift, const double* storage) {
+  load_ = load;
   shift_ = shift;
   storage_ = storage;
   {

@@ -152,8 +152,8 @@ SolverOptions read_solver_options(const ParameterValues& values) {
               values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
 }
 
-double read_steady_position(const Case& result) {
-  const std::string name = "steady.position";
+// A position on the line of action, which a bare contact has not.
+double read_position(const Case& result, const std::string& name) {
   const double position = result.parameters.real(name);
   const std::string given =
       result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
@@ -166,6 +166,42 @@ double read_steady_position(const Case& result) {
     throw InputError(given + ", off the path of contact; give a number in [" + format_value(entry) + ", " +
                      format_value(exit) + "] m");
   return position;
+}
+
+// Where the march starts; just after a leaving the remaining contact sits one base pitch before the exit.
+double read_start_position(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string& place = values.text("start.place");
+  const std::string position = "start.position";
+  if (place == "position" && values.has(position)) return read_position(result, position);
+  if (values.has(position)) {
+    throw InputError(values.origin(position) + ": " + quoted(position) + " is given, but 'start.place' is " + place +
+                     "; set start.place to position or delete the key");
+  }
+  if (place == "after_leaving") return result.line->exit() - result.line->base_pitch();
+  return 0.0;
+}
+
+std::optional<Motion> read_start_motion(const ParameterValues& values) {
+  if (values.has("start.H0")) return Motion{values.real("start.H0"), values.has("start.V0") ? values.real("start.V0") : 0.0};
+  if (!values.has("start.V0")) return {};
+  throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
+}
+
+void set_march(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.model = values.text("model") == "dry" ? MarchModel::dry : MarchModel::dynamic;
+  result.mesh_periods = values.real("mesh_periods");
+  result.start_position = read_start_position(result);
+  result.start_motion = read_start_motion(values);
+  const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
+  result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
+                  .newton_tolerance = values.real("time.newton_tolerance"),
+                  .newton_max_iterations = values.integer("time.newton_max_iterations"),
+                  .krylov_tolerance = values.real("time.krylov_tolerance"),
+                  .krylov_max_iterations = values.integer("time.krylov_max_iterations")};
+  result.step_levels = values.integer("time.levels");
+  result.snapshot_interval = values.real("output.snapshot_interval");
 }
 
 }  // namespace
@@ -188,8 +224,9 @@ Case make_case(const ParameterValues& values) {
   result.nx = values.integer("grid.nx");
   result.ny = values.integer("grid.ny");
   result.solver = read_solver_options(values);
-  result.steady_position = read_steady_position(result);
+  result.steady_position = read_position(result, "steady.position");
   result.steady_load_ratio = values.real("steady.load_ratio");
+  if (result.kind == CaseKind::gear_pair) set_march(result);
   result.output_directory = values.text("output.dir");
   return result;
 }

@@ -98,6 +98,17 @@ class EntryCollector : public YAML::EventHandler {
   int documents_ = 0;
 };
 
+// yaml-cpp reads an indenting tab as part of the value before, and complains about something else.
+void reject_indenting_tabs(const std::string& file, const std::string& text) {
+  std::istringstream stream(text);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    const std::size_t content = line.find_first_not_of(" \t\r");
+    if (content != std::string::npos && line.substr(0, content).find('\t') != std::string::npos)
+      throw InputError(file + ":" + std::to_string(number) + ": malformed YAML (a tab indents the line); use spaces");
+  }
+}
+
 // Empty with a reason when the file cannot be read.
 std::string read_here(const std::string& file, std::string& reason) {
   constexpr std::streamsize largest = 1 << 20;
@@ -129,13 +140,18 @@ void broadcast(MPI_Comm comm, std::string& text) {
 }  // namespace
 
 std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::string& text) {
+  reject_indenting_tabs(file, text);
   EntryCollector collector(file);
+  // yaml-cpp lets a quote run on to the end of the text, taking all further keys for its content; an end-of-document
+  // mark stops it.
+  const auto lines = 1 + std::ranges::count(text, '\n');
+  std::istringstream stream(text + "\n...\n");
   try {
-    std::istringstream stream(text);
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(collector)) {
     }
   } catch (const YAML::Exception& error) {
+    if (error.mark.line >= lines) throw InputError(file + ": malformed YAML (the end comes inside a quote); close it");
     throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": malformed YAML (" + error.msg +
                      "); check indentation, colons and quotes");
   }

@@ -19,6 +19,9 @@ constexpr auto object_prefixes = std::to_array<std::string_view>(
     {"ao_",   "bv_",         "da_",  "dm_",  "draw_", "ds_",  "eps_", "fieldsplit_", "fn_",        "is_", "ksp_",
      "mat_",  "matmatmult_", "mfn_", "mg_",  "nep_",  "npc_", "pc_",  "pep_",        "redundant_", "rg_", "sf_",
      "snes_", "st_",         "sub_", "svd_", "tao_",  "ts_",  "vec_", "vecscatter_", "viewer_"});
+// The same for this program's own solvers, by their prefixes.
+constexpr auto solver_prefixes = std::to_array<std::string_view>(
+    {"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_"});
 // What PETSc reads at its start or when it ends, whatever the program does.
 constexpr auto general_prefixes = std::to_array<std::string_view>(
     {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",
@@ -40,7 +43,8 @@ bool begins_with_any(std::string_view option, const Prefixes& prefixes) {
 
 bool is_parameter_option(std::string_view option) {
   const std::string name = lower_case(option);
-  return std::ranges::any_of(parameter_table(), [&](const Parameter& parameter) { return parameter.option() == name; });
+  return std::ranges::any_of(parameter_table(), [&](const Parameter& parameter) { return lower_case(parameter.option()) == name;
+  });
 }
 
 struct Option {
@@ -73,24 +77,31 @@ bool find_option(const std::string& option, std::string& value) {
   return found == PETSC_TRUE;
 }
 
-// Options that a case file has put into the database, so that the next one does not take them for the command line.
-std::map<std::string, std::string>& options_from_file() {
-  static std::map<std::string, std::string> options;
-  return options;
-}
-
-void remove_options_of_earlier_file() {
-  for (const auto& [option, value] : options_from_file()) {
-    std::string present;
-    if (find_option(option, present) && present == value) petsc_check(PetscOptionsClearValue(nullptr, option.c_str()));
+// Keeps options of a case file in the database for the time of a scope: a second case of the same process must not
+// take them for the command line.
+class FileOptions {
+ public:
+  FileOptions() = default;
+  ~FileOptions() {
+    for (const std::string& option : options_) (void)PetscOptionsClearValue(nullptr, option.c_str());
   }
-  options_from_file().clear();
-}
+  FileOptions(const FileOptions&) = delete;
+  FileOptions& operator=(const FileOptions&) = delete;
+
+  void put(const std::string& option, const std::string& value) {
+    petsc_check(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
+    options_.push_back(option);
+  }
+
+ private:
+  std::vector<std::string> options_;
+};
 
 }  // namespace
 
 bool is_petsc_option(std::string_view option) {
-  return begins_with_any(option, object_prefixes) || begins_with_any(option, general_prefixes);
+  return begins_with_any(option, object_prefixes) || begins_with_any(option, solver_prefixes) ||
+         begins_with_any(option, general_prefixes);
 }
 
 void require_known_options() {
@@ -102,7 +113,7 @@ void require_known_options() {
 }
 
 ParameterValues merge_with_options(const std::string& file, const std::vector<CaseFileEntry>& entries) {
-  remove_options_of_earlier_file();
+  FileOptions file_options;
   std::map<std::string, std::string> origins;
   for (const CaseFileEntry& entry : entries) {
     const std::string origin = file + ":" + std::to_string(entry.line);
@@ -110,8 +121,7 @@ ParameterValues merge_with_options(const std::string& file, const std::vector<Ca
     parse_value(parameter, entry.value, origin);  // wrong even if the command line overrides it
     std::string overriding;
     if (find_option(parameter.option(), overriding)) continue;
-    petsc_check(PetscOptionsSetValue(nullptr, parameter.option().c_str(), entry.value.c_str()));
-    options_from_file()[parameter.option()] = entry.value;
+    file_options.put(parameter.option(), entry.value);
     origins[entry.name] = origin;
   }
   ParameterValues values(file);

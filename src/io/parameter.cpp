@@ -82,8 +82,12 @@ std::string describe_type(const Parameter& parameter) {
   return parameter.type == ParameterType::integer ? "a whole number" : "a number";
 }
 
+bool has_unit(const Parameter& parameter) {
+  return !parameter.unit.empty() && parameter.unit != "-";
+}
+
 std::string with_unit(const std::string& text, const Parameter& parameter) {
-  return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
+  return has_unit(parameter) ? text + " " + parameter.unit : text;
 }
 
 }  // namespace
@@ -138,7 +142,14 @@ std::string format_value(const ParameterValue& value) {
   if (const int* number = std::get_if<int>(&value)) return std::to_string(*number);
   char buffer[32];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, std::get<double>(value));
-  return std::string(buffer, end);
+  // "1e-08" and "1e+13" are not yet the shortest: 1e-8, 1e13.
+  std::string text(buffer, end);
+  if (const std::size_t exponent = text.find('e'); exponent != std::string::npos) {
+    const bool negative = text[exponent + 1] == '-';
+    const std::size_t digits = text.find_first_not_of("+-0", exponent + 1);
+    text = text.substr(0, exponent + 1) + (negative ? "-" : "") + text.substr(digits);
+  }
+  return text;
 }
 
 std::string describe_allowed(const Parameter& parameter) {
@@ -150,7 +161,8 @@ std::string describe_allowed(const Parameter& parameter) {
   }
   const std::string range = describe_range(parameter.range);
   const std::string kind = parameter.range.odd ? "an odd whole number" : describe_type(parameter);
-  return with_unit(range.empty() ? kind : kind + " " + range, parameter);
+  if (!range.empty()) return with_unit(kind + " " + range, parameter);
+  return has_unit(parameter) ? kind + " in " + parameter.unit : kind;
 }
 
 }  // namespace gearfilm

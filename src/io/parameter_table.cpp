@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/io/parameter.hpp"
@@ -181,8 +182,44 @@ Records grid_records() {
 Records steady_records() {
   return section(
       "steady", Scope::any,
-      {preset(0.0, number("position", "xi", "m", {}, "position on the line of action, zero at the pitch point")),
+      {preset(0.0, number("position", "xi", "m", {}, "position on the path of contact, zero at the pitch point")),
        preset(1.0, number("load_ratio", "F/F*", "-", above(0), "force on the contact over its reference load"))});
+}
+
+Records march_records() {
+  return section("", Scope::gear_pair,
+                 {choice("model", {"dynamic", "dry"},
+                         "what is marched in time: films and motion coupled, or the motion on dry Hertz contacts"),
+                  preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
+}
+
+Records start_records() {
+  return section(
+      "start", Scope::gear_pair,
+      {choice("place", {"pitch", "after_leaving", "position"},
+              "where the leading contact starts: at the pitch point, where it is when its elder has just left, or at "
+              "start.position"),
+       optional("0", number("position", "xi", "m", {}, "start on the line of action, with start.place position")),
+       optional("stationary films at rest that carry the static force",
+                number("H0", "H_0", "-", {}, "rigid displacement at the start; the films are stationary there")),
+       optional("0", number("V0", "dH_0/dT", "-", {}, "velocity at the start, with start.H0"))});
+}
+
+Records time_records() {
+  const StepOptions standard;
+  return section(
+      "time", Scope::gear_pair,
+      {optional("the grid's h_x", number("dt", "dT", "-", left_open(0, 1), "time step in units of a/u_m")),
+       preset(standard.newton_tolerance,
+              number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of a step's scaled residual")),
+       preset(standard.newton_max_iterations,
+              whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
+       preset(standard.krylov_tolerance,
+              number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve in a time step")),
+       preset(standard.krylov_max_iterations,
+              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+       preset(1, whole("levels", "", closed(0, 20),
+                       "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
 Records solver_records() {
@@ -209,7 +246,9 @@ Records solver_records() {
 
 Records output_records() {
   return section("output", Scope::any,
-                 {optional("output/ and case.name", word("dir", "directory that receives the results"))});
+                 {optional("output/ and case.name", word("dir", "directory that receives the results")),
+                  preset(0.0, number("snapshot_interval", "", "-", at_least(0),
+                                     "mesh periods between stored fields of a march; 0: none"))});
 }
 
 }  // namespace
@@ -218,8 +257,7 @@ const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
     for (Records& records : std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(),
-                                                 contact_records(), lubricant_records(), grid_records(),
-                                                 steady_records(), solver_records(), output_records()})
+                                                 contact_records(), lubricant_records(), grid_records(), steady_records(), march_records(), start_records(), time_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

@@ -7,8 +7,17 @@
 
 namespace gearfilm {
 
-ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {
-  petsc_check(PetscViewerHDF5Open(comm, part_of(path_).c_str(), FILE_MODE_WRITE, viewer_.put()));
+ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path, Mode mode)
+    : comm_(comm), path_(std::move(path)), mode_(mode) {
+  MPI_Comm_rank(comm, &rank_);
+  const std::filesystem::path name = mode == Mode::whole ? part_of(path_) : path_;
+  petsc_check(PetscViewerHDF5Open(comm, name.c_str(), FILE_MODE_WRITE, viewer_.put()));
+}
+
+hid_t ResultsFile::hdf5_file() {
+  hid_t file = H5I_INVALID_HID;
+  petsc_check(PetscViewerHDF5GetFileId(viewer_, &file));
+  return file;
 }
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, const std::string& value) {
@@ -21,13 +30,16 @@ void ResultsFile::attribute(const std::string& group, const std::string& name, d
   petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_DOUBLE, &value));
 }
 
+void ResultsFile::dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value) {
+  petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+}
+
 void ResultsFile::view(const std::string& group, const std::string& name, Vec vec, const std::string& unit) {
   petsc_check(PetscViewerHDF5PushGroup(viewer_, group.c_str()));
   petsc_check(PetscObjectSetName(reinterpret_cast<PetscObject>(vec), name.c_str()));
   petsc_check(VecView(vec, viewer_));
   petsc_check(PetscViewerHDF5PopGroup(viewer_));
-  const std::string dataset = group + "/" + name;
-  petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), "unit", PETSC_STRING, unit.c_str()));
+  dataset_attribute(group + "/" + name, "unit", unit);
 }
 
 void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit, const Grid& grid,
@@ -39,12 +51,10 @@ void ResultsFile::field(const std::string& group, const std::string& name, const
 }
 
 void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
   const PetscInt count = static_cast<PetscInt>(values.size());
   OwnedVec vec;
-  petsc_check(VecCreateMPI(comm_, rank == 0 ? count : 0, count, vec.put()));
-  if (rank == 0) std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(vec)));
+  petsc_check(VecCreateMPI(comm_, rank_ == 0 ? count : 0, count, vec.put()));
+  if (rank_ == 0) std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(vec)));
   view(group, name, vec, "m");
 }
 
@@ -73,23 +83,43 @@ void ResultsFile::grid(const std::string& group, const Grid& grid, const Scales&
 
 void ResultsFile::finish() {
   viewer_.reset();
-  finish_part(comm_, path_);
+  if (mode_ == Mode::whole) finish_part(comm_, path_);
 }
 
-void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& group,
-                const Grid& grid) {
+namespace {
+
+std::string xdmf_data(const std::string& size, const std::string& dataset) {
+  return "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" + size + "\">" + dataset +
+         "</DataItem>";
+}
+
+std::string xdmf_contact(const std::string& results_name, const std::string& mesh, const std::string& group,
+                         const std::string& size) {
+  std::string text = "        <Grid Name=\"" + group.substr(group.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
+  text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
+  text += "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
+  for (const std::string name : {"P", "H"}) {
+    text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
+            xdmf_data(size, results_name + ":" + group + "/" + name) + "</Attribute>\n";
+  }
+  return text + "        </Grid>\n";
+}
+
+}  // namespace
+
+void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
+                const Grid& grid, const std::vector<TimedFields>& series) {
   if (grid.rank() == 0) {
     const std::string size = std::to_string(grid.nx()) + " " + std::to_string(grid.ny());
     std::ofstream file(part_of(path));
-    file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n    <Grid Name=\"" << group.substr(1)
-         << "\" GridType=\"Uniform\">\n      <Topology TopologyType=\"2DSMesh\" Dimensions=\"" << size
-         << "\"/>\n      <Geometry GeometryType=\"XY\">\n        <DataItem Format=\"HDF\" NumberType=\"Float\" "
-            "Precision=\"8\" Dimensions=\""
-         << size << " 2\">" << results_name << ":" << group << "/mesh</DataItem>\n      </Geometry>\n";
-    for (const char* name : {"P", "H"}) {
-      file << "      <Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">\n"
-           << "        <DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" << size << "\">"
-           << results_name << ":" << group << "/" << name << "</DataItem>\n      </Attribute>\n";
+    file.precision(12);
+    file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
+         << "    <Grid Name=\"films\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+    for (const TimedFields& fields : series) {
+      file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+           << "        <Time Value=\"" << fields.time << "\"/>\n";
+      for (const std::string& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
+      file << "      </Grid>\n";
     }
     file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
   }

@@ -59,7 +59,7 @@ TEST(LoveKernel, is_the_integral_over_the_own_cell) {
 
 template <class Real>
 class DeformationOf : public testing::Test {
-protected:
+ protected:
   // Round-off of a transform of a few hundred points, relative to the largest deformation.
   static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
 };
@@ -69,8 +69,8 @@ TYPED_TEST_SUITE(DeformationOf, Precisions);
 TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum) {
   using Real = TypeParam;
   // The last one has fewer wave numbers (6) than some processes would have rows.
-  for (const GridShape& shape : {GridShape{17, 11, -2.083, 1.25, 6.8}, GridShape{24, 15, -4.5, 1.5, 3.0},
-                                 GridShape{5, 33, -1.0, 1.0, 1.0}}) {
+  for (const GridShape& shape :
+       {GridShape{17, 11, -2.083, 1.25, 6.8}, GridShape{24, 15, -4.5, 1.5, 3.0}, GridShape{5, 33, -1.0, 1.0, 1.0}}) {
     const Grid grid(PETSC_COMM_WORLD, shape);
     constexpr double C_h = 0.37;
     const Deformation<Real> deformation(grid, C_h);
@@ -110,7 +110,6 @@ TYPED_TEST(DeformationOf, a_pressure_symmetric_in_y_is_symmetric_in_y) {
   Field<double> in_double(grid);
   fill(grid, pressure, [](double x, double y) { return std::exp(-x * x - 0.1 * y * y + 0.3 * x); });
   deformation.apply(pressure, deformed);
-  fill(grid, in_double, [](double, double) { return 0.0; });
   for (int i = 0; i < grid.nx(); ++i) std::copy_n(deformed.row(i), grid.y_count(), in_double.row(i));
   const auto whole = whole_of(grid, in_double);
   auto mirrored = whole;
@@ -121,7 +120,7 @@ TYPED_TEST(DeformationOf, a_pressure_symmetric_in_y_is_symmetric_in_y) {
 }
 
 class HertzPressure : public testing::Test {
-protected:
+ protected:
   HertzPressure() {
     hertz_pressure(grid, contact.scales, contact.scales.hertz, pressure.data());
     std::vector<double> unused(grid.local_size());
@@ -151,9 +150,10 @@ TEST_F(HertzPressure, deformation_flattens_hertz_pressure) {
   }
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   MPI_Allreduce(MPI_IN_PLACE, &nodes, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
-  RecordProperty("flatness", std::to_string(maximum(off)));
-  report("largest deviation from a flat gap " + std::to_string(maximum(off)) + ", mean " + std::to_string(sum / nodes));
+  report("gap inside 0.9 of the ellipse: largest deviation %.1e, mean %.1e", maximum(off), sum / nodes);
   EXPECT_LT(maximum(off), 1e-4);
+  // The mean is the approach of the sampled pressure, whose load is 5e-5 too small at most.
+  EXPECT_NEAR(sum / nodes, 0.0, 5e-5);
 }
 
 TEST_F(HertzPressure, carries_the_load) {

@@ -24,13 +24,12 @@ struct FilmCase {
 /// Pitch point of Table 3 (tests/unit/table3.hpp).
 inline FilmCase table3_pitch() {
   const LineOfAction line(table3::gear_pair());
-  const Scales scales =
-      make_scales({.radius_x = line.radius_x(0.0),
-                   .radius_y = line.radius_y(),
-                   .reduced_modulus = reduced_modulus(206e9, 0.3, 206e9, 0.3)},
-                  {.viscosity = 0.04, .pressure_viscosity = 2.2e-8},
-                  {.load = table3::pinion_torque / line.base_radius_pinion(),
-                   .entrainment_velocity = line.entrainment_velocity(0.0, table3::pinion_speed)});
+  const Scales scales = make_scales({.radius_x = line.radius_x(0.0),
+                                     .radius_y = line.radius_y(),
+                                     .reduced_modulus = reduced_modulus(206e9, 0.3, 206e9, 0.3)},
+                                    {.viscosity = 0.04, .pressure_viscosity = 2.2e-8},
+                                    {.load = table3::pinion_torque / line.base_radius_pinion(),
+                                     .entrainment_velocity = line.entrainment_velocity(0.0, table3::pinion_speed)});
   return {scales, default_domain(2400.0)};
 }
 
@@ -57,7 +56,7 @@ struct SolvedFilm {
   SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {})
       : grid(comm, film_case.shape(nx, ny)),
         film(grid, film_case.scales, options),
-        result(solve_stationary(film, film_case.scales.static_force, options)) {}
+        result(solve_stationary(film, LoadCondition::force(film_case.scales.static_force), options)) {}
 
   Grid grid;
   ContactFilm film;
@@ -103,14 +102,22 @@ inline std::vector<double> own_part(const Grid& grid, const std::vector<double>&
   return compact;
 }
 
-/// The same state on every process whatever their number: solved alone by the first one. Pressure whole.
-inline const FilmSolution& table3_film_65x33() {
-  static const FilmSolution solution = [] {
-    FilmSolution solved = SolvedFilm(PETSC_COMM_SELF, table3_pitch(), 65, 33).result.solution;
-    MPI_Bcast(solved.pressure.data(), static_cast<int>(solved.pressure.size()), MPI_DOUBLE, 0, PETSC_COMM_WORLD);
-    MPI_Bcast(&solved.H0, 1, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
-    return solved;
-  }();
+/// A contact away from the pitch, so that nothing is one that could be forgotten.
+inline ContactConditions away_from_pitch() {
+  return {.radius_ratio = 0.9, .entrainment = 1.1, .gap_offset = 0.02};
+}
+
+/// Film of Table 3 away from the pitch, pressure whole; the same on every process whatever their number: the first
+/// one's solution of the problem alone.
+inline FilmSolution film_away_from_pitch(int nx, int ny) {
+  const FilmCase pitch = table3_pitch();
+  const Grid grid(PETSC_COMM_SELF, pitch.shape(nx, ny));
+  ContactFilm film(grid, pitch.scales, SolverOptions{});
+  film.set_conditions(away_from_pitch());
+  FilmSolution solution =
+      solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{}).solution;
+  MPI_Bcast(solution.pressure.data(), static_cast<int>(solution.pressure.size()), MPI_DOUBLE, 0, PETSC_COMM_WORLD);
+  MPI_Bcast(&solution.H0, 1, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
   return solution;
 }
 
@@ -123,13 +130,15 @@ inline double largest(const std::vector<double>& values) {
 /// Largest difference over the largest value of `expected`; whole arrays.
 inline double relative_difference(const std::vector<double>& computed, const std::vector<double>& expected) {
   double difference = 0.0;
-  for (std::size_t n = 0; n < expected.size(); ++n) difference = std::max(difference, std::abs(computed[n] - expected[n]));
+  for (std::size_t n = 0; n < expected.size(); ++n)
+    difference = std::max(difference, std::abs(computed[n] - expected[n]));
   return difference / largest(expected);
 }
 
 /// A reproducible white noise in [-1, 1] over the nodes, the same on any number of processes.
 inline double noise(int i, int row, unsigned seed = 0) {
-  unsigned h = 374761393U * static_cast<unsigned>(i) + 668265263U * static_cast<unsigned>(row) + 2246822519U * seed + 1U;
+  unsigned h =
+      374761393U * static_cast<unsigned>(i) + 668265263U * static_cast<unsigned>(row) + 2246822519U * seed + 1U;
   for (int round = 0; round < 3; ++round) h = (h ^ (h >> 15)) * 2654435761U;
   return 2.0 * (h / 4294967296.0) - 1.0;
 }
@@ -142,7 +151,11 @@ inline void expect_rate(const std::string& name, double observed) {
   EXPECT_NEAR(observed, expected, tolerance) << name;
 }
 
-/// A line of test output, from the first process only.
-inline void report(const std::string& line) { PetscPrintf(PETSC_COMM_WORLD, "%s\n", line.c_str()); }
+/// A line of test output in printf's format, from the first process only.
+template <class... Values>
+void report(const char* format, Values... values) {
+  petsc_check(PetscPrintf(PETSC_COMM_WORLD, format, values...));
+  petsc_check(PetscPrintf(PETSC_COMM_WORLD, "\n"));
+}
 
 }  // namespace gearfilm

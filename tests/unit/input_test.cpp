@@ -34,7 +34,7 @@ std::string content(const std::string& path) {
 // Options as if given on the command line, for the time of a scope.
 class CommandLine {
  public:
-  explicit CommandLine(std::vector<std::pair<std::string, std::string>> options) : options_(std::move(options)) {
+  CommandLine(std::initializer_list<std::pair<std::string, std::string>> options) : options_(options) {
     for (const auto& [name, value] : options_) petsc_check(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
   }
   ~CommandLine() {
@@ -131,24 +131,28 @@ TEST(CaseFile, name_of_the_file_is_the_default_name) {
 
 TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
   {
-    const CommandLine options({{"-grid_nx", "65"}, {"-pinion_speed_rpm", "8000"}, {"-steady_position", "-1e-3"}});
+    const CommandLine options{{"-grid_nx", "65"}, {"-pinion_speed_rpm", "8000"}, {"-steady_position", "-1e-3"}};
     const Case overridden = read_input("barbieri2013.yaml");
     EXPECT_EQ(overridden.nx, 65);
     EXPECT_DOUBLE_EQ(overridden.pinion_speed, 8000 * 2 * std::numbers::pi / 60);
     EXPECT_DOUBLE_EQ(overridden.steady_position, -1e-3);
   }
-  const Case plain = read_input("barbieri2013.yaml");
-  EXPECT_EQ(plain.nx, 129);
-  // wang2004 has a grid section and its own name: neither stays behind.
+  EXPECT_EQ(read_input("barbieri2013.yaml").nx, 129);
+  // These two have a grid section, Barbieri's has none.
   EXPECT_EQ(read_input("wang2004.yaml").ny, 129);
-  EXPECT_EQ(read_input("barbieri2013.yaml").ny, 65);
-  EXPECT_EQ(read_input("circular_m20_l10.yaml").name, "circular_m20_l10");
+  EXPECT_EQ(read_input("circular_m20_l10.yaml").nx, 65);
+  EXPECT_EQ(read_input("barbieri2013.yaml").nx, 129);
+  {
+    const CommandLine same_as_the_file_before{{"-grid_nx", "65"}};
+    EXPECT_EQ(read_input("circular_m20_l10.yaml").nx, 65);
+    EXPECT_EQ(read_input("barbieri2013.yaml").nx, 65);
+  }
 }
 
 TEST(CommandLine, is_checked_like_the_file) {
   const auto read = [] { read_input("barbieri2013.yaml"); };
   const auto error_with = [&](const std::string& option, const std::string& value) {
-    const CommandLine options({{option, value}});
+    const CommandLine options{{option, value}};
     return input_error(read);
   };
   expect_words(error_with("-grid_nx", "64"), {"option -grid_nx", "64", "odd whole number", "17"});
@@ -165,7 +169,7 @@ TEST(CommandLine, is_checked_like_the_file) {
 }
 
 TEST(CommandLine, petsc_options_pass_and_are_reported_when_unused) {
-  const CommandLine options({{"-ksp_tpye", "cg"}, {"-log_view", ":/dev/null"}, {"-options_left", ""}});
+  const CommandLine options{{"-ksp_tpye", "cg"}, {"-log_view", ":/dev/null"}, {"-options_left", ""}};
   EXPECT_NO_THROW(read_input("barbieri2013.yaml"));
   const std::vector<std::string> unused = unused_options();
   ASSERT_EQ(unused.size(), 1u);
@@ -181,10 +185,10 @@ TEST(BadInput, message_says_where_what_and_what_to_do) {
   const std::vector<BadInput> cases = {
       {"missing_key", {"missing", "'pinion.teeth'", "number of teeth"}},
       {"empty", {"missing", "'pinion.teeth'", "'lubricant.viscosity'"}},
-      {"malformed", {":", "malformed YAML"}},
-      {"unknown_key", {":5: unknown key 'pinion.teth'; did you mean 'pinion.teeth'?"}},
-      {"duplicate_key", {":12: duplicate key 'pinion.teeth'", "line 5"}},
-      {"duplicate_section", {"duplicate key 'pinion'", "line 4"}},
+      {"malformed", {"malformed YAML"}},
+      {"unknown_key", {":6: unknown key 'pinion.teth'; did you mean 'pinion.teeth'?"}},
+      {"duplicate_key", {":13: duplicate key 'pinion.teeth'", "line 6"}},
+      {"duplicate_section", {"duplicate key 'pinion'", "line 5"}},
       {"text_for_number", {"'pinion.speed_rpm' is 'fast', not a number", "rpm"}},
       {"negative_module", {"'gear.module' is -3e-3 m, out of range", "(0, 0.1] m"}},
       {"millimetres", {"'gear.module' is 3 m, out of range", "(0, 0.1] m"}},
@@ -227,7 +231,21 @@ TEST(BadInput, yaml_beyond_keys_and_values_is_refused) {
   expect_words(error_of("nx: 65\n"), {"unknown key 'nx'", "did you mean 'grid.nx'"});
   expect_words(error_of("grid: {nx: {a: 1}}\n"), {"unknown key 'grid.nx.a'"});
   expect_words(error_of("? {a: 1}\n: 2\n"), {"x.yaml:1"});
-  expect_words(error_of("grid:\n\tnx: 65\n"), {"x.yaml:2", "malformed YAML"});
+  expect_words(error_of("grid: {nx: 65\n"), {"malformed YAML"});
+  expect_words(error_of("output: {dir: x}\n  grid: {nx: 65}\n"), {"malformed YAML"});
+  expect_words(error_of("case.name: 'x\ngrid: {nx: 65}\n"), {"malformed YAML", "quote"});
+  expect_words(error_of("case.name: \"x"), {"malformed YAML", "quote"});
+  expect_words(error_of("grid:\n\tnx: 65\n"), {"x.yaml:2", "malformed YAML", "tab"});
+}
+
+TEST(CaseFile, comments_quotes_and_document_marks_are_allowed) {
+  const auto entries =
+      parse_case_text("x.yaml", "%YAML 1.2\n---\n# it's \"odd\n\ngrid: {nx: '65'}  # \"\n...\n# end\n");
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].value, "65");
+  EXPECT_EQ(entries[0].line, 5);
+  EXPECT_TRUE(parse_case_text("x.yaml", "").empty());
+  EXPECT_TRUE(parse_case_text("x.yaml", "# nothing").empty());
 }
 
 TEST(BadInput, a_directory_is_not_a_case) {
@@ -245,8 +263,8 @@ TEST(Parameters, names_and_options_are_unique_and_not_petsc_ones) {
 
 TEST(Parameters, defaults_are_allowed_values) {
   for (const Parameter& parameter : parameter_table()) {
-    if (parameter.presence == Presence::preset)
-      EXPECT_NO_THROW(parse_value(parameter, parameter.fallback, "default")) << parameter.name;
+    if (parameter.presence != Presence::preset) continue;
+    EXPECT_NO_THROW(parse_value(parameter, parameter.fallback, "default")) << parameter.name;
   }
 }
 

@@ -10,6 +10,8 @@ namespace gearfilm {
 void run_info(MPI_Comm comm, const Case& problem);
 /// Stationary film at one position.
 void run_steady(MPI_Comm comm, const Case& problem);
+/// The gear pair marched in time.
+void run_transient(MPI_Comm comm, const Case& problem);
 /// The standard set of speed measurements.
 void run_bench(MPI_Comm comm, const Case& problem);
 

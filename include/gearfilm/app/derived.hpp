@@ -1,7 +1,8 @@
-// Derived quantities of a case, as they appear in every summary.
+// What every command says about its case: derived quantities in the summary, identity in the results file.
 #pragma once
 
 #include "gearfilm/io/case.hpp"
+#include "gearfilm/io/results_file.hpp"
 #include "gearfilm/io/summary.hpp"
 
 namespace gearfilm {
@@ -11,5 +12,8 @@ Summary derived_quantities(const Case& problem);
 
 /// Film formulas for solids under an operation, [m]; keys hamrock_dowson_central etc.
 Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation);
+
+/// Program, version, command and all parameters as attributes of a results file.
+void write_identity(ResultsFile& file, const Case& problem, const std::string& command);
 
 }  // namespace gearfilm

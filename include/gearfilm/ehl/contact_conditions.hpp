@@ -9,6 +9,8 @@ struct ContactConditions {
   double radius_ratio = 1.0;  ///< Rbar = R_x/R_x* [-]
   double entrainment = 1.0;   ///< U = u_m/u_m* [-]
   double gap_offset = 0.0;    ///< added to H: tip relief, pitch error [-]
+
+  bool operator==(const ContactConditions&) const = default;
 };
 
 /// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI].

@@ -1,6 +1,6 @@
-// The stationary film of one contact under a prescribed force, from nothing.
+// The stationary film of one contact under a prescribed force, or at a prescribed displacement.
 //
-// On a coarse grid from the dry (Hertz) pressure through pseudo-time (the squeeze term with a growing step), then
+// From nothing: on a coarse grid from the dry (Hertz) pressure through pseudo-time (the squeeze term with a growing step), then
 // grid by grid with the coarser film as first guess; pseudo-time again wherever Newton alone fails.
 #pragma once
 
@@ -17,7 +17,11 @@ struct StationaryResult {
   std::vector<SolveCounts> by_grid;   ///< coarsest first, the finest last
 };
 
-/// Film on film.grid() under the force integral F, from nothing. Throws SolveError naming the step that failed.
-StationaryResult solve_stationary(ContactFilm& film, double force, const SolverOptions& options);
+/// Film on film.grid() under the load condition, from nothing. Throws SolveError naming the step that failed.
+StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options);
+
+/// The same from a film that is near, on its own grid; from nothing where that fails.
+StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                     const FilmSolution& guess);
 
 }  // namespace gearfilm

@@ -1,6 +1,6 @@
-// Newton's method for the stationary film of one contact under a prescribed force, on one grid.
+// Newton's method for the stationary film of one contact, on one grid.
 //
-//   G(P, H_0) = 0 ,   F - Int Int P dX dY = 0                                 (contact_film.hpp)
+//   G(P, H_0) = 0 ,   F - Int Int P dX dY = 0   or   H_0 given               (contact_film.hpp)
 // solved together as one bordered system by SNES: exact matrix-free Jacobian, backtracking, FGMRES, and as
 // preconditioner the film's own, with H_0 eliminated through one preconditioned column. A pseudo-time step adds the
 // squeeze term.
@@ -20,6 +20,16 @@ struct SolveCounts {
   double residual = 0.0;    ///< last root mean square
 };
 
+/// What is prescribed: the force a film carries (as its pressure integral), or its rigid displacement H_0.
+struct LoadCondition {
+  enum class Kind { force, displacement };
+  Kind kind = Kind::force;
+  double value = 0.0;
+
+  static LoadCondition force(double pressure_integral) { return {Kind::force, pressure_integral}; }
+  static LoadCondition displacement(double H0) { return {Kind::displacement, H0}; }
+};
+
 /// A film: compact pressure, and its rigid displacement.
 struct FilmSolution {
   std::vector<double> pressure;
@@ -33,7 +43,7 @@ public:
 
   /// Solves from `guess` in place. With storage: one pseudo-time step, d(rho H)/dT = shift (rho H - storage).
   /// False if Newton did not reach its tolerance; then `guess` holds the last iterate.
-  bool solve(double force, FilmSolution& guess, double shift = 0.0, const double* storage = nullptr);
+  bool solve(const LoadCondition& load, FilmSolution& guess, double shift = 0.0, const double* storage = nullptr);
 
   const SolveCounts& counts() const { return counts_; }
 
@@ -42,6 +52,10 @@ private:
   void update_jacobian(Vec state);
   void multiply(Vec change, Vec rows);
   void precondition(Vec residual, Vec change);
+  bool fixed() const { return load_.kind == LoadCondition::Kind::displacement; }
+  /// The row of the load condition and its linear part: both in units of H_0 or of the force, weighted.
+  double load_row(double H0, double carried) const;
+  double load_row_change(double change_H0, double change_carried) const;
   double broadcast(double value) const;
   double integral(const double* values) const;
 
@@ -50,7 +64,7 @@ private:
   int size_;        ///< own nodes
   bool has_scalar_; ///< the first process also holds H_0
   double load_weight_; ///< sqrt(nodes)
-  double force_ = 0.0;
+  LoadCondition load_;
   double shift_ = 0.0;
   const double* storage_ = nullptr;
   std::vector<double> storage_rate_;

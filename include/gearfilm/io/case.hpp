@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
+#include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
@@ -17,6 +18,7 @@
 namespace gearfilm {
 
 enum class CaseKind { gear_pair, contact };
+enum class MarchModel { dynamic, dry };
 
 struct Case {
   std::string name;
@@ -42,6 +44,15 @@ struct Case {
 
   double steady_position = 0.0;    ///< xi of a stationary contact [m]; zero for a bare contact
   double steady_load_ratio = 1.0;  ///< its force over w* [-]
+
+  // A march in time; of a gear pair only.
+  MarchModel model = MarchModel::dynamic;
+  double mesh_periods = 0.0;
+  double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
+  std::optional<Motion> start_motion;  ///< absent: at rest
+  StepOptions steps;
+  int step_levels = 1;                 ///< multigrid levels in time steps
+  double snapshot_interval = 0.0;      ///< mesh periods between stored fields; 0: none
 
   std::filesystem::path output_directory;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results

@@ -1,7 +1,8 @@
 // A case file (YAML) and the command line that overrides it.
 //
 // Every key of the file goes into PETSc's options database, unless the command line has set that option already;
-// all values are then read back from there. So a key and its option are the same thing, checked alike.
+// all values are then read back from there. So a key and its option are the same thing, checked alike. What the file
+// has put there goes again, for the next case of the same process.
 #pragma once
 
 #include <petscsys.h>

@@ -17,8 +17,8 @@ bool is_petsc_option(std::string_view option);
 /// Throws InputError for the first option that is neither in the table of parameters nor one of PETSc's.
 void require_known_options();
 
-/// Puts the entries into the database where the command line has no such option, after removing what an earlier
-/// case file has left there, and reads the values of all parameters back. file names the case file in messages.
+/// Puts the entries into the database where the command line has no such option, reads the values of all parameters
+/// back, and leaves the database as it was. file names the case file in messages.
 ParameterValues merge_with_options(const std::string& file, const std::vector<CaseFileEntry>& entries);
 
 /// Options of PETSc's ("-ksp_tpye cg") that nothing has read so far: for a warning when the work is done.

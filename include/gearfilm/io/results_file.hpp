@@ -9,6 +9,7 @@
 // Written by all processes together through PETSc's HDF5 viewer.
 #pragma once
 
+#include <hdf5.h>
 #include <petscviewerhdf5.h>
 
 #include <filesystem>
@@ -21,11 +22,16 @@ namespace gearfilm {
 
 class ResultsFile {
  public:
-  /// Creates the file; it takes its name only in finish().
-  ResultsFile(MPI_Comm comm, std::filesystem::path path);
+  /// whole: the file takes its name only in finish(). growing: it has its name from the start, for runs that append to
+  /// it and may be stopped.
+  enum class Mode { whole, growing };
+
+  ResultsFile(MPI_Comm comm, std::filesystem::path path, Mode mode);
 
   void attribute(const std::string& group, const std::string& name, const std::string& value);
   void attribute(const std::string& group, const std::string& name, double value);
+  /// The same on a dataset, which must exist.
+  void dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value);
 
   /// Coordinates of a contact's grid [m].
   void grid(const std::string& group, const Grid& grid, const Scales& scales);
@@ -35,6 +41,9 @@ class ResultsFile {
 
   void finish();
 
+  hid_t hdf5_file();
+  int rank() const { return rank_; }
+
  private:
   using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
 
@@ -42,12 +51,21 @@ class ResultsFile {
   void line(const std::string& group, const std::string& name, const std::vector<double>& values);
 
   MPI_Comm comm_;
+  int rank_ = 0;
   std::filesystem::path path_;
+  Mode mode_;
   OwnedViewer viewer_;
 };
 
-/// results.xmf beside results.h5: the description by which ParaView opens one contact's fields.
-void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& group,
-                const Grid& grid);
+/// Groups of results.h5 that hold P and H of the contacts at one time [s].
+struct TimedFields {
+  double time = 0.0;
+  std::vector<std::string> groups;
+};
+
+/// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time. mesh: the
+/// dataset of the coordinates.
+void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
+                const Grid& grid, const std::vector<TimedFields>& series);
 
 }  // namespace gearfilm

@@ -1,0 +1,49 @@
+// Which tooth contacts exist at a dimensionless time T, where, and in which conditions.
+//
+// Contact n sits at xi_n(T) = xi_start + velocity T - n p_b while entry <= xi_n <= exit; contact 0 leads at T = 0,
+// higher numbers follow. Any contact ratio >= 1. Source: section 2 of doi 10.1016/j.triboint.2013.01.017.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/ehl/contact_conditions.hpp"
+#include "gearfilm/gear/line_of_action.hpp"
+
+namespace gearfilm {
+
+class ContactPath {
+public:
+  /// pinion_speed [rad/s]; start: position of a contact at T = 0 [m] on the path of contact.
+  ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start);
+
+  /// xi of a contact [m].
+  double position(int contact, double T) const { return start_ + velocity_ * T - contact * line_.base_pitch(); }
+  double entry_time(int contact) const { return (line_.entry() + contact * line_.base_pitch() - start_) / velocity_; }
+  double exit_time(int contact) const { return (line_.exit() + contact * line_.base_pitch() - start_) / velocity_; }
+  /// R_x, U of a contact relative to the reference contact.
+  ContactConditions conditions(int contact, double T) const;
+
+  /// Contacts just after T, the leading one first. A contact at its exit has left, one at its entry is there.
+  std::vector<int> contacts_after(double T) const;
+  /// The next time after T at which a contact enters or leaves.
+  double next_event(double T) const;
+
+  double mesh_period() const { return line_.base_pitch() / velocity_; }
+  /// Length travelled along the line of action [m].
+  double distance(double T) const { return velocity_ * T; }
+  const LineOfAction& line() const { return line_; }
+
+private:
+  /// Times closer than this are one event.
+  double tolerance() const { return 1e-9 * mesh_period(); }
+
+  LineOfAction line_;
+  double pinion_speed_;
+  double velocity_;  ///< d(xi)/dT [m]
+  double start_;
+  double reference_radius_;
+  double reference_velocity_;
+};
+
+}  // namespace gearfilm

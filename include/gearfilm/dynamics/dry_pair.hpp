@@ -1,0 +1,43 @@
+// The gear pair without lubricant: Hertz contacts in place of films.
+//
+//   dH_0/dT = V_0 ,   I_n dV_0/dT = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k) for the approach -h_0
+// The start and the check of the lubricated pair; its H_0 lies lower than the lubricated one by about the film.
+#pragma once
+
+#include <optional>
+
+#include "gearfilm/dynamics/contact_path.hpp"
+#include "gearfilm/dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+/// Force of one dry contact as a pressure integral [-]; zero for H_0 >= 0.
+double dry_force(const Scales& scales, const ContactConditions& conditions, double H0);
+
+class DryMarch {
+public:
+  /// Inertia I_n; steps of the record at most dT long (the integration itself adapts its steps to 1e-10).
+  DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer);
+
+  /// Starts at the given motion, or at rest in balance.
+  void start(const std::optional<Motion>& motion);
+  void run(double T_end);
+
+  double T() const { return T_; }
+  const Motion& motion() const { return motion_; }
+
+private:
+  double total_force(const std::vector<int>& contacts, double T, double H0) const;
+  void integrate(const std::vector<int>& contacts, double T_end);
+  void observe(double dT, double wall_seconds) const;
+
+  Scales scales_;
+  const ContactPath& path_;
+  double inertia_;
+  double dT_;
+  StepObserver observer_;
+  double T_ = 0.0;
+  Motion motion_;
+};
+
+}  // namespace gearfilm

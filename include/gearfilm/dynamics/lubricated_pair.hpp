@@ -1,0 +1,79 @@
+// The films of all present contacts and the motion of the gear pair as one implicit system.
+//
+//   G_k(P_k, H_0; d(rho H)_k/dT) = 0              every contact k: Reynolds' equation with cavitation, contact_film.hpp
+//   dH_0/dT - V_0 = 0
+//   I_n dV_0/dT - sum_k Int Int P_k dX dY + F* = 0                     (25) of doi 10.1016/j.triboint.2013.01.017
+//
+// State: [P_1, ..., P_n, H_0, V_0], the two scalars on the first process. The squeeze term differentiates rho H, not
+// P: the time scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, H_0, V_0] to difference, so mass is conserved.
+// Preconditioner: the motion first (a contact's stiffness is 1e-4 of I_n/dT^2), then one multigrid cycle a contact.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/dynamics/contact_path.hpp"
+#include "gearfilm/dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+/// A contact in the system: its number and its film.
+struct PairContact {
+  int contact = 0;
+  ContactFilm* film = nullptr;
+};
+
+class LubricatedPair {
+public:
+  /// At least one contact; all films on grids of one size. inertia I_n, static force F*.
+  LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, double static_force);
+
+  const std::vector<PairContact>& contacts() const { return contacts_; }
+  OwnedVec create_state() const;
+  /// The compact pressure of one contact, and the motion, out of or into a state.
+  void set_pressure(Vec state, std::size_t contact, const std::vector<double>& pressure) const;
+  std::vector<double> pressure(Vec state, std::size_t contact) const;
+  void set_motion(Vec state, const Motion& motion) const;
+  Motion motion(Vec state) const;
+  /// Makes every pressure >= 0.
+  void clip(Vec state) const;
+
+  /// Puts every contact where it is at time T.
+  void place(double T);
+
+  /// Rows of the system at the present place; rate = d C(state)/dT. Scaled so that norm/sqrt(nodes) is a root mean
+  /// square over the films plus the relative errors of the motion.
+  void residual(Vec state, Vec rate, Vec rows);
+  /// C(state).
+  void storage(Vec state, Vec stored);
+  /// Prepares multiply() and precondition() at the state of the last residual(), for d(rate)/d(C) = shift.
+  void linearise(double shift);
+  void multiply(Vec change, Vec rows);
+  void precondition(Vec rows, Vec change);
+
+  /// Figures of every contact at the last state.
+  std::vector<ContactRecord> records(double T) const;
+  /// sqrt(nodes of all films): the weight of the motion's rows.
+  double weight() const { return weight_; }
+  PetscInt local_size() const;
+  MPI_Comm comm() const { return grid_.comm(); }
+
+private:
+  std::size_t field_size() const { return static_cast<std::size_t>(grid_.local_size()); }
+  /// First entry of the motion in a local array.
+  std::size_t motion_at() const { return contacts_.size() * field_size(); }
+  bool has_motion() const { return grid_.rank() == 0; }
+  Motion broadcast(const double* values) const;
+  double integral(const double* values) const;
+
+  const ContactPath& path_;
+  std::vector<PairContact> contacts_;
+  const Grid& grid_;
+  double inertia_;
+  double static_force_;
+  double weight_;
+  double shift_ = 0.0;
+  std::vector<double> column_;  ///< dG_k/dH_0 of all contacts
+  std::vector<double> work_;
+};
+
+}  // namespace gearfilm

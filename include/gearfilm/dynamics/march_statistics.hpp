@@ -1,0 +1,78 @@
+// What a march has to tell: figures per mesh period, events, and losses of contact. Dimensionless throughout.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearfilm/dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+/// Central and smallest film of one contact at one moment.
+struct FilmPair {
+  double central = 0.0;
+  double smallest = 0.0;
+};
+
+/// One mesh period, counted from T = 0.
+struct PeriodFigures {
+  Motion end;                          ///< at its last step
+  double largest_integral = 0.0;       ///< pressure integral of one contact
+  double largest_total = 0.0;          ///< of all contacts together
+  double smallest_total = 0.0;
+  double largest_pressure = 0.0;
+  std::optional<double> smallest_film; ///< absent in the dry model, as are the following
+  std::optional<FilmPair> at_pitch;    ///< at the step nearest xi = 0
+  std::optional<FilmPair> at_entry;    ///< at the first step after the last entry
+  int steps = 0;
+  int contact_steps = 0;  ///< films really computed
+  int newton = 0;
+  int krylov = 0;
+  double wall_seconds = 0.0;
+};
+
+struct MeshEvent {
+  enum class Kind { entry, exit };
+  Kind kind = Kind::entry;
+  int contact = 0;
+  double T = 0.0;
+  Motion motion;
+};
+
+/// An interval without force between the gears.
+struct ContactLoss {
+  double begin = 0.0;
+  double end = 0.0;
+  double largest_central_film = 0.0;
+};
+
+class MarchStatistics {
+public:
+  /// Contact counts as lost below 0.02 of the static force F*.
+  MarchStatistics(double mesh_period, double static_force) : mesh_period_(mesh_period), static_force_(static_force) {}
+
+  void add(const StepRecord& record, bool lubricated);
+
+  const std::vector<PeriodFigures>& periods() const { return periods_; }
+  const std::vector<MeshEvent>& events() const { return events_; }
+  const std::vector<ContactLoss>& losses() const { return losses_; }
+
+private:
+  void add_events(const StepRecord& record);
+  void add_loss(const StepRecord& record);
+  void add_to_period(const StepRecord& record, bool lubricated);
+  void add_films(const StepRecord& record, PeriodFigures& period);
+
+  double mesh_period_;
+  double static_force_;
+  std::vector<PeriodFigures> periods_;
+  std::vector<MeshEvent> events_;
+  std::vector<ContactLoss> losses_;
+  std::vector<int> present_;            ///< contacts of the last record
+  bool lost_ = false;
+  std::optional<int> entered_;          ///< contact whose first step is still to come
+  double pitch_distance_ = 0.0;         ///< |xi| of the present period's at_pitch [m]
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,59 @@
+// The lubricated gear pair marched in time through its mesh cycle.
+//
+// Between events (a contact enters or leaves) a SegmentStepper integrates; at an entry the new contact's film starts as
+// the stationary film at the present H_0, reached from its neighbour's pressure; at an exit the old film is dropped.
+// Source: Figs. 5 and 6 of doi 10.1016/j.triboint.2013.01.017.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gearfilm/dynamics/segment_stepper.hpp"
+#include "gearfilm/ehl/stationary.hpp"
+
+namespace gearfilm {
+
+class MeshMarch {
+public:
+  /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers.
+  MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
+            const SolverOptions& films, const StepOptions& steps, StepObserver observer);
+
+  /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
+  void start(const std::optional<Motion>& motion);
+  /// Integrates up to T_end.
+  void run(double T_end);
+
+  double T() const { return T_; }
+  const Motion& motion() const { return motion_; }
+
+private:
+  struct Tooth {
+    int contact;
+    ContactFilm* film;
+    std::vector<double> pressure;
+  };
+
+  /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
+  Tooth enter(int contact, const std::vector<double>* neighbour);
+  void balance_at_rest();
+  void exchange_contacts();
+  void observe(const StepRecord& record) const;
+  void observe_present() const;
+  ContactFilm* free_film();
+  std::string label(int contact) const;
+
+  const Grid& grid_;
+  Scales scales_;
+  const ContactPath& path_;
+  double inertia_;
+  SolverOptions film_options_;
+  StepOptions step_options_;
+  StepObserver observer_;
+  std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
+  std::vector<Tooth> teeth_;                         ///< leading contact first
+  double T_ = 0.0;
+  Motion motion_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,61 @@
+// Time integration of a lubricated pair between two events (entering or leaving of contacts).
+//
+// PETSc's TSBDF, order 2, with rho H as transient variable; it restarts by itself with a first-order half step, as the
+// scheme must after every event. A step whose Newton iteration fails is repeated with half the length, never
+// accepted; the nominal step comes back afterwards.
+#pragma once
+
+#include <petscts.h>
+
+#include <functional>
+
+#include "gearfilm/dynamics/lubricated_pair.hpp"
+#include "gearfilm/dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+struct StepOptions {
+  double dT = 0.026;                ///< nominal time step [-]
+  double newton_tolerance = 1e-5;   ///< on the root mean square of the scaled residual [-]
+  int newton_max_iterations = 20;   ///< before the step is shortened
+  double krylov_tolerance = 0.1;    ///< relative, of each linear solve [-]
+  int krylov_max_iterations = 60;   ///< per Newton step
+  int max_rejections = 12;          ///< halvings of one step before the run fails
+};
+
+class SegmentStepper {
+public:
+  /// on_step is called after every accepted step.
+  SegmentStepper(LubricatedPair& pair, const StepOptions& options, std::function<void(const StepRecord&)> on_step);
+  SegmentStepper(const SegmentStepper&) = delete;
+  SegmentStepper& operator=(const SegmentStepper&) = delete;
+
+  /// Integrates the state from T0 to T1, in equal steps of at most dT. Throws SolveError where a step cannot be made.
+  void run(Vec state, double T0, double T1);
+
+private:
+  using OwnedTS = PetscHandle<TS, TSDestroy>;
+
+  static SegmentStepper& of(TS ts);
+  void create_jacobian();
+  void create_time_scheme();
+  void configure_solvers();
+  void finish_step();
+
+  LubricatedPair& pair_;
+  StepOptions options_;
+  std::function<void(const StepRecord&)> on_step_;
+  OwnedMat jacobian_;
+  OwnedVec rows_;
+  OwnedTS ts_;
+  // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
+  // PETSc works on (that of the stage, or of the step's start once a stage has failed).
+  double state_time_ = 0.0;
+  double step_ = 0.0;  ///< nominal step of the segment
+  double last_time_ = 0.0;
+  double wall_start_ = 0.0;
+  PetscInt newton_so_far_ = 0;
+  PetscInt krylov_so_far_ = 0;
+};
+
+}  // namespace gearfilm

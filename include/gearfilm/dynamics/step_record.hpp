@@ -1,0 +1,48 @@
+// What one time step of a gear pair leaves behind.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gearfilm/ehl/contact_film.hpp"
+
+namespace gearfilm {
+
+/// The pair's degree of freedom: rigid displacement of the flanks and its velocity, dimensionless.
+struct Motion {
+  double H0 = 0.0;
+  double V0 = 0.0;
+};
+
+struct ContactRecord {
+  int contact = 0;      ///< number of the tooth pair, counted from the leading one at T = 0
+  double position = 0;  ///< xi [m]
+  FilmFigures figures;  ///< of a dry contact: its pressure integral and largest pressure only
+};
+
+struct StepRecord {
+  double T = 0.0;   ///< end of the step
+  double dT = 0.0;  ///< its length; 0 for a starting state
+  Motion motion;
+  std::vector<ContactRecord> contacts;
+  int newton = 0;
+  int krylov = 0;
+  double wall_seconds = 0.0;
+
+  double pressure_integral() const {
+    double sum = 0.0;
+    for (const ContactRecord& contact : contacts) sum += contact.figures.pressure_integral;
+    return sum;
+  }
+};
+
+/// A tooth contact that is being computed.
+struct LiveContact {
+  int contact = 0;
+  const ContactFilm* film = nullptr;  ///< null in the dry model
+};
+
+/// Receives every accepted step, and the state after every entering or leaving (dT = 0 there).
+using StepObserver = std::function<void(const StepRecord&, const std::vector<LiveContact>&)>;
+
+}  // namespace gearfilm

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""Figure of a stationary film: the film over the contact, and pressure and film along its centre line y = 0.
+
+    scripts/plot_film.py FOLDER [--name film]     reads FOLDER/results.h5, writes FOLDER/film.png and FOLDER/film.pdf
+
+Exit status 1, with one line, where the results are missing or not those of `gearfilm steady`.
+"""
+import argparse
+import pathlib
+import sys
+from typing import NamedTuple
+
+try:
+    import h5py
+    import matplotlib
+    import numpy
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+except ImportError as missing:
+    sys.exit(f"plot_film: {missing}; needs h5py, matplotlib and numpy (Debian's /usr/bin/python3 after scripts/setup.sh)")
+
+# Distinguishable with every kind of colour vision: colours of Okabe and Ito, colour map cividis.
+PRESSURE_COLOUR = "#0072B2"
+FILM_COLOUR = "#D55E00"
+COLOUR_MAP = "cividis"
+THICKEST_SHOWN = 1.5  # times the central film
+
+
+class PlotError(Exception):
+    """Something that keeps the figure from being made; the text is for the user."""
+
+
+class Film(NamedTuple):
+    """One contact, lengths in mm, pressure in GPa, film in µm; the Hertz contact is that of the reference load."""
+    x: numpy.ndarray
+    y: numpy.ndarray
+    pressure: numpy.ndarray
+    thickness: numpy.ndarray
+    half_axes: tuple
+    hertz_pressure: float
+
+
+def read_film(path):
+    if not path.exists():
+        raise PlotError(f"{path} does not exist; run gearfilm steady first")
+    try:
+        with h5py.File(path) as results:
+            contact = results["contact0"]
+            film = Film(x=1e3 * contact["x"][:], y=1e3 * contact["y"][:], pressure=1e-9 * contact["P"][:],
+                        thickness=1e6 * contact["H"][:],
+                        half_axes=(1e3 * contact.attrs["a"], 1e3 * contact.attrs["b"]),
+                        hertz_pressure=1e-9 * contact.attrs["p_hertz"])
+    except OSError:
+        raise PlotError(f"{path} is not an HDF5 file that can be read") from None
+    except KeyError:
+        raise PlotError(f"{path} is not a result of gearfilm steady: contact0 with x, y, P, H is missing") from None
+    if film.pressure.shape != (film.x.size, film.y.size) or film.thickness.shape != film.pressure.shape:
+        raise PlotError(f"{path} is not a result of gearfilm steady: P, H do not fit x, y")
+    return film
+
+
+def draw_map(figure, axes, film, centre):
+    i, j = centre
+    levels = numpy.linspace(film.thickness.min(), THICKEST_SHOWN * film.thickness[i, j], 25)
+    filled = axes.contourf(film.y, film.x, film.thickness, levels, cmap=COLOUR_MAP, extend="max")
+    for part in filled.collections:
+        part.set_edgecolor("face")  # no hair lines between the levels of the PDF
+    angle = numpy.linspace(0, 2 * numpy.pi, 200)
+    a, b = film.half_axes
+    axes.plot(b * numpy.cos(angle), a * numpy.sin(angle), color="white", linestyle="--", linewidth=1)
+    axes.set_aspect("equal")
+    axes.set_xlabel("y [mm]")
+    axes.set_ylabel("x [mm]")
+    axes.set_title("film thickness; dashed: Hertz ellipse of the reference contact; oil enters from below", fontsize=9)
+    figure.colorbar(filled, ax=axes, label="h [µm]", format="%.2f", shrink=0.9)
+
+
+def draw_sections(pressure_axes, film_axes, film, centre):
+    i, j = centre
+    a = film.half_axes[0]
+    dry = film.hertz_pressure * numpy.sqrt(numpy.maximum(1 - (film.x / a) ** 2, 0))
+    pressure_axes.plot(film.x, film.pressure[:, j], color=PRESSURE_COLOUR, label="lubricated")
+    pressure_axes.plot(film.x, dry, color="black", linestyle="--", linewidth=1, label="Hertz, reference")
+    pressure_axes.set_ylabel("p [GPa]")
+    pressure_axes.set_title("pressure along y = 0", fontsize=9)
+    pressure_axes.legend(frameon=False, fontsize=8, loc="upper left")
+    film_axes.plot(film.x, film.thickness[:, j], color=FILM_COLOUR)
+    film_axes.set_ylim(0, 2.5 * film.thickness[i, j])
+    film_axes.set_ylabel("h [µm]")
+    film_axes.set_title("film along y = 0", fontsize=9)
+    for axes in (pressure_axes, film_axes):
+        axes.set_xlabel("x [mm]")
+        axes.set_xlim(film.x[0], film.x[-1])
+        axes.grid(alpha=0.3)
+
+
+def draw(film):
+    centre = (abs(film.x).argmin(), abs(film.y).argmin())
+    figure = pyplot.figure(figsize=(8, 5), constrained_layout=True)
+    grid = figure.add_gridspec(2, 2)
+    draw_map(figure, figure.add_subplot(grid[0, :]), film, centre)
+    draw_sections(figure.add_subplot(grid[1, 0]), figure.add_subplot(grid[1, 1]), film, centre)
+    return figure
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("folder", type=pathlib.Path, help="output folder of gearfilm steady")
+    parser.add_argument("--name", default="film", help="name of the figure's files, without ending")
+    arguments = parser.parse_args()
+    try:
+        figure = draw(read_film(arguments.folder / "results.h5"))
+        for ending in ("png", "pdf"):
+            figure.savefig(arguments.folder / f"{arguments.name}.{ending}", dpi=150)
+    except PlotError as error:
+        sys.exit(f"plot_film: {error}")
+    except OSError as error:
+        sys.exit(f"plot_film: cannot write the figure: {error}")
+    print(f"figure: {arguments.folder / arguments.name}.png and .pdf")
+
+
+if __name__ == "__main__":
+    main()

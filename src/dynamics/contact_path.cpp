@@ -1,0 +1,42 @@
+#include "gearfilm/dynamics/contact_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gearfilm {
+
+ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start)
+    : line_(line),
+      pinion_speed_(pinion_speed),
+      velocity_(line.travel_velocity(pinion_speed) * scales.time),
+      start_(start),
+      reference_radius_(scales.solids.radius_x),
+      reference_velocity_(scales.operation.entrainment_velocity) {
+  // Number 0 is the leading contact.
+  while (exit_time(-1) > tolerance()) start_ += line_.base_pitch();
+}
+
+ContactConditions ContactPath::conditions(int contact, double T) const {
+  const double xi = std::clamp(position(contact, T), line_.entry(), line_.exit());
+  return {.radius_ratio = line_.radius_x(xi) / reference_radius_,
+          .entrainment = line_.entrainment_velocity(xi, pinion_speed_) / reference_velocity_};
+}
+
+std::vector<int> ContactPath::contacts_after(double T) const {
+  // The leading contact is the first whose exit still lies ahead.
+  int contact = static_cast<int>(std::floor((T - exit_time(0)) / mesh_period())) - 1;
+  while (exit_time(contact) <= T + tolerance()) ++contact;
+  std::vector<int> contacts;
+  for (; entry_time(contact) <= T + tolerance(); ++contact) contacts.push_back(contact);
+  return contacts;
+}
+
+double ContactPath::next_event(double T) const {
+  const std::vector<int> contacts = contacts_after(T);
+  const int next = contacts.empty() ? 0 : contacts.back() + 1;
+  const double leaving = contacts.empty() ? std::numeric_limits<double>::infinity() : exit_time(contacts.front());
+  return std::min(leaving, entry_time(next));
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,129 @@
+#include "gearfilm/dynamics/dry_pair.hpp"
+
+#include <petscts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double integration_tolerance = 1e-10;
+
+}  // namespace
+
+double dry_force(const Scales& scales, const ContactConditions& conditions, double H0) {
+  ContactSolids solids = scales.solids;
+  solids.radius_x *= conditions.radius_ratio;
+  const double load = hertz_load(solids, -scales.film * (H0 + conditions.gap_offset));
+  return load / scales.operation.load * scales.static_force;
+}
+
+DryMarch::DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer)
+    : scales_(scales), path_(path), inertia_(inertia), dT_(dT), observer_(std::move(observer)) {}
+
+double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
+  double sum = 0.0;
+  for (int contact : contacts) sum += dry_force(scales_, path_.conditions(contact, T), H0);
+  return sum;
+}
+
+void DryMarch::observe(double dT, double wall_seconds) const {
+  StepRecord record;
+  record.T = T_;
+  record.dT = dT;
+  record.motion = motion_;
+  record.wall_seconds = wall_seconds;
+  std::vector<LiveContact> live;
+  for (int contact : path_.contacts_after(T_)) {
+    const ContactConditions conditions = path_.conditions(contact, T_);
+    FilmFigures figures;
+    figures.pressure_integral = dry_force(scales_, conditions, motion_.H0);
+    if (figures.pressure_integral > 0.0) {
+      figures.largest_pressure = dry_contact(scales_, conditions, figures.pressure_integral).pressure / scales_.pressure;
+      figures.central_pressure = figures.largest_pressure;
+    }
+    record.contacts.push_back({contact, path_.position(contact, T_), figures});
+    live.push_back({contact, nullptr});
+  }
+  observer_(record, live);
+}
+
+void DryMarch::start(const std::optional<Motion>& motion) {
+  T_ = 0.0;
+  if (motion) {
+    motion_ = *motion;
+  } else {
+    // Bisection: the total force falls monotonically from above F* to zero at H_0 = 0.
+    const std::vector<int> contacts = path_.contacts_after(T_);
+    double low = -2.0 * scales_.hertz.approach / scales_.film, high = 0.0;
+    for (int iteration = 0; iteration < 200 && high - low > 1e-15; ++iteration) {
+      const double middle = 0.5 * (low + high);
+      (total_force(contacts, T_, middle) > scales_.static_force ? low : high) = middle;
+    }
+    motion_ = {0.5 * (low + high), 0.0};
+  }
+  observe(0.0, 0.0);
+}
+
+void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
+  struct Context {
+    const DryMarch* march;
+    const std::vector<int>* contacts;
+  } context{this, &contacts};
+  PetscHandle<TS, TSDestroy> ts;
+  OwnedVec state;
+  petsc_check(VecCreateSeq(PETSC_COMM_SELF, 2, state.put()));
+  {
+    const VecWriting values(state);
+    values[0] = motion_.H0;
+    values[1] = motion_.V0;
+  }
+  petsc_check(TSCreate(PETSC_COMM_SELF, ts.put()));
+  petsc_check(TSSetOptionsPrefix(ts, "dry_"));
+  petsc_check(TSSetType(ts, TSRK));
+  petsc_check(TSRKSetType(ts, TSRK5DP));
+  petsc_check(TSSetRHSFunction(
+      ts, nullptr,
+      [](TS, PetscReal T, Vec in, Vec out, void* untyped) -> PetscErrorCode {
+        return petsc_callback([&] {
+          const auto& [march, present] = *static_cast<Context*>(untyped);
+          const VecReading values(in);
+          const VecWriting rates(out);
+          rates[0] = values[1];
+          rates[1] = (march->total_force(*present, T, values[0]) - march->scales_.static_force) / march->inertia_;
+        });
+      },
+      &context));
+  petsc_check(TSSetTolerances(ts, integration_tolerance, nullptr, integration_tolerance, nullptr));
+  petsc_check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_MATCHSTEP));
+  petsc_check(TSSetMaxSteps(ts, 100000));
+  petsc_check(TSSetTime(ts, T_));
+  petsc_check(TSSetMaxTime(ts, T_end));
+  petsc_check(TSSetTimeStep(ts, T_end - T_));
+  petsc_check(TSSetFromOptions(ts));
+  petsc_check(TSSolve(ts, state));
+  const VecReading values(state);
+  motion_ = {values[0], values[1]};
+  if (!std::isfinite(motion_.H0) || !std::isfinite(motion_.V0)) {
+    throw SolveError("the dry pair's motion is not finite at T = " + std::to_string(T_));
+  }
+  T_ = T_end;
+}
+
+void DryMarch::run(double T_end) {
+  while (T_ < T_end - 1e-9) {
+    const std::vector<int> contacts = path_.contacts_after(T_);
+    const double begin = T_, segment_end = std::min(T_end, path_.next_event(T_));
+    const int steps = std::max(1, static_cast<int>(std::ceil((segment_end - begin) / dT_ - 1e-6)));
+    for (int step = 1; step <= steps; ++step) {
+      const double wall_start = MPI_Wtime(), before = T_;
+      integrate(contacts, step == steps ? segment_end : begin + (segment_end - begin) * step / steps);
+      observe(T_ - before, MPI_Wtime() - wall_start);
+    }
+  }
+}
+
+}  // namespace gearfilm

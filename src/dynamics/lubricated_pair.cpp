@@ -1,0 +1,150 @@
+#include "gearfilm/dynamics/lubricated_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gearfilm {
+
+LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia,
+                               double static_force)
+    : path_(path),
+      contacts_(std::move(contacts)),
+      grid_(contacts_.front().film->grid()),
+      inertia_(inertia),
+      static_force_(static_force),
+      weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
+      column_(motion_at()),
+      work_(field_size()) {}
+
+PetscInt LubricatedPair::local_size() const {
+  return static_cast<PetscInt>(motion_at() + (has_motion() ? 2 : 0));
+}
+
+OwnedVec LubricatedPair::create_state() const {
+  OwnedVec state;
+  petsc_check(VecCreateMPI(comm(), local_size(), PETSC_DETERMINE, state.put()));
+  return state;
+}
+
+void LubricatedPair::set_pressure(Vec state, std::size_t contact, const std::vector<double>& pressure) const {
+  const VecWriting values(state);
+  std::copy(pressure.begin(), pressure.end(), values + contact * field_size());
+}
+
+std::vector<double> LubricatedPair::pressure(Vec state, std::size_t contact) const {
+  const VecReading values(state);
+  const double* first = values + contact * field_size();
+  return {first, first + field_size()};
+}
+
+void LubricatedPair::set_motion(Vec state, const Motion& motion) const {
+  const VecWriting values(state);
+  if (!has_motion()) return;
+  values[motion_at()] = motion.H0;
+  values[motion_at() + 1] = motion.V0;
+}
+
+Motion LubricatedPair::motion(Vec state) const {
+  const VecReading values(state);
+  return broadcast(values);
+}
+
+Motion LubricatedPair::broadcast(const double* values) const {
+  std::array<double, 2> motion{};
+  if (has_motion()) motion = {values[motion_at()], values[motion_at() + 1]};
+  if (grid_.processes() > 1) MPI_Bcast(motion.data(), 2, MPI_DOUBLE, 0, comm());
+  return {motion[0], motion[1]};
+}
+
+// Int Int over all contacts together.
+double LubricatedPair::integral(const double* values) const {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < motion_at(); ++n) sum += values[n];
+  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
+  return sum * grid_.h_x() * grid_.h_y();
+}
+
+void LubricatedPair::clip(Vec state) const {
+  const VecWriting values(state);
+  for (std::size_t n = 0; n < motion_at(); ++n) values[n] = std::max(values[n], 0.0);
+}
+
+void LubricatedPair::place(double T) {
+  for (const PairContact& contact : contacts_) contact.film->set_conditions(path_.conditions(contact.contact, T));
+}
+
+void LubricatedPair::residual(Vec state, Vec rate, Vec rows) {
+  const VecReading in(state), rates(rate);
+  const VecWriting out(rows);
+  const Motion motion = broadcast(in);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const std::size_t at = k * field_size();
+    contacts_[k].film->residual(in + at, motion.H0, rates + at, out + at);
+  }
+  const double carried = integral(in);
+  if (!has_motion()) return;
+  const std::size_t at = motion_at();
+  out[at] = weight_ * (rates[at] - motion.V0);
+  out[at + 1] = weight_ / static_force_ * (inertia_ * rates[at + 1] - carried + static_force_);
+}
+
+void LubricatedPair::storage(Vec state, Vec stored) {
+  const VecReading in(state);
+  const VecWriting out(stored);
+  const Motion motion = broadcast(in);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts_[k].film->storage(in + k * field_size(), motion.H0, out + k * field_size());
+  }
+  if (has_motion()) std::copy_n(in + motion_at(), 2, out + motion_at());
+}
+
+void LubricatedPair::linearise(double shift) {
+  shift_ = shift;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts_[k].film->linearise(shift);
+    contacts_[k].film->film_shift(column_.data() + k * field_size());
+  }
+}
+
+void LubricatedPair::multiply(Vec change, Vec rows) {
+  const VecReading in(change);
+  const VecWriting out(rows);
+  const Motion motion = broadcast(in);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts_[k].film->multiply(in + k * field_size(), motion.H0, out + k * field_size());
+  }
+  const double carried = integral(in);
+  if (!has_motion()) return;
+  const std::size_t at = motion_at();
+  out[at] = weight_ * (shift_ * motion.H0 - motion.V0);
+  out[at + 1] = weight_ / static_force_ * (inertia_ * shift_ * motion.V0 - carried);
+}
+
+// Without the contacts' reaction, shift H0 - V0 = r_H and I_n shift V0 = r_V.
+void LubricatedPair::precondition(Vec rows, Vec change) {
+  const VecReading in(rows);
+  const VecWriting out(change);
+  const Motion residual = broadcast(in);
+  const double V0 = residual.V0 / weight_ * static_force_ / (inertia_ * shift_);
+  const double H0 = (residual.H0 / weight_ + V0) / shift_;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const double* film_rows = in + k * field_size();
+    const double* column = column_.data() + k * field_size();
+    for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
+    contacts_[k].film->precondition(work_.data(), out + k * field_size());
+  }
+  if (!has_motion()) return;
+  out[motion_at()] = H0;
+  out[motion_at() + 1] = V0;
+}
+
+std::vector<ContactRecord> LubricatedPair::records(double T) const {
+  std::vector<ContactRecord> records;
+  for (const PairContact& contact : contacts_) {
+    records.push_back({contact.contact, path_.position(contact.contact, T), contact.film->figures()});
+  }
+  return records;
+}
+
+}  // namespace gearfilm

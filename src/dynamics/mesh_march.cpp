@@ -1,0 +1,163 @@
+#include "gearfilm/dynamics/mesh_march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearfilm/ehl/events.hpp"
+#include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
+                     const SolverOptions& films, const StepOptions& steps, StepObserver observer)
+    : grid_(grid),
+      scales_(scales),
+      path_(path),
+      inertia_(inertia),
+      film_options_(films),
+      step_options_(steps),
+      observer_(std::move(observer)) {}
+
+std::string MeshMarch::label(int contact) const {
+  std::ostringstream text;
+  text << "contact " << contact << " at xi = " << 1e3 * path_.position(contact, T_) << " mm (T = " << T_ << ")";
+  return text.str();
+}
+
+ContactFilm* MeshMarch::free_film() {
+  for (const auto& film : films_) {
+    const auto uses = [&](const Tooth& tooth) { return tooth.film == film.get(); };
+    if (std::none_of(teeth_.begin(), teeth_.end(), uses)) return film.get();
+  }
+  films_.push_back(std::make_unique<ContactFilm>(grid_, scales_, film_options_));
+  return films_.back().get();
+}
+
+MeshMarch::Tooth MeshMarch::enter(int contact, const std::vector<double>* neighbour) {
+  const ScopedStage stage("Entering film");
+  ContactFilm* film = free_film();
+  film->set_conditions(path_.conditions(contact, T_));
+  const LoadCondition load = LoadCondition::displacement(motion_.H0);
+  try {
+    StationaryResult entered = neighbour
+                                   ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
+                                   : solve_stationary(*film, load, film_options_);
+    check_validity(*film, entered.figures, label(contact));
+    return {contact, film, std::move(entered.solution.pressure)};
+  } catch (const SolveError& error) {
+    throw SolveError(label(contact) + ", entering: " + error.what());
+  }
+}
+
+// A single contact is balanced together with its film; several by the secant method on H_0.
+void MeshMarch::balance_at_rest() {
+  const std::vector<int> contacts = path_.contacts_after(T_);
+  teeth_.clear();
+  ContactFilm* first = free_film();
+  first->set_conditions(path_.conditions(contacts.front(), T_));
+  const double share = scales_.static_force / static_cast<double>(contacts.size());
+  StationaryResult leading = solve_stationary(*first, LoadCondition::force(share), film_options_);
+  motion_ = {leading.solution.H0, 0.0};
+  teeth_.push_back({contacts.front(), first, leading.solution.pressure});
+  if (contacts.size() == 1) return;
+
+  const auto excess = [&](double H0) {
+    motion_.H0 = H0;
+    std::vector<Tooth> before = std::move(teeth_);
+    teeth_.clear();
+    double sum = -scales_.static_force;
+    for (int contact : contacts) {
+      const auto known = std::find_if(before.begin(), before.end(), [&](const Tooth& t) { return t.contact == contact; });
+      teeth_.push_back(enter(contact, known != before.end() ? &known->pressure : &before.front().pressure));
+      sum += teeth_.back().film->figures().pressure_integral;
+    }
+    return sum;
+  };
+  double H0 = motion_.H0, residual = excess(H0);
+  double slope = -1.5 * scales_.static_force / (scales_.hertz.approach / scales_.film);  // Hertz: F ~ approach^1.5
+  for (int iteration = 0; std::abs(residual) > 1e-8 * scales_.static_force; ++iteration) {
+    if (iteration == 30) throw SolveError("the contacts' forces at rest could not be balanced with the static force");
+    const double next = H0 - residual / slope;
+    const double next_residual = excess(next);
+    slope = (next_residual - residual) / (next - H0);
+    H0 = next;
+    residual = next_residual;
+  }
+}
+
+void MeshMarch::start(const std::optional<Motion>& motion) {
+  T_ = 0.0;
+  if (motion) {
+    motion_ = *motion;
+    teeth_.clear();
+    for (int contact : path_.contacts_after(T_)) {
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().pressure));
+    }
+  } else {
+    balance_at_rest();
+  }
+  for (const Tooth& tooth : teeth_) check_validity(*tooth.film, tooth.film->figures(), label(tooth.contact));
+  observe_present();
+}
+
+void MeshMarch::observe(const StepRecord& record) const {
+  std::vector<LiveContact> live;
+  for (const Tooth& tooth : teeth_) live.push_back({tooth.contact, tooth.film});
+  observer_(record, live);
+}
+
+void MeshMarch::observe_present() const {
+  StepRecord record;
+  record.T = T_;
+  record.motion = motion_;
+  for (const Tooth& tooth : teeth_) {
+    record.contacts.push_back({tooth.contact, path_.position(tooth.contact, T_), tooth.film->figures()});
+  }
+  observe(record);
+}
+
+void MeshMarch::exchange_contacts() {
+  const std::vector<int> contacts = path_.contacts_after(T_);
+  const std::size_t present = teeth_.size();
+  std::erase_if(teeth_, [&](const Tooth& tooth) {
+    return std::find(contacts.begin(), contacts.end(), tooth.contact) == contacts.end();
+  });
+  const std::size_t kept = teeth_.size();
+  for (int contact : contacts) {
+    const auto known = [&](const Tooth& tooth) { return tooth.contact == contact; };
+    if (std::none_of(teeth_.begin(), teeth_.end(), known)) {
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().pressure));
+    }
+  }
+  if (kept != present || teeth_.size() != kept) observe_present();
+}
+
+void MeshMarch::run(double T_end) {
+  while (T_ < T_end - 1e-9) {
+    const ScopedStage stage("Time steps");
+    std::vector<PairContact> contacts;
+    for (const Tooth& tooth : teeth_) contacts.push_back({tooth.contact, tooth.film});
+    LubricatedPair pair(path_, contacts, inertia_, scales_.static_force);
+    const OwnedVec state = pair.create_state();
+    for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_pressure(state, k, teeth_[k].pressure);
+    pair.set_motion(state, motion_);
+    SegmentStepper stepper(pair, step_options_, [&](const StepRecord& record) {
+      T_ = record.T;
+      motion_ = record.motion;
+      for (std::size_t k = 0; k < teeth_.size(); ++k) {
+        check_validity(*teeth_[k].film, record.contacts[k].figures, label(teeth_[k].contact));
+      }
+      observe(record);
+    });
+    const double segment_end = std::min(T_end, path_.next_event(T_));
+    stepper.run(state, T_, segment_end);
+    T_ = segment_end;
+    motion_ = pair.motion(state);
+    for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].pressure = pair.pressure(state, k);
+    exchange_contacts();
+  }
+}
+
+}  // namespace gearfilm

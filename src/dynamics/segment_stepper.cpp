@@ -1,0 +1,196 @@
+#include "gearfilm/dynamics/segment_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
+                               std::function<void(const StepRecord&)> on_step)
+    : pair_(pair), options_(options), on_step_(std::move(on_step)), rows_(pair.create_state()) {
+  create_jacobian();
+  create_time_scheme();
+  configure_solvers();
+}
+
+void SegmentStepper::create_jacobian() {
+  const PetscInt size = pair_.local_size();
+  petsc_check(MatCreateShell(pair_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &pair_, jacobian_.put()));
+  const auto multiply = +[](Mat matrix, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LubricatedPair* pair = nullptr;
+      petsc_check(MatShellGetContext(matrix, &pair));
+      pair->multiply(in, out);
+    });
+  };
+  petsc_check(MatShellSetOperation(jacobian_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+}
+
+void SegmentStepper::create_time_scheme() {
+  petsc_check(TSCreate(pair_.comm(), ts_.put()));
+  petsc_check(TSSetOptionsPrefix(ts_, "step_"));
+  petsc_check(TSSetType(ts_, TSBDF));
+  petsc_check(TSBDFSetOrder(ts_, 2));
+  petsc_check(TSSetApplicationContext(ts_, this));
+  petsc_check(TSSetTransientVariable(
+      ts_,
+      [](TS, Vec state, Vec stored, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          auto* own = static_cast<SegmentStepper*>(context);
+          own->pair_.place(own->state_time_);
+          own->pair_.storage(state, stored);
+        });
+      },
+      this));
+  petsc_check(TSSetIFunction(
+      ts_, rows_,
+      [](TS, PetscReal T, Vec state, Vec rate, Vec rows, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          auto* own = static_cast<SegmentStepper*>(context);
+          own->pair_.place(T);
+          own->pair_.residual(state, rate, rows);
+        });
+      },
+      this));
+  petsc_check(TSSetIJacobian(
+      ts_, jacobian_, jacobian_,
+      [](TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          auto* own = static_cast<SegmentStepper*>(context);
+          // The wet mask belongs to the last residual, which a line search may have taken elsewhere.
+          own->pair_.place(T);
+          own->pair_.residual(state, rate, own->rows_);
+          own->pair_.linearise(shift);
+          petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+          petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
+        });
+      },
+      this));
+  petsc_check(TSSetPreStage(ts_, [](TS ts, PetscReal T) -> PetscErrorCode {
+    return petsc_callback([&] { of(ts).state_time_ = T; });
+  }));
+  petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal, PetscInt, Vec*) -> PetscErrorCode {
+    return petsc_callback([&] {
+      SNES snes = nullptr;
+      SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+      petsc_check(TSGetSNES(ts, &snes));
+      petsc_check(SNESGetConvergedReason(snes, &reason));
+      if (reason < 0) petsc_check(TSGetTime(ts, &of(ts).state_time_));
+    });
+  }));
+  petsc_check(TSSetPostStep(ts_, [](TS ts) -> PetscErrorCode {
+    return petsc_callback([&] { of(ts).finish_step(); });
+  }));
+  TSAdapt adapt = nullptr;
+  petsc_check(TSGetAdapt(ts_, &adapt));
+  petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));
+  petsc_check(TSAdaptSetScaleSolveFailed(adapt, 0.5));
+  petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
+  petsc_check(TSSetMaxSNESFailures(ts_, -1));
+  petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections));
+  petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
+  petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+}
+
+SegmentStepper& SegmentStepper::of(TS ts) {
+  void* context = nullptr;
+  petsc_check(TSGetApplicationContext(ts, &context));
+  return *static_cast<SegmentStepper*>(context);
+}
+
+void SegmentStepper::configure_solvers() {
+  SNES snes = nullptr;
+  petsc_check(TSGetSNES(ts_, &snes));
+  petsc_check(SNESSetType(snes, SNESNEWTONLS));
+  petsc_check(SNESSetTolerances(snes, options_.newton_tolerance * pair_.weight(), 1e-30, 1e-12,
+                                options_.newton_max_iterations, 100 * options_.newton_max_iterations));
+  petsc_check(SNESSetMaxLinearSolveFailures(snes, options_.newton_max_iterations));
+  // The predictor extrapolates; where pressure ends it would go below zero.
+  petsc_check(SNESSetComputeInitialGuess(
+      snes,
+      [](SNES, Vec state, void* context) -> PetscErrorCode {
+        return petsc_callback([&] { static_cast<LubricatedPair*>(context)->clip(state); });
+      },
+      &pair_));
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  petsc_check(KSPSetType(ksp, KSPFGMRES));
+  petsc_check(KSPSetTolerances(ksp, options_.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
+                               options_.krylov_max_iterations));
+  petsc_check(KSPGMRESSetRestart(ksp, options_.krylov_max_iterations));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "motion, then one multigrid cycle a contact"));
+  petsc_check(PCShellSetContext(pc, &pair_));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LubricatedPair* pair = nullptr;
+      petsc_check(PCShellGetContext(shell, &pair));
+      pair->precondition(in, out);
+    });
+  }));
+  petsc_check(TSSetFromOptions(ts_));
+}
+
+// PETSc calls this after failed steps too, and leaves a shortened step short for ever.
+void SegmentStepper::finish_step() {
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  petsc_check(TSGetConvergedReason(ts_, &reason));
+  if (reason < 0) return;
+  PetscReal T = 0.0, end = 0.0;
+  PetscInt newton = 0, krylov = 0;
+  Vec state = nullptr;
+  petsc_check(TSGetTime(ts_, &T));
+  petsc_check(TSGetMaxTime(ts_, &end));
+  petsc_check(TSGetSNESIterations(ts_, &newton));
+  petsc_check(TSGetKSPIterations(ts_, &krylov));
+  petsc_check(TSGetSolution(ts_, &state));
+  const double now = MPI_Wtime();
+  StepRecord record;
+  record.T = T;
+  record.dT = T - last_time_;
+  record.motion = pair_.motion(state);
+  record.contacts = pair_.records(T);
+  record.newton = newton - newton_so_far_;
+  record.krylov = krylov - krylov_so_far_;
+  record.wall_seconds = now - wall_start_;
+  on_step_(record);
+  last_time_ = T;
+  newton_so_far_ = newton;
+  krylov_so_far_ = krylov;
+  wall_start_ = MPI_Wtime();
+  const double rest = end - T;
+  if (rest < 1e-9 * step_) {
+    petsc_check(TSSetConvergedReason(ts_, TS_CONVERGED_TIME));  // not one more step of the size of round-off
+  } else {
+    petsc_check(TSSetTimeStep(ts_, rest < 1.0001 * step_ ? rest : step_));
+  }
+}
+
+void SegmentStepper::run(Vec state, double T0, double T1) {
+  const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
+  step_ = (T1 - T0) / steps;
+  state_time_ = last_time_ = T0;
+  wall_start_ = MPI_Wtime();
+  petsc_check(TSSetTime(ts_, T0));
+  petsc_check(TSSetMaxTime(ts_, T1));
+  petsc_check(TSSetTimeStep(ts_, step_));
+  petsc_check(TSSolve(ts_, state));
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  petsc_check(TSGetConvergedReason(ts_, &reason));
+  if (reason > 0) return;
+  std::ostringstream message;
+  message << "no time step converged from T = " << last_time_ << " on, down to " << step_ << "/2^"
+          << options_.max_rejections << ", with";
+  for (const ContactRecord& contact : pair_.records(last_time_)) {
+    message << " contact " << contact.contact << " at xi = " << 1e3 * contact.position << " mm";
+  }
+  message << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
+  throw SolveError(message.str());
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,377 @@
+"""The program from outside: commands, results, exit statuses and messages.
+
+Environment: GEARFILM, the binary; GEARFILM_MPIEXEC, the launcher with its process flag ("mpiexec -n");
+GEARFILM_SLOW=1 adds the fine grids.
+"""
+import json
+import os
+import re
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from program import INPUT, RESULT_FILES, SOURCE, ProgramTest
+
+REFERENCE = json.loads((SOURCE / "tests/reference/table3.json").read_text(encoding="utf-8"))
+BARBIERI = INPUT / "barbieri2013.yaml"
+WANG = INPUT / "wang2004.yaml"
+CIRCULAR = INPUT / "circular_m20_l10.yaml"
+# Newton stops at a root mean square of 1e-8: the load is then met to 1e-8, and a film that 1, 2 or 4 processes reach
+# on different paths differs by a few 1e-7 of its largest value.
+BALANCE = 1e-6
+SAME = 1e-6
+
+slow = unittest.skipUnless(os.environ.get("GEARFILM_SLOW") == "1", "fine grids: GEARFILM_SLOW=1")
+
+
+def summary_in(folder):
+    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+
+
+def text(attribute):
+    return attribute.decode() if isinstance(attribute, bytes) else attribute
+
+
+def grid_options(row):
+    options = ["-grid_nx", row["nx"], "-grid_ny", row["ny"]]
+    if "domain" in row:
+        for name, value in zip(("x_min", "x_max", "y_half"), row["domain"]):
+            options += [f"-grid_{name}", value]
+    return options
+
+
+class FilmTest(ProgramTest):
+    def assert_row(self, case, row, processes=1, load=None):
+        """A stationary film agrees with one row of the reference, and carries its load."""
+        self.run_well("steady", case, "-output_dir", "row", *grid_options(row), processes=processes)
+        summary = summary_in(self.folder / "row")
+        for name in ("h_central", "h_min", "H_central", "H_min", "H0"):
+            if name in row:
+                self.assertAlmostEqual(summary[name] / row[name], 1, delta=row["rel_tol"], msg=f"{name} of {row}")
+        if load is None:
+            self.run_well("info", case, "-output_dir", "info", *grid_options(row))
+            load = summary_in(self.folder / "info")["load"]
+        self.assertAlmostEqual(summary["force"] / load, 1, delta=BALANCE)
+        return summary
+
+
+class Info(ProgramTest):
+    def test_derived_quantities_are_those_of_table_3(self):
+        for processes in (1, 2):
+            with self.subTest(processes=processes):
+                run = self.run_well("info", BARBIERI, processes=processes)
+                summary = summary_in(self.folder / "output/barbieri2013")
+                for name, wanted in REFERENCE["derived"].items():
+                    self.assertAlmostEqual(summary[name] / wanted["value"], 1, delta=wanted["rel_tol"], msg=name)
+                    self.assertEqual(len(re.findall(rf"^{name} ", run.stdout, re.MULTILINE)), 1, name)
+                self.assertEqual(os.listdir(self.folder / "output/barbieri2013"), ["summary.json"])
+
+    def test_bare_contact_has_its_moes_groups_and_no_gears(self):
+        self.run_well("info", CIRCULAR)
+        summary = summary_in(self.folder / "output/circular_m20_l10")
+        # Load and velocity of the case have four digits.
+        self.assertAlmostEqual(summary["M"] / 20, 1, delta=1e-3)
+        self.assertAlmostEqual(summary["L"] / 10, 1, delta=1e-3)
+        self.assertAlmostEqual(summary["kappa"], 1, delta=1e-12)
+        for name in ("contact_ratio", "f_m", "f_n", "I_n"):
+            self.assertNotIn(name, summary)
+
+    def test_pair_without_mass_has_no_natural_frequency(self):
+        self.run_well("info", WANG)
+        summary = summary_in(self.folder / "output/wang2004")
+        self.assertIn("f_m", summary)
+        self.assertNotIn("f_n", summary)
+
+
+class Steady(FilmTest):
+    def test_table_3_pitch_film_is_the_same_on_1_2_4_processes(self):
+        row = REFERENCE["steady_pitch"][0]
+        self.assertEqual((row["nx"], row["ny"]), (129, 65))
+        fields = {}
+        for processes in (1, 2, 4):
+            self.assert_row(BARBIERI, row, processes=processes)
+            with h5py.File(self.folder / "row/results.h5") as results:
+                fields[processes] = {name: results["contact0"][name][:] for name in ("P", "H", "x", "y", "mesh")}
+        for processes in (2, 4):
+            for name, alone in fields[1].items():
+                difference = numpy.abs(fields[processes][name] - alone).max()
+                self.assertLessEqual(difference, SAME * numpy.abs(alone).max(), f"{name} on {processes} processes")
+            # The film itself is a thirtieth of the largest H, at the inlet corner: compared node by node too.
+            films = fields[processes]["H"] / fields[1]["H"]
+            self.assertLessEqual(numpy.abs(films - 1).max(), SAME, f"H on {processes} processes")
+
+    def test_circular_contact(self):
+        self.assert_row(CIRCULAR, REFERENCE["steady_circular_M20_L10"][0], load=5.746)
+
+    def test_wang_pair_under_its_equivalent_point_load(self):
+        summary = self.assert_row(WANG, REFERENCE["table2_pitch"][0])
+        # Eq. (27): 493.6 N, printed to that many digits.
+        self.assertAlmostEqual(summary["force"], 493.6, delta=0.05)
+
+    def test_film_grows_towards_the_exit_where_radius_and_velocity_grow(self):
+        films = []
+        for position in ("-5e-3", "0", "5e-3"):
+            self.run_well("steady", BARBIERI, "-steady_position", position, "-grid_nx", 65, "-grid_ny", 33)
+            summary = summary_in(self.folder / "output/barbieri2013")
+            self.assertEqual(summary["position"], float(position))
+            films.append(summary["h_central"])
+        self.assertEqual(films, sorted(films))
+
+    def test_arithmetic_of_the_preconditioner_does_not_change_the_film(self):
+        films = []
+        for precision in ("single", "double"):
+            self.run_well("steady", CIRCULAR, "-solver_precision", precision, "-output_dir", precision)
+            films.append(summary_in(self.folder / precision)["h_min"])
+        self.assertAlmostEqual(films[0] / films[1], 1, delta=SAME)
+
+
+@slow
+class SlowSteady(FilmTest):
+    def test_fine_rows_of_table_3(self):
+        for row in REFERENCE["steady_pitch"][1:]:
+            for processes in (1, 2):
+                with self.subTest(nx=row["nx"], ny=row["ny"], processes=processes):
+                    self.assert_row(BARBIERI, row, processes=processes)
+
+    def test_fine_circular_contact(self):
+        for row in REFERENCE["steady_circular_M20_L10"][1:]:
+            self.assert_row(CIRCULAR, row, processes=2, load=5.746)
+
+    def test_fine_wang_pair(self):
+        for row in REFERENCE["table2_pitch"][1:]:
+            self.assert_row(WANG, row, processes=2)
+
+
+class Results(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.output = self.folder / "output/barbieri2013"
+
+    def test_results_carry_program_parameters_and_units(self):
+        self.run_well("steady", BARBIERI)
+        version = self.run_well("-version").stdout.split()[1]
+        required = re.findall(r"^\| `((?:pinion|wheel|gear|lubricant)\.\w+)` .*\| (?:required|default [^|]*) \|",
+                              self.run_well("parameters").stdout, re.MULTILINE)
+        self.assertGreater(len(required), 15)
+        with h5py.File(self.output / "results.h5") as results:
+            self.assertEqual(text(results.attrs["program"]), "gearfilm")
+            self.assertEqual(text(results.attrs["version"]), version)
+            self.assertEqual(text(results.attrs["command"]), "steady")
+            parameters = {name: text(value) for name, value in results["parameters"].attrs.items()}
+            for name in required:
+                self.assertIn(name, parameters)
+            self.assertEqual(parameters["pinion.teeth"], "28")
+            self.assertEqual(parameters["gear.module"], "0.003 m")
+            self.assertEqual(parameters["lubricant.viscosity"], "0.04 Pa s")
+            self.assertEqual(parameters["grid.nx"], "129")
+            units = {name: text(data.attrs["unit"]) for name, data in results["contact0"].items()}
+            self.assertEqual(units, {"P": "Pa", "H": "m", "x": "m", "y": "m", "mesh": "m"})
+
+    def test_fields_agree_with_the_summary(self):
+        self.run_well("steady", BARBIERI)
+        summary = summary_in(self.output)
+        with h5py.File(self.output / "results.h5") as results:
+            contact = results["contact0"]
+            x, y, pressure, film, mesh = (contact[name][:] for name in ("x", "y", "P", "H", "mesh"))
+            a, b = contact.attrs["a"], contact.attrs["b"]
+        self.assertEqual(pressure.shape, (129, 65))
+        self.assertEqual(film.shape, (129, 65))
+        # The paper's domain for M >= 200.
+        numpy.testing.assert_allclose((x[0], x[-1], y[0], y[-1]), (-2.083 * a, 1.25 * a, -1.1 * b, 1.1 * b), rtol=1e-12)
+        numpy.testing.assert_array_equal(mesh, numpy.stack(numpy.meshgrid(x, y, indexing="ij"), axis=-1))
+        for edge in (pressure[0], pressure[-1], pressure[:, 0], pressure[:, -1]):
+            self.assertLess(numpy.abs(edge).max(), 1e-9 * pressure.max())
+        self.assertGreater(pressure.min(), -1e-9 * pressure.max())
+        self.assertEqual(pressure.max(), summary["p_max"])
+        self.assertEqual(film.min(), summary["h_min"])
+        self.assertEqual(film[abs(x).argmin(), 32], summary["h_central"])
+        carried = pressure.sum() * (x[1] - x[0]) * (y[1] - y[0])
+        self.assertAlmostEqual(carried / summary["force"], 1, delta=BALANCE)
+
+    def test_xdmf_is_well_formed_and_its_references_resolve(self):
+        for processes in (1, 2):
+            self.run_well("steady", CIRCULAR, "-output_dir", "x", "-grid_nx", 33, "-grid_ny", 41, processes=processes)
+            root = xml.etree.ElementTree.parse(self.folder / "x/results.xmf").getroot()
+            self.assertEqual(root.tag, "Xdmf")
+            topology = root.find(".//Topology")
+            self.assertEqual(topology.get("Dimensions"), "33 41")
+            attributes = [item.get("Name") for item in root.iter("Attribute")]
+            self.assertEqual(attributes, ["P", "H"])
+            items = list(root.iter("DataItem"))
+            self.assertEqual(len(items), 3)
+            for item in items:
+                name, dataset = item.text.strip().split(":")
+                with h5py.File(self.folder / "x" / name) as results:
+                    self.assertEqual(" ".join(map(str, results[dataset].shape)), item.get("Dimensions"))
+                    self.assertEqual(results[dataset].dtype.itemsize, int(item.get("Precision")))
+
+    def test_a_second_run_replaces_the_results(self):
+        for nx in (33, 65):
+            self.run_well("steady", CIRCULAR, "-output_dir", "again", "-grid_nx", nx, "-grid_ny", 33)
+            with h5py.File(self.folder / "again/results.h5") as results:
+                self.assertEqual(results["contact0/P"].shape, (nx, 33))
+            self.assertEqual(summary_in(self.folder / "again")["nx"], nx)
+            self.assertEqual(set(os.listdir(self.folder / "again")), RESULT_FILES)
+
+    def test_command_line_overrides_the_case_file(self):
+        self.run_well("steady", CIRCULAR, "-grid_nx", 33, "-grid_ny", 35, "-contact_load", "7", "-output_dir", "deep/down")
+        summary = summary_in(self.folder / "deep/down")
+        self.assertEqual((summary["nx"], summary["ny"]), (33, 35))
+        self.assertAlmostEqual(summary["force"] / 7, 1, delta=BALANCE)
+        with h5py.File(self.folder / "deep/down/results.h5") as results:
+            self.assertEqual(text(results["parameters"].attrs["contact.load"]), "7 N")
+        self.assertFalse((self.folder / "output").exists())
+
+
+class NotSolved(ProgramTest):
+    """Exit status 2: the message names contact, position and remedy, and nothing that looks like a result is left."""
+
+    def assert_not_solved(self, words, *options):
+        for processes in (1, 2):
+            with self.subTest(options=options, processes=processes):
+                run = self.run_program("steady", BARBIERI, *options, processes=processes)
+                self.assertEqual(run.status, 2, run)
+                self.assertEqual(run.stdout, "", run)
+                self.assertEqual(run.stderr.count("\n"), 1, run)
+                self.assertTrue(run.stderr.startswith("gearfilm: not solved: "), run)
+                for word in words:
+                    self.assertIn(word, run.stderr)
+                self.assertEqual([path.name for path in self.folder.rglob("*") if path.is_file()], [])
+
+    def test_domain_too_narrow_for_the_load(self):
+        # The ellipse grows with the cube root of the load: 2^(1/3) = 1.26 > 1.05.
+        self.assert_not_solved(["contact 0", "xi = 0 mm", "side edge", "1.05", "1.2599", "grid_y_half"],
+                               "-grid_y_half", 1.05, "-steady_load_ratio", 2)
+
+    def test_outlet_too_near_for_the_load(self):
+        self.assert_not_solved(["contact 0", "xi = 2 mm", "outlet edge", "grid_x_max"], "-grid_x_max", 1.05,
+                               "-grid_y_half", 2, "-steady_load_ratio", 2, "-steady_position", 2e-3)
+
+    def test_newton_stopped_before_convergence(self):
+        self.assert_not_solved(["contact 0", "xi = 0 mm", "not converged", "solver_newton_max_iterations"],
+                               "-solver_newton_max_iterations", 1)
+
+    def test_grid_too_coarse_for_a_positive_film(self):
+        self.assert_not_solved(["contact 0", "xi = 0 mm", "not positive", "grid_nx"], "-grid_nx", 17, "-grid_ny", 9)
+
+
+class WrongInput(ProgramTest):
+    """Exit status 1: one line on stderr that says what to do, nothing written."""
+
+    def assert_wrong(self, words, *arguments, processes=1):
+        before = self.content()
+        run = self.run_program(*arguments, processes=processes)
+        self.assertEqual(run.status, 1, run)
+        self.assertEqual(run.stdout, "", run)
+        self.assertEqual(run.stderr.count("\n"), 1, run)
+        self.assertTrue(run.stderr.startswith("gearfilm: wrong input: "), run)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertEqual(self.content(), before, run)
+
+    def case_with(self, old, new):
+        original = BARBIERI.read_text(encoding="utf-8")
+        self.assertEqual(original.count(old), 1, old)
+        return self.write_case(original.replace(old, new))
+
+    def test_command_line(self):
+        trials = [
+            ([], ["no command", "info", "steady"]),
+            (["steady"], ["no case file", "gearfilm steady CASE.yaml"]),
+            (["stedy", BARBIERI], ["unknown command 'stedy'", "steady"]),
+            ([BARBIERI], ["unknown command"]),
+            (["steady", BARBIERI, WANG], ["wang2004.yaml"]),
+            (["steady", "no_such_case.yaml"], ["no_such_case.yaml", "does not exist"]),
+            (["steady", INPUT], ["is a directory"]),
+            (["steady", BARBIERI, "-grid_nz", "65"], ["unknown option '-grid_nz 65'", "-grid_nx"]),
+            (["steady", BARBIERI, "-grid_nx=65"], ["unknown option", "-grid_nx"]),
+            (["steady", BARBIERI, "-grid_nx"], ["-grid_nx", "no value"]),
+            (["steady", BARBIERI, "-grid_nx", "15"], ["-grid_nx", "15", "17"]),
+            (["steady", BARBIERI, "-grid_nx", "many"], ["-grid_nx", "many", "whole number"]),
+            (["steady", BARBIERI, "-pinion_torque", "nan"], ["-pinion_torque", "nan"]),
+            (["steady", BARBIERI, "-contact_load", "5"], ["-contact_load", "case.kind"]),
+            (["steady", BARBIERI, "-steady_position", "6e-3"], ["-steady_position", "0.006", "0.00574"]),
+        ]
+        for arguments, words in trials:
+            with self.subTest(arguments=[str(argument) for argument in arguments]):
+                self.assert_wrong(words, *arguments)
+
+    def test_case_file(self):
+        trials = [
+            ("  outer_radius: 46.55e-3", " outer_radius: 46.55e-3", ["case.yaml:8", "malformed YAML"]),
+            ("teeth: 28", "teth: 28", ["case.yaml:7", "unknown key 'pinion.teth'", "'pinion.teeth'"]),
+            ("teeth: 28", "teeth: 28\n  teeth: 28", ["case.yaml:8", "duplicate key 'pinion.teeth'"]),
+            ("teeth: 28", "teeth: many", ["case.yaml:7", "'many'", "whole number"]),
+            ("teeth: 28", "teeth: 'two\n\n    lines'", ["case.yaml:7", "pinion.teeth", "whole number"]),
+            ("module: 3e-3", "module: -3e-3", ["gear.module", "-3e-3"]),
+            ("centre_distance: 111e-3", "centre_distance: 90e-3", ["centre_distance", "0.09", "base"]),
+            ("outer_radius: 46.55e-3", "outer_radius: 43e-3", ["contact ratio", "below 1"]),
+            ("face_width: 20e-3", "face_width: 20", ["gear.face_width", "20 m"]),
+        ]
+        for old, new, words in trials:
+            with self.subTest(new=new):
+                self.assert_wrong(words, "info", self.case_with(old, new))
+
+    def test_every_bad_input_file(self):
+        files = sorted((SOURCE / "tests/bad_input").glob("*.yaml"))
+        self.assertGreater(len(files), 20)
+        for file in files:
+            with self.subTest(file=file.name):
+                self.assert_wrong([file.name], "steady", file)
+
+    def test_output_folder_that_cannot_be_made(self):
+        below_a_file = self.write_case("not a folder", "file") / "deeper"
+        for command in ("info", "steady", "bench"):
+            self.assert_wrong(["deeper", "-output_dir"], command, BARBIERI, "-output_dir", below_a_file)
+
+    def test_two_processes_say_it_once(self):
+        below_a_file = self.write_case("not a folder", "file") / "deeper"
+        trials = [
+            ([], ["no command"]),
+            (["steady", "no_such_case.yaml"], ["does not exist"]),
+            (["steady", BARBIERI, "-grid_nz", "65"], ["-grid_nx"]),
+            (["steady", BARBIERI, "-grid_nx", "15"], ["17"]),
+            (["steady", SOURCE / "tests/bad_input/unknown_key.yaml"], ["pinion.teeth"]),
+            (["steady", SOURCE / "tests/bad_input/low_contact_ratio.yaml"], ["contact ratio"]),
+            (["steady", BARBIERI, "-output_dir", below_a_file], ["-output_dir"]),
+        ]
+        for arguments, words in trials:
+            with self.subTest(arguments=[str(argument) for argument in arguments]):
+                self.assert_wrong(words, *arguments, processes=2)
+
+    def test_more_processes_than_rows(self):
+        self.assert_wrong(["ny = 9", "10 processes"], "steady", CIRCULAR, "-grid_ny", 9, processes=10)
+
+
+class Texts(ProgramTest):
+    def test_help_names_commands_and_parameters_once(self):
+        for processes in (1, 2):
+            help_text = self.run_well("-help", processes=processes).stdout
+            for word in ("  info ", "  steady ", "  bench ", "  parameters ", "  -grid_nx ", "  -pinion_teeth "):
+                self.assertEqual(help_text.count("\n" + word), 1, word)
+        self.assertEqual(self.run_well("--help").stdout, self.run_well("-h").stdout)
+
+    def test_version(self):
+        self.assertRegex(self.run_well("-version").stdout, r"\Agearfilm \d+\.\d+\.\d+\S*\n\Z")
+
+    def test_parameters_need_no_case(self):
+        table = self.run_well("parameters").stdout
+        self.assertTrue(table.startswith("# Parameters\n"))
+        self.assertIn("| `pinion.teeth` | `Z_1` |", table)
+        self.assertEqual(self.run_well("parameters", processes=2).stdout, table)
+
+    def test_petsc_options_pass(self):
+        for option in ("-steady_snes_monitor", "-log_view"):
+            run = self.run_well("steady", CIRCULAR, "-grid_nx", 33, "-grid_ny", 33, option)
+            self.assertGreater(run.stdout.count("\n"), 10, option)
+
+    def test_unused_petsc_option_is_a_warning(self):
+        run = self.run_program("info", CIRCULAR, "-ksp_tpye", "cg")
+        self.assertEqual(run.status, 0, run)
+        self.assertEqual(run.stderr, "gearfilm: warning: option -ksp_tpye cg was not used\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

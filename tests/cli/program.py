@@ -1,0 +1,70 @@
+"""Runs the program under test, as a user would, in a folder of its own."""
+import os
+import pathlib
+import shlex
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+INPUT = SOURCE / "input"
+PROGRAM = os.environ.get("GEARFILM", str(SOURCE / "build/release/bin/gearfilm"))
+MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", "mpiexec -n"))
+RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
+SECONDS = 600
+
+
+class Run:
+    """One finished run: status, stdout, and what the program itself wrote to stderr."""
+
+    def __init__(self, arguments, processes, folder):
+        command = [PROGRAM, *map(str, arguments)]
+        if processes > 1:
+            command = [*MPIEXEC, str(processes), *command]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False)
+        self.words = shlex.join(map(str, arguments))
+        self.status = done.returncode
+        self.stdout = done.stdout
+        # mpiexec adds a notice of its own when a process returns another status than 0.
+        self.stderr = done.stderr if processes == 1 else before_notice_of_mpiexec(done.stderr)
+
+    def __str__(self):
+        return f"gearfilm {self.words}: status {self.status}\n{self.stdout}{self.stderr}"
+
+
+def before_notice_of_mpiexec(text):
+    lines = []
+    inside_notice = False
+    for line in text.splitlines(keepends=True):
+        if line.startswith("-----") and line.strip("-\n") == "":
+            inside_notice = not inside_notice
+        elif not inside_notice:
+            lines.append(line)
+    return "".join(lines)
+
+
+class ProgramTest(unittest.TestCase):
+    """A test that works in a new folder, self.folder."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(self.temporary.cleanup)
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def run_program(self, *arguments, processes=1):
+        return Run(arguments, processes, self.folder)
+
+    def run_well(self, *arguments, processes=1):
+        run = self.run_program(*arguments, processes=processes)
+        self.assertEqual(run.status, 0, run)
+        self.assertEqual(run.stderr, "", run)
+        return run
+
+    def content(self):
+        """Names of everything in the folder, nested."""
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def write_case(self, text, name="case.yaml"):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path

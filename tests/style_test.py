@@ -1,0 +1,101 @@
+"""Rules of the house that no compiler checks. Environment: GEARFILM, the binary."""
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[1]
+PROGRAM = os.environ.get("GEARFILM", str(SOURCE / "build/release/bin/gearfilm"))
+# In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
+ROOMS = ["gear", "lubricant", "contact", "ehl", "dynamics", "io", "app"]
+LONGEST_FILE = 600
+DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+
+
+def read(path):
+    return path.read_text(encoding="utf-8")
+
+
+def sources(*suffixes):
+    folders = ("include", "src", "tests", "scripts")
+    return sorted(path for folder in folders for path in (SOURCE / folder).rglob("*")
+                  if path.suffix in suffixes and "__pycache__" not in path.parts)
+
+
+def relative(path):
+    return str(path.relative_to(SOURCE))
+
+
+def output_of(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+
+
+class Rooms(unittest.TestCase):
+    def test_every_source_file_is_in_a_room(self):
+        for folder in (SOURCE / "src", SOURCE / "include/gearfilm"):
+            rooms = {path.name for path in folder.iterdir() if path.is_dir()}
+            self.assertLessEqual(rooms, set(ROOMS), relative(folder))
+
+    def test_rooms_include_only_rooms_to_their_left(self):
+        for room in ROOMS:
+            allowed = ROOMS[:ROOMS.index(room) + 1]
+            for folder in (SOURCE / "src" / room, SOURCE / "include/gearfilm" / room):
+                for path in sorted(folder.rglob("*")):
+                    included = re.findall(r'^\s*#\s*include\s*["<]gearfilm/(\w+)/', read(path), re.MULTILINE)
+                    for other in included:
+                        self.assertIn(other, allowed, f"{relative(path)} includes {other}/")
+
+
+class Files(unittest.TestCase):
+    def test_no_file_is_longer_than_600_lines(self):
+        for path in sources(".hpp", ".cpp", ".py", ".sh", ".txt"):
+            self.assertLessEqual(read(path).count("\n"), LONGEST_FILE, relative(path))
+
+    def test_headers_are_guarded_once(self):
+        for path in sources(".hpp", ".in"):
+            self.assertEqual(len(re.findall(r"^#pragma once$", read(path), re.MULTILINE)), 1, relative(path))
+
+    def test_text_is_clean(self):
+        for path in [*sources(".hpp", ".cpp", ".py", ".sh", ".txt", ".in"), *DOCUMENTS]:
+            content = read(path)
+            self.assertTrue(content.endswith("\n"), f"{relative(path)}: no line feed at the end")
+            for number, line in enumerate(content.splitlines(), 1):
+                self.assertNotIn("\t", line, f"{relative(path)}:{number}: tab")
+                self.assertEqual(line, line.rstrip(), f"{relative(path)}:{number}: blank at the end")
+
+    def test_shell_scripts_stop_at_the_first_error(self):
+        for path in sources(".sh"):
+            self.assertIn("\nset -euo pipefail\n", read(path), relative(path))
+            self.assertTrue(os.access(path, os.X_OK), f"{relative(path)} is not executable")
+
+
+class Documents(unittest.TestCase):
+    def test_parameter_page_is_what_the_program_prints(self):
+        self.assertEqual(read(SOURCE / "docs/parameters.md"), output_of("parameters"),
+                         "write docs/parameters.md anew: gearfilm parameters > docs/parameters.md")
+
+    def test_links_lead_somewhere(self):
+        for path in DOCUMENTS:
+            for target in re.findall(r"\]\(([^)\s]+)\)", read(path)):
+                if re.match(r"[a-z]+:|#", target):
+                    continue
+                self.assertTrue((path.parent / target.split("#")[0]).exists(), f"{relative(path)}: {target}")
+
+    def test_commands_and_options_of_the_documents_exist(self):
+        text = output_of("-help")
+        commands = set(re.findall(r"^  (\w+)  ", text, re.MULTILINE))
+        options = set(re.findall(r"^  (-\w+) ", text, re.MULTILINE))
+        sections = {option[1:].split("_")[0] for option in options}
+        petsc = re.compile(r"-steady_(snes|ksp|pc)_")
+        for path in DOCUMENTS:
+            content = read(path)
+            for command in re.findall(r"`(?:mpiexec -n \w+ )?gearfilm ([a-z]+)", content):
+                self.assertIn(command, commands, relative(path))
+            for option in re.findall(r"(?<![\w/-])-[a-z]+_\w+", content):
+                if option[1:].split("_")[0] in sections and not petsc.match(option):
+                    self.assertIn(option, options, relative(path))
+
+
+if __name__ == "__main__":
+    unittest.main()
