@@ -17,7 +17,7 @@ try:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 except ImportError as missing:
-    sys.exit(f"plot_film: {missing}; needs h5py, matplotlib and numpy (Debian's /usr/bin/python3 after scripts/setup.sh)")
+    sys.exit(f"plot_film: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
 
 # Distinguishable with every kind of colour vision: colours of Okabe and Ito, colour map cividis.
 PRESSURE_COLOUR = "#0072B2"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Closing table of the demonstration: what gearfilm computed beside what the paper prints.
 
-    scripts/report.py FOLDER      with the results of `gearfilm info` in FOLDER/info, of `gearfilm steady` in FOLDER/steady
+    scripts/report.py FOLDER      reads FOLDER/info and FOLDER/steady, the results of these commands of gearfilm
 
 The paper is Barbieri, Lubrecht, Pellicano, Tribology International 62 (2013) 37-48,
 doi 10.1016/j.triboint.2013.01.017. Exit status 1, with one line, where results are missing or not gearfilm's.

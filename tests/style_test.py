@@ -87,7 +87,7 @@ class Documents(unittest.TestCase):
         commands = set(re.findall(r"^  (\w+)  ", text, re.MULTILINE))
         options = set(re.findall(r"^  (-\w+) ", text, re.MULTILINE))
         sections = {option[1:].split("_")[0] for option in options}
-        petsc = re.compile(r"-steady_(snes|ksp|pc)_")
+        petsc = re.compile(r"-(steady|step|dry)_(snes|ksp|ts)_")
         for path in DOCUMENTS:
             content = read(path)
             for command in re.findall(r"`(?:mpiexec -n \w+ )?gearfilm ([a-z]+)", content):

@@ -26,7 +26,7 @@ public:
       : comm_(comm),
         problem_(problem),
         grid_(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-        film_(grid_, problem.scales, problem.solver),
+        film_(grid_, problem.scales, problem.solver.multigrid),
         unit_(convolution_time(size.nx, size.ny)),
         change_(grid_.local_size()),
         rows_(grid_.local_size()) {

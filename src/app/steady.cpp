@@ -114,7 +114,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny));
   const Position position = steady_position(problem);
   prepare_output_directory(comm, problem.output_directory);
-  ContactFilm film(grid, problem.scales, problem.solver);
+  ContactFilm film(grid, problem.scales, problem.solver.multigrid);
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;
   check_domain(grid, problem.scales, position.conditions, force, position.label);

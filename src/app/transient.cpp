@@ -172,7 +172,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   try {
     if (lubricated) {
       SolverOptions films = problem.solver;
-      films.levels = problem.step_levels;
+      films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
       MeshMarch march(grid, problem.scales, path, inertia, films, problem.steps, observer);
       drive(march, problem, path);
     } else {

@@ -17,10 +17,6 @@ LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact>
       column_(motion_at()),
       work_(field_size()) {}
 
-PetscInt LubricatedPair::local_size() const {
-  return static_cast<PetscInt>(motion_at() + (has_motion() ? 2 : 0));
-}
-
 OwnedVec LubricatedPair::create_state() const {
   OwnedVec state;
   petsc_check(VecCreateMPI(comm(), local_size(), PETSC_DETERMINE, state.put()));

@@ -10,6 +10,8 @@
 
 namespace gearfilm {
 
+int step_levels(const Grid& grid) { return grid.nx() * grid.ny() <= 10000 ? 1 : 0; }
+
 MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
                      const SolverOptions& films, const StepOptions& steps, StepObserver observer)
     : grid_(grid),
@@ -31,7 +33,7 @@ ContactFilm* MeshMarch::free_film() {
     const auto uses = [&](const Tooth& tooth) { return tooth.film == film.get(); };
     if (std::none_of(teeth_.begin(), teeth_.end(), uses)) return film.get();
   }
-  films_.push_back(std::make_unique<ContactFilm>(grid_, scales_, film_options_));
+  films_.push_back(std::make_unique<ContactFilm>(grid_, scales_, film_options_.multigrid));
   return films_.back().get();
 }
 

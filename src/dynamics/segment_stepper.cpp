@@ -10,23 +10,9 @@ namespace gearfilm {
 
 SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
                                std::function<void(const StepRecord&)> on_step)
-    : pair_(pair), options_(options), on_step_(std::move(on_step)), rows_(pair.create_state()) {
-  create_jacobian();
+    : pair_(pair), options_(options), on_step_(std::move(on_step)), rows_(pair.create_state()), jacobian_(shell_jacobian(pair)) {
   create_time_scheme();
   configure_solvers();
-}
-
-void SegmentStepper::create_jacobian() {
-  const PetscInt size = pair_.local_size();
-  petsc_check(MatCreateShell(pair_.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &pair_, jacobian_.put()));
-  const auto multiply = +[](Mat matrix, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LubricatedPair* pair = nullptr;
-      petsc_check(MatShellGetContext(matrix, &pair));
-      pair->multiply(in, out);
-    });
-  };
-  petsc_check(MatShellSetOperation(jacobian_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
 }
 
 void SegmentStepper::create_time_scheme() {
@@ -104,10 +90,7 @@ SegmentStepper& SegmentStepper::of(TS ts) {
 void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
-  petsc_check(SNESSetType(snes, SNESNEWTONLS));
-  petsc_check(SNESSetTolerances(snes, options_.newton_tolerance * pair_.weight(), 1e-30, 1e-12,
-                                options_.newton_max_iterations, 100 * options_.newton_max_iterations));
-  petsc_check(SNESSetMaxLinearSolveFailures(snes, options_.newton_max_iterations));
+  configure_newton(snes, pair_, options_.newton, pair_.weight());
   // The predictor extrapolates; where pressure ends it would go below zero.
   petsc_check(SNESSetComputeInitialGuess(
       snes,
@@ -115,24 +98,6 @@ void SegmentStepper::configure_solvers() {
         return petsc_callback([&] { static_cast<LubricatedPair*>(context)->clip(state); });
       },
       &pair_));
-  KSP ksp = nullptr;
-  petsc_check(SNESGetKSP(snes, &ksp));
-  petsc_check(KSPSetType(ksp, KSPFGMRES));
-  petsc_check(KSPSetTolerances(ksp, options_.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
-                               options_.krylov_max_iterations));
-  petsc_check(KSPGMRESSetRestart(ksp, options_.krylov_max_iterations));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "motion, then one multigrid cycle a contact"));
-  petsc_check(PCShellSetContext(pc, &pair_));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LubricatedPair* pair = nullptr;
-      petsc_check(PCShellGetContext(shell, &pair));
-      pair->precondition(in, out);
-    });
-  }));
   petsc_check(TSSetFromOptions(ts_));
 }
 

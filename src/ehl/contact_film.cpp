@@ -7,7 +7,7 @@
 
 namespace gearfilm {
 
-ContactFilm::ContactFilm(const Grid& grid, const Scales& scales, const SolverOptions& options)
+ContactFilm::ContactFilm(const Grid& grid, const Scales& scales, const MultigridOptions& options)
     : grid_(grid),
       scales_(scales),
       halo_(grid),

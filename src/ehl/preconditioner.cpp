@@ -47,7 +47,7 @@ private:
 template <class Real>
 class FilmMultigrid final : public FilmPreconditioner {
 public:
-  FilmMultigrid(const Grid& grid, double C_h, const SolverOptions& options) : options_(options) {
+  FilmMultigrid(const Grid& grid, double C_h, const MultigridOptions& options) : options_(options) {
     build_levels(grid, C_h);
     build_cycle();
   }
@@ -93,7 +93,7 @@ private:
   OwnedMat level_operator(Shell& shell) const;
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
-  SolverOptions options_;
+  MultigridOptions options_;
   std::vector<std::unique_ptr<Level>> levels_;          ///< finest first
   std::vector<std::unique_ptr<Shell>> shells_;          ///< one a level
   std::vector<OwnedMat> matrices_;
@@ -116,7 +116,7 @@ void FilmMultigrid<Real>::build_levels(const Grid& grid, double C_h) {
       whole_grid_.emplace(last->gathered());
       gather_.emplace(levels_.back()->grid());
       whole_state_ = std::make_unique<FilmState>(*whole_grid_);
-      SolverOptions rest = options_;
+      MultigridOptions rest = options_;
       if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
       whole_ = std::make_unique<FilmMultigrid<Real>>(*whole_grid_, C_h, rest);
       whole_residual_.resize(whole_grid_->local_size());
@@ -298,7 +298,7 @@ void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shi
 }  // namespace
 
 std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
-                                                             const SolverOptions& options) {
+                                                             const MultigridOptions& options) {
   if (options.precision == Precision::single_precision) {
     return std::make_unique<FilmMultigrid<float>>(grid, C_h, options);
   }

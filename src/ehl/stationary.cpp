@@ -104,11 +104,11 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
   for (std::size_t n = coarser.size() + 1; n-- > 0;) {
     std::unique_ptr<ContactFilm> coarse_film;
     if (n > 0) {
-      coarse_film = std::make_unique<ContactFilm>(*coarser[n - 1], film.scales(), options);
+      coarse_film = std::make_unique<ContactFilm>(*coarser[n - 1], film.scales(), options.multigrid);
       coarse_film->set_conditions(film.conditions());
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
-    StationaryNewton newton(present, options);
+    StationaryNewton newton(present, options.newton);
     result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
     const bool solved = solve_on_grid(present, newton, load, result.solution, before != nullptr);
     if (!solved && n == 0) report_failure(present.grid(), newton.counts());
@@ -123,7 +123,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
 
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess) {
-  StationaryNewton newton(film, options);
+  StationaryNewton newton(film, options.newton);
   StationaryResult result;
   result.solution = guess;
   if (load.kind == LoadCondition::Kind::displacement) result.solution.H0 = load.value;

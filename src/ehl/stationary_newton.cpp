@@ -7,7 +7,7 @@ namespace gearfilm {
 // State and residual: the own nodes, and on the first process one more entry for H_0 and the load.
 // The load row is weighted by sqrt(nodes), so that norm/sqrt(nodes) is a root mean square over the film plus the
 // relative error of the load.
-StationaryNewton::StationaryNewton(ContactFilm& film, const SolverOptions& options)
+StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& options)
     : film_(film),
       grid_(film.grid()),
       size_(grid_.local_size()),
@@ -15,24 +15,13 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const SolverOptions& optio
       load_weight_(std::sqrt(static_cast<double>(grid_.nx()) * grid_.ny())),
       storage_rate_(size_),
       column_(size_),
-      column_solution_(size_) {
-  const PetscInt local = size_ + (has_scalar_ ? 1 : 0);
-  petsc_check(VecCreateMPI(grid_.comm(), local, PETSC_DETERMINE, state_.put()));
+      column_solution_(size_),
+      jacobian_(shell_jacobian(*this)) {
+  petsc_check(VecCreateMPI(grid_.comm(), local_size(), PETSC_DETERMINE, state_.put()));
   petsc_check(VecDuplicate(state_, residual_.put()));
   petsc_check(VecDuplicate(state_, residual_at_state_.put()));
-  petsc_check(MatCreateShell(grid_.comm(), local, local, PETSC_DETERMINE, PETSC_DETERMINE, this, jacobian_.put()));
-  const auto multiply_callback = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      StationaryNewton* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
-      own->multiply(in, out);
-    });
-  };
-  petsc_check(MatShellSetOperation(jacobian_, MATOP_MULT, reinterpret_cast<void (*)()>(multiply_callback)));
-
   petsc_check(SNESCreate(grid_.comm(), snes_.put()));
   petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
-  petsc_check(SNESSetType(snes_, SNESNEWTONLS));
   petsc_check(SNESSetFunction(
       snes_, residual_,
       [](SNES, Vec state, Vec residual, void* context) -> PetscErrorCode {
@@ -49,26 +38,7 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const SolverOptions& optio
         });
       },
       this));
-  petsc_check(SNESSetTolerances(snes_, options.newton_tolerance * load_weight_, 1e-30, 1e-12,
-                                options.newton_max_iterations, 100 * options.newton_max_iterations));
-  petsc_check(SNESSetMaxLinearSolveFailures(snes_, options.newton_max_iterations));
-  KSP ksp = nullptr;
-  petsc_check(SNESGetKSP(snes_, &ksp));
-  petsc_check(KSPSetType(ksp, KSPFGMRES));
-  petsc_check(KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, options.krylov_max_iterations));
-  petsc_check(KSPGMRESSetRestart(ksp, std::min(options.krylov_max_iterations, 60)));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "film preconditioner with H_0 eliminated"));
-  petsc_check(PCShellSetContext(pc, this));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      StationaryNewton* own = nullptr;
-      petsc_check(PCShellGetContext(shell, &own));
-      own->precondition(in, out);
-    });
-  }));
+  configure_newton(snes_, *this, options, load_weight_);
   petsc_check(SNESSetFromOptions(snes_));
 }
 

@@ -140,12 +140,16 @@ Domain read_domain(const ParameterValues& values, double M) {
   return domain;
 }
 
-SolverOptions read_solver_options(const ParameterValues& values) {
-  return {.newton_tolerance = values.real("solver.newton_tolerance"),
-          .newton_max_iterations = values.integer("solver.newton_max_iterations"),
-          .krylov_tolerance = values.real("solver.krylov_tolerance"),
-          .krylov_max_iterations = values.integer("solver.krylov_max_iterations"),
-          .levels = values.integer("solver.levels"),
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
+  return {.tolerance = values.real(section + ".newton_tolerance"),
+          .max_iterations = values.integer(section + ".newton_max_iterations"),
+          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
+          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations"),
+          .limit_changes = limit_changes};
+}
+
+MultigridOptions read_multigrid_options(const ParameterValues& values) {
+  return {.levels = values.integer("solver.levels"),
           .smoothing_sweeps = values.integer("solver.smoothing_sweeps"),
           .coarse_sweeps = values.integer("solver.coarse_sweeps"),
           .precision =
@@ -196,10 +200,7 @@ void set_march(Case& result) {
   result.start_motion = read_start_motion(values);
   const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
   result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
-                  .newton_tolerance = values.real("time.newton_tolerance"),
-                  .newton_max_iterations = values.integer("time.newton_max_iterations"),
-                  .krylov_tolerance = values.real("time.krylov_tolerance"),
-                  .krylov_max_iterations = values.integer("time.krylov_max_iterations")};
+                  .newton = read_newton_options(values, "time", true)};
   result.step_levels = values.integer("time.levels");
   result.snapshot_interval = values.real("output.snapshot_interval");
 }
@@ -223,7 +224,7 @@ Case make_case(const ParameterValues& values) {
   });
   result.nx = values.integer("grid.nx");
   result.ny = values.integer("grid.ny");
-  result.solver = read_solver_options(values);
+  result.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
   result.steady_position = read_position(result, "steady.position");
   result.steady_load_ratio = values.real("steady.load_ratio");
   if (result.kind == CaseKind::gear_pair) set_march(result);

@@ -210,37 +210,37 @@ Records time_records() {
   return section(
       "time", Scope::gear_pair,
       {optional("the grid's h_x", number("dt", "dT", "-", left_open(0, 1), "time step in units of a/u_m")),
-       preset(standard.newton_tolerance,
+       preset(standard.newton.tolerance,
               number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of a step's scaled residual")),
-       preset(standard.newton_max_iterations,
+       preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
-       preset(standard.krylov_tolerance,
+       preset(standard.newton.krylov_tolerance,
               number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve in a time step")),
-       preset(standard.krylov_max_iterations,
+       preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
-       preset(1, whole("levels", "", closed(0, 20),
+       preset(0, whole("levels", "", closed(0, 20),
                        "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
 Records solver_records() {
   const SolverOptions standard;
   Parameter precision = choice("precision", {"single", "double"}, "arithmetic of the multigrid preconditioner");
-  if (standard.precision == Precision::double_precision) precision.fallback = "double";
+  if (standard.multigrid.precision == Precision::double_precision) precision.fallback = "double";
   return section(
       "solver", Scope::any,
-      {preset(standard.newton_tolerance,
+      {preset(standard.newton.tolerance,
               number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of the scaled residual")),
-       preset(standard.newton_max_iterations,
+       preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
-       preset(standard.krylov_tolerance,
+       preset(standard.newton.krylov_tolerance,
               number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve")),
-       preset(standard.krylov_max_iterations,
+       preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
-       preset(standard.levels,
+       preset(standard.multigrid.levels,
               whole("levels", "", closed(0, 20), "multigrid levels of the preconditioner; 0: chosen by the grid")),
-       preset(standard.smoothing_sweeps,
+       preset(standard.multigrid.smoothing_sweeps,
               whole("smoothing_sweeps", "", closed(1, 1000), "sweeps before and after a coarse-grid correction")),
-       preset(standard.coarse_sweeps, whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
+       preset(standard.multigrid.coarse_sweeps, whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
        std::move(precision)});
 }
 

@@ -216,7 +216,8 @@ class Results(ProgramTest):
             self.assertEqual(set(os.listdir(self.folder / "again")), RESULT_FILES)
 
     def test_command_line_overrides_the_case_file(self):
-        self.run_well("steady", CIRCULAR, "-grid_nx", 33, "-grid_ny", 35, "-contact_load", "7", "-output_dir", "deep/down")
+        options = ["-grid_nx", 33, "-grid_ny", 35, "-contact_load", "7", "-output_dir", "deep/down"]
+        self.run_well("steady", CIRCULAR, *options)
         summary = summary_in(self.folder / "deep/down")
         self.assertEqual((summary["nx"], summary["ny"]), (33, 35))
         self.assertAlmostEqual(summary["force"] / 7, 1, delta=BALANCE)

@@ -218,8 +218,8 @@ TEST_F(StationaryLoad, film_does_not_depend_on_where_it_is_continued_from) {
   const auto continued = continue_stationary(film, condition, SolverOptions{}, near.solution);
   EXPECT_EQ(continued.by_grid.size(), 1U);  // from its guess, not from nothing
   expect_same_film(continued);
-  FilmSolution nonsense{std::vector<double>(under_force.grid.local_size(), 1.0), 5.0};
-  expect_same_film(continue_stationary(film, condition, SolverOptions{}, nonsense));
+  const FilmSolution unloaded{std::vector<double>(under_force.grid.local_size(), 0.0), 0.0};
+  expect_same_film(continue_stationary(film, condition, SolverOptions{}, unloaded));
 }
 
 // Five Hertz approaches apart: only the wedge of the inlet is left, less than a thousandth of the load.

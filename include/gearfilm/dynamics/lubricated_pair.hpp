@@ -13,6 +13,7 @@
 
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/ehl/newton.hpp"
 
 namespace gearfilm {
 
@@ -22,7 +23,7 @@ struct PairContact {
   ContactFilm* film = nullptr;
 };
 
-class LubricatedPair {
+class LubricatedPair final : public LinearisedSystem {
 public:
   /// At least one contact; all films on grids of one size. inertia I_n, static force F*.
   LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, double static_force);
@@ -47,15 +48,16 @@ public:
   void storage(Vec state, Vec stored);
   /// Prepares multiply() and precondition() at the state of the last residual(), for d(rate)/d(C) = shift.
   void linearise(double shift);
-  void multiply(Vec change, Vec rows);
-  void precondition(Vec rows, Vec change);
+  void multiply(Vec change, Vec rows) override;
+  void precondition(Vec rows, Vec change) override;
 
   /// Figures of every contact at the last state.
   std::vector<ContactRecord> records(double T) const;
   /// sqrt(nodes of all films): the weight of the motion's rows.
   double weight() const { return weight_; }
-  PetscInt local_size() const;
-  MPI_Comm comm() const { return grid_.comm(); }
+  PetscInt local_size() const override { return pressure_count() + (has_motion() ? 2 : 0); }
+  PetscInt pressure_count() const override { return static_cast<PetscInt>(motion_at()); }
+  MPI_Comm comm() const override { return grid_.comm(); }
 
 private:
   std::size_t field_size() const { return static_cast<std::size_t>(grid_.local_size()); }

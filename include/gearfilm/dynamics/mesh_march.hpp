@@ -13,6 +13,10 @@
 
 namespace gearfilm {
 
+/// Multigrid levels that serve time steps best: squeezing makes their operator well conditioned, so that on a small
+/// grid the smoother alone is cheapest although it takes more Krylov iterations; 0 (all levels) beyond 10000 nodes.
+int step_levels(const Grid& grid);
+
 class MeshMarch {
 public:
   /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers.

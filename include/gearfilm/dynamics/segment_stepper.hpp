@@ -15,12 +15,13 @@
 namespace gearfilm {
 
 struct StepOptions {
-  double dT = 0.026;                ///< nominal time step [-]
-  double newton_tolerance = 1e-5;   ///< on the root mean square of the scaled residual [-]
-  int newton_max_iterations = 20;   ///< before the step is shortened
-  double krylov_tolerance = 0.1;    ///< relative, of each linear solve [-]
-  int krylov_max_iterations = 60;   ///< per Newton step
-  int max_rejections = 12;          ///< halvings of one step before the run fails
+  double dT = 0.026;  ///< nominal time step [-]
+  NewtonOptions newton{.tolerance = 1e-5,
+                       .max_iterations = 20,
+                       .krylov_tolerance = 0.1,
+                       .krylov_max_iterations = 60,
+                       .limit_changes = true};
+  int max_rejections = 12;  ///< halvings of one step before the run fails
 };
 
 class SegmentStepper {
@@ -37,7 +38,6 @@ private:
   using OwnedTS = PetscHandle<TS, TSDestroy>;
 
   static SegmentStepper& of(TS ts);
-  void create_jacobian();
   void create_time_scheme();
   void configure_solvers();
   void finish_step();
@@ -45,8 +45,8 @@ private:
   LubricatedPair& pair_;
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
-  OwnedMat jacobian_;
   OwnedVec rows_;
+  OwnedMat jacobian_;
   OwnedTS ts_;
   // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
   // PETSc works on (that of the stage, or of the step's start once a stage has failed).

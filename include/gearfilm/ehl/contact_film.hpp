@@ -28,7 +28,7 @@ struct FilmFigures {
 
 class ContactFilm {
 public:
-  ContactFilm(const Grid& grid, const Scales& scales, const SolverOptions& options);
+  ContactFilm(const Grid& grid, const Scales& scales, const MultigridOptions& options);
 
   const Grid& grid() const { return grid_; }
   const Scales& scales() const { return scales_; }

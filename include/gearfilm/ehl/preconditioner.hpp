@@ -27,6 +27,6 @@ public:
 
 /// Arithmetic and number of levels by the options; C_h as in Scales. The grid must outlive the preconditioner.
 std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
-                                                             const SolverOptions& options);
+                                                             const MultigridOptions& options);
 
 }  // namespace gearfilm

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/ehl/newton.hpp"
 
 namespace gearfilm {
 
@@ -37,9 +38,9 @@ struct FilmSolution {
 };
 
 /// Newton's method for the bordered system on one grid.
-class StationaryNewton {
+class StationaryNewton final : public LinearisedSystem {
 public:
-  StationaryNewton(ContactFilm& film, const SolverOptions& options);
+  StationaryNewton(ContactFilm& film, const NewtonOptions& options);
 
   /// Solves from `guess` in place. With storage: one pseudo-time step, d(rho H)/dT = shift (rho H - storage).
   /// False if Newton did not reach its tolerance; then `guess` holds the last iterate.
@@ -47,11 +48,15 @@ public:
 
   const SolveCounts& counts() const { return counts_; }
 
+  MPI_Comm comm() const override { return grid_.comm(); }
+  PetscInt local_size() const override { return size_ + (has_scalar_ ? 1 : 0); }
+  PetscInt pressure_count() const override { return size_; }
+  void multiply(Vec change, Vec rows) override;
+  void precondition(Vec rows, Vec change) override;
+
 private:
   void evaluate(Vec state, Vec residual);
   void update_jacobian(Vec state);
-  void multiply(Vec change, Vec rows);
-  void precondition(Vec residual, Vec change);
   bool fixed() const { return load_.kind == LoadCondition::Kind::displacement; }
   /// The row of the load condition and its linear part: both in units of H_0 or of the force, weighted.
   double load_row(double H0, double carried) const;

@@ -1,0 +1,41 @@
+// Newton's method as all film problems use it: SNES with a shell Jacobian, FGMRES, and a shell preconditioner.
+//
+// Globalised by backtracking on the residual norm. In a time step the first guess is near, except at the few nodes
+// which the edge of the contact crosses: there the conductance varies exponentially with pressure (the Table 3 oil
+// has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole step for their sake crawls.
+// Each node's change can therefore be limited by itself first: no pressure falls by more than half, or rises by more
+// than 0.2 p_h, in one step.
+#pragma once
+
+#include "gearfilm/ehl/petsc.hpp"
+
+namespace gearfilm {
+
+struct NewtonOptions {
+  double tolerance = 1e-8;        ///< on norm/weight: a root mean square of the scaled residual [-]
+  int max_iterations = 60;
+  double krylov_tolerance = 0.05; ///< relative, of each linear solve [-]
+  int krylov_max_iterations = 200;
+  bool limit_changes = false;     ///< limit each node's change; for time steps, whose first guess is near
+};
+
+/// A nonlinear system as its linear solver sees it, linearised about the last state.
+class LinearisedSystem {
+public:
+  virtual ~LinearisedSystem() = default;
+  virtual MPI_Comm comm() const = 0;
+  virtual PetscInt local_size() const = 0;
+  /// How many entries of the local array, from its beginning, are pressures.
+  virtual PetscInt pressure_count() const = 0;
+  virtual void multiply(Vec change, Vec rows) = 0;
+  virtual void precondition(Vec rows, Vec change) = 0;
+};
+
+/// The Jacobian of a system.
+OwnedMat shell_jacobian(LinearisedSystem& system);
+
+/// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
+/// squares. The system must outlive the SNES.
+void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
+
+}  // namespace gearfilm

@@ -1,0 +1,115 @@
+#include "gearfilm/ehl/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+namespace {
+
+constexpr double largest_fall = 0.5;   // of a pressure, relative
+constexpr double largest_rise = 0.2;   // absolute
+constexpr double free_below = 0.01;    // pressures that may vanish at once
+constexpr double shortest_step = 1e-3;
+
+/// Limits each pressure's part of the change (the new state is state - change).
+void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
+  const VecReading pressure(state);
+  const VecWriting step(change);
+  for (PetscInt n = 0; n < pressures; ++n) {
+    if (pressure[n] > free_below) step[n] = std::min(step[n], largest_fall * pressure[n]);
+    step[n] = std::max(step[n], -largest_rise);
+  }
+}
+
+// Newton's direction would give d|F|^2/2 = -|F|^2 along it: no product with the Jacobian is needed to know the slope.
+void search(SNESLineSearch line_search) {
+  SNES snes = nullptr;
+  Vec state = nullptr, residual = nullptr, change = nullptr, trial = nullptr, trial_residual = nullptr;
+  petsc_check(SNESLineSearchGetSNES(line_search, &snes));
+  petsc_check(SNESLineSearchGetVecs(line_search, &state, &residual, &change, &trial, &trial_residual));
+  PetscReal norm = 0.0, trial_norm = 0.0;
+  PetscBool changed = PETSC_FALSE;
+  petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
+  petsc_check(VecNorm(residual, NORM_2, &norm));
+  for (double length = 1.0;; ) {
+    petsc_check(VecWAXPY(trial, -length, change, state));
+    petsc_check(SNESComputeFunction(snes, trial, trial_residual));
+    petsc_check(VecNorm(trial_residual, NORM_2, &trial_norm));
+    if (trial_norm < norm) break;
+    if (length < shortest_step || !std::isfinite(trial_norm)) {
+      petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_FAILED_REDUCT));
+      return;
+    }
+    const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + norm * norm * length;
+    length = std::clamp(0.5 * norm * norm * length * length / excess, 0.1 * length, 0.5 * length);
+  }
+  petsc_check(VecCopy(trial, state));
+  petsc_check(VecCopy(trial_residual, residual));
+  petsc_check(SNESLineSearchComputeNorms(line_search));
+  petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));
+}
+
+}  // namespace
+
+OwnedMat shell_jacobian(LinearisedSystem& system) {
+  OwnedMat jacobian;
+  const PetscInt size = system.local_size();
+  petsc_check(
+      MatCreateShell(system.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &system, jacobian.put()));
+  const auto multiply = +[](Mat matrix, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LinearisedSystem* own = nullptr;
+      petsc_check(MatShellGetContext(matrix, &own));
+      own->multiply(in, out);
+    });
+  };
+  petsc_check(MatShellSetOperation(jacobian, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  return jacobian;
+}
+
+void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
+  petsc_check(SNESSetType(snes, SNESNEWTONLS));
+  petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
+                                100 * options.max_iterations));
+  petsc_check(SNESSetMaxLinearSolveFailures(snes, options.max_iterations));
+  SNESLineSearch line_search = nullptr;
+  petsc_check(SNESGetLineSearch(snes, &line_search));
+  petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
+  petsc_check(SNESLineSearchShellSetUserFunc(
+      line_search,
+      [](SNESLineSearch own, void*) -> PetscErrorCode {
+        return petsc_callback([&] { search(own); });
+      },
+      nullptr));
+  if (options.limit_changes) {
+    petsc_check(SNESLineSearchSetPreCheck(
+        line_search,
+        [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
+          return petsc_callback([&] {
+            limit_pressure_change(state, change, static_cast<LinearisedSystem*>(context)->pressure_count());
+            *changed = PETSC_TRUE;
+          });
+        },
+        &system));
+  }
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  petsc_check(KSPSetType(ksp, KSPFGMRES));
+  petsc_check(KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
+                               options.krylov_max_iterations));
+  petsc_check(KSPGMRESSetRestart(ksp, std::min(options.krylov_max_iterations, 60)));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "film multigrid"));
+  petsc_check(PCShellSetContext(pc, &system));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LinearisedSystem* own = nullptr;
+      petsc_check(PCShellGetContext(shell, &own));
+      own->precondition(in, out);
+    });
+  }));
+}
+
+}  // namespace gearfilm
