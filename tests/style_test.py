@@ -6,7 +6,7 @@ import subprocess
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
-PROGRAM = os.environ.get("GEARFILM", str(SOURCE / "build/release/bin/gearfilm"))
+PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
 ROOMS = ["gear", "lubricant", "contact", "ehl", "dynamics", "io", "app"]
 LONGEST_FILE = 600

@@ -18,10 +18,11 @@ struct Command {
   const char* meaning;
 };
 
-constexpr std::array<Command, 4> commands = {{
+constexpr std::array<Command, 5> commands = {{
     {"info", run_info, "derived quantities of a case, no field solve"},
     {"steady", run_steady, "stationary film of one contact"},
     {"transient", run_transient, "the gear pair marched in time"},
+    {"periodic", run_periodic, "periodic state by shooting, with Floquet multipliers"},
     {"bench", run_bench, "speed of the kernels and of stationary solves"},
 }};
 constexpr const char* parameters_command = "parameters";

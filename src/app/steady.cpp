@@ -3,6 +3,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/march_output.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/io/output_directory.hpp"
@@ -111,7 +112,7 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
 }  // namespace
 
 void run_steady(MPI_Comm comm, const Case& problem) {
-  const Grid grid(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny));
+  const Grid grid(comm, case_grid(problem));
   const Position position = steady_position(problem);
   prepare_output_directory(comm, problem.output_directory);
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);

@@ -21,8 +21,9 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
   return load / scales.operation.load * scales.static_force;
 }
 
-DryMarch::DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer)
-    : scales_(scales), path_(path), inertia_(inertia), dT_(dT), observer_(std::move(observer)) {}
+DryMarch::DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
+                   double damping)
+    : scales_(scales), path_(path), inertia_(inertia), damping_(damping), dT_(dT), observer_(std::move(observer)) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
   double sum = 0.0;
@@ -93,7 +94,8 @@ void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
           const VecReading values(in);
           const VecWriting rates(out);
           rates[0] = values[1];
-          rates[1] = (march->total_force(*present, T, values[0]) - march->scales_.static_force) / march->inertia_;
+          rates[1] = (march->total_force(*present, T, values[0]) - march->scales_.static_force) / march->inertia_ -
+                     march->damping_ * values[1];
         });
       },
       &context));

@@ -136,6 +136,37 @@ void MeshMarch::exchange_contacts() {
   if (kept != present || teeth_.size() != kept) observe_present();
 }
 
+PairState MeshMarch::state() const {
+  PairState state{motion_, {}};
+  for (const Tooth& tooth : teeth_) state.pressures.push_back(tooth.pressure);
+  return state;
+}
+
+void MeshMarch::set_state(const PairState& state) {
+  motion_ = state.motion;
+  for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].pressure = state.pressures.at(k);
+}
+
+// An implicit step too short for anything to flow.
+void MeshMarch::displace(const Motion& motion) {
+  constexpr double jump_time = 1e-4;
+  if (motion.H0 != motion_.H0) {
+    for (Tooth& tooth : teeth_) {
+      tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
+      std::vector<double> mass(tooth.pressure.size());
+      tooth.film->storage(tooth.pressure.data(), motion_.H0, mass.data());
+      StationaryNewton newton(*tooth.film, film_options_.newton);
+      FilmSolution moved{tooth.pressure, motion.H0};
+      if (!newton.solve(LoadCondition::displacement(motion.H0), moved, 1.0 / jump_time, mass.data())) {
+        throw SolveError(label(tooth.contact) + ": the film does not follow a jump of H0 to " +
+                         std::to_string(motion.H0));
+      }
+      tooth.pressure = std::move(moved.pressure);
+    }
+  }
+  motion_ = motion;
+}
+
 void MeshMarch::run(double T_end) {
   while (T_ < T_end - 1e-9) {
     const ScopedStage stage("Time steps");

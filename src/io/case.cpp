@@ -201,6 +201,10 @@ void set_march(Case& result) {
   const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
   result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
                   .newton = read_newton_options(values, "time", true)};
+  result.periodic = {.tolerance = values.real("periodic.tolerance"),
+                     .film_tolerance = values.real("periodic.film_tolerance"),
+                     .max_periods = values.integer("periodic.max_periods"),
+                     .with_multipliers = values.text("periodic.multipliers") == "yes"};
   result.step_levels = values.integer("time.levels");
   result.snapshot_interval = values.real("output.snapshot_interval");
 }

@@ -42,6 +42,8 @@ class EntryCollector : public YAML::EventHandler {
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string& text) override {
+    if (text.find('\n') != std::string::npos)
+      fail(mark, "a key or value goes over several lines; close its quotes in the line where they open");
     if (open_maps_.empty()) fail(mark, "'" + text + "' is not a case; give keys with values, 'section: {key: value}'");
     if (expects_key()) return begin_key(mark, text);
     if (is_section(key_))

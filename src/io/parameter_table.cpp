@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "gearfilm/dynamics/segment_stepper.hpp"
+#include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/io/parameter.hpp"
@@ -222,6 +222,18 @@ Records time_records() {
                        "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
+Records periodic_records() {
+  const PeriodicOptions standard;
+  return section(
+      "periodic", Scope::gear_pair,
+      {preset(standard.tolerance,
+              number("tolerance", "", "-", open(0, 1), "on the change of H0 and V0 over one mesh period")),
+       preset(standard.film_tolerance,
+              number("film_tolerance", "", "-", open(0, 1), "on the largest change of any pressure, in units of p_h")),
+       preset(standard.max_periods, whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
+       choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
+}
+
 Records solver_records() {
   const SolverOptions standard;
   Parameter precision = choice("precision", {"single", "double"}, "arithmetic of the multigrid preconditioner");
@@ -257,7 +269,8 @@ const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
     for (Records& records : std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(),
-                                                 contact_records(), lubricant_records(), grid_records(), steady_records(), march_records(), start_records(), time_records(), solver_records(), output_records()})
+                                                 contact_records(), lubricant_records(), grid_records(), steady_records(), march_records(), start_records(), time_records(), periodic_records(), solver_records(),
+                                                 output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

@@ -8,7 +8,7 @@ import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INPUT = SOURCE / "input"
-PROGRAM = os.environ.get("GEARFILM", str(SOURCE / "build/release/bin/gearfilm"))
+PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", "mpiexec -n"))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600

@@ -130,7 +130,7 @@ class HertzPressure : public testing::Test {
   // 257 x 129: the pressure's root at the rim of the ellipse costs h^(3/2), and must stay below 1e-4.
   FilmCase contact = table3_pitch();
   Grid grid{PETSC_COMM_WORLD, contact.shape(257, 129)};
-  ContactFilm film{grid, contact.scales, SolverOptions{}};
+  ContactFilm film{grid, contact.scales, MultigridOptions{}};
   std::vector<double> pressure = std::vector<double>(grid.local_size());
 };
 

@@ -77,7 +77,7 @@ class Jacobian : public testing::TestWithParam<std::tuple<double, Direction>> {
 
   FilmCase contact = table3_pitch();
   Grid grid{PETSC_COMM_WORLD, contact.shape(65, 33)};
-  ContactFilm film{grid, contact.scales, SolverOptions{}};
+  ContactFilm film{grid, contact.scales, MultigridOptions{}};
   std::vector<double> pressure;
   double H0 = 0.0;
   std::vector<double> storage_before = std::vector<double>(grid.local_size());

@@ -165,7 +165,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
 
   const GridShape shape = pitch.shape(65, 33);
   const Grid grid(PETSC_COMM_WORLD, shape);
-  ContactFilm film(grid, pitch.scales, SolverOptions{});
+  ContactFilm film(grid, pitch.scales, MultigridOptions{});
   constexpr double offset = 0.01;
   film.set_conditions({.radius_ratio = solids.radius_x / pitch.scales.solids.radius_x,
                        .entrainment = operation.entrainment_velocity / pitch.scales.operation.entrainment_velocity,
@@ -175,7 +175,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
   const double ratio = pitch.scales.length / own.length;
   const Grid own_grid(PETSC_COMM_WORLD,
                       {shape.nx, shape.ny, ratio * shape.x_min, ratio * shape.x_max, ratio * shape.y_half});
-  ContactFilm own_film(own_grid, own, SolverOptions{});
+  ContactFilm own_film(own_grid, own, MultigridOptions{});
   const auto own_result = solve_stationary(own_film, LoadCondition::force(own.static_force), SolverOptions{});
 
   // Two solutions to a residual of 1e-8.
@@ -194,7 +194,7 @@ class StationaryLoad : public testing::Test {
   const FilmCase pitch = table3_pitch();
   const double force = pitch.scales.static_force;
   SolvedFilm under_force{PETSC_COMM_WORLD, pitch, 65, 33};
-  ContactFilm film{under_force.grid, pitch.scales, SolverOptions{}};
+  ContactFilm film{under_force.grid, pitch.scales, MultigridOptions{}};
 
   void expect_same_film(const StationaryResult& result) {
     // Two solutions to a residual of 1e-8.
@@ -220,6 +220,15 @@ TEST_F(StationaryLoad, film_does_not_depend_on_where_it_is_continued_from) {
   expect_same_film(continued);
   const FilmSolution unloaded{std::vector<double>(under_force.grid.local_size(), 0.0), 0.0};
   expect_same_film(continue_stationary(film, condition, SolverOptions{}, unloaded));
+}
+
+TEST_F(StationaryLoad, film_does_not_depend_on_limited_changes) {
+  SolverOptions options;
+  options.newton.limit_changes = true;
+  const auto near = solve_stationary(film, LoadCondition::force(0.99 * force), SolverOptions{});
+  const auto continued = continue_stationary(film, LoadCondition::force(force), options, near.solution);
+  EXPECT_EQ(continued.by_grid.size(), 1U);
+  expect_same_film(continued);
 }
 
 // Five Hertz approaches apart: only the wedge of the inlet is left, less than a thousandth of the load.

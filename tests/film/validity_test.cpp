@@ -30,7 +30,7 @@ class Validity : public testing::Test {
   std::string message_for(const Domain& domain, double force_ratio, double gap) {
     const FilmCase pitch = table3_pitch();
     const Grid grid(PETSC_COMM_WORLD, grid_shape(domain, pitch.scales.hertz.ellipticity, 65, 33));
-    ContactFilm film(grid, pitch.scales, SolverOptions{});
+    ContactFilm film(grid, pitch.scales, MultigridOptions{});
     const HertzContact dry = dry_contact(pitch.scales, film.conditions(), force_ratio * pitch.scales.static_force);
     std::vector<double> pressure(grid.local_size()), residual(grid.local_size());
     hertz_pressure(grid, pitch.scales, dry, pressure.data());
@@ -47,7 +47,7 @@ TEST_F(Validity, accepts_a_converged_film) {
 TEST_F(Validity, accepts_a_contact_without_load) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
-  ContactFilm film(grid, pitch.scales, SolverOptions{});
+  ContactFilm film(grid, pitch.scales, MultigridOptions{});
   std::vector<double> pressure(grid.local_size(), 0.0), residual(grid.local_size());
   film.residual(pressure.data(), 1.0, nullptr, residual.data());
   EXPECT_NO_THROW(check_validity(film, film.figures(), where));
@@ -75,6 +75,18 @@ TEST_F(Validity, refuses_an_ellipse_that_reaches_the_inlet) {
   expect_mentions(message, "grid_x_min");
 }
 
+// The same check, before any film of that force is computed.
+TEST_F(Validity, refuses_a_domain_that_is_too_small_for_a_force) {
+  const FilmCase pitch = table3_pitch();
+  const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
+  const auto check = [&](double force_ratio) {
+    check_domain(grid, pitch.scales, ContactConditions{}, force_ratio * pitch.scales.static_force, where);
+  };
+  // |y| <= 1.1 b holds to 1.1^3 = 1.331 times the load.
+  EXPECT_NO_THROW(check(1.33));
+  expect_mentions(solve_error_of([&] { check(1.332); }), "side edge");
+}
+
 TEST_F(Validity, refuses_a_film_that_is_not_positive) {
   const std::string message = message_for({.x_min = -2.083, .x_max = 1.5, .y_half = 1.5}, 1.0, -0.05);
   EXPECT_TRUE(message.starts_with(where)) << message;
@@ -84,7 +96,7 @@ TEST_F(Validity, refuses_a_film_that_is_not_positive) {
 TEST_F(Validity, refuses_a_film_that_is_not_a_number) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
-  ContactFilm film(grid, pitch.scales, SolverOptions{});
+  ContactFilm film(grid, pitch.scales, MultigridOptions{});
   std::vector<double> pressure(grid.local_size(), 0.0), residual(grid.local_size());
   if (grid.rank() == grid.processes() - 1) pressure[grid.local_size() / 2] = std::nan("");
   film.residual(pressure.data(), 1.0, nullptr, residual.data());
@@ -94,8 +106,9 @@ TEST_F(Validity, refuses_a_film_that_is_not_a_number) {
 }
 
 TEST(StationaryFailure, raises_an_error_that_names_the_grid_and_the_remedy) {
-  const std::string message =
-      solve_error_of([] { SolvedFilm(PETSC_COMM_WORLD, table3_pitch(), 65, 33, {.newton_max_iterations = 1}); });
+  SolverOptions options;
+  options.newton.max_iterations = 1;
+  const std::string message = solve_error_of([&] { SolvedFilm(PETSC_COMM_WORLD, table3_pitch(), 65, 33, options); });
   expect_mentions(message, "not converged");
   expect_mentions(message, "65 x 33");
   expect_mentions(message, "solver_newton_max_iterations");

@@ -12,6 +12,8 @@ void run_info(MPI_Comm comm, const Case& problem);
 void run_steady(MPI_Comm comm, const Case& problem);
 /// The gear pair marched in time.
 void run_transient(MPI_Comm comm, const Case& problem);
+/// The periodic state of the lubricated pair.
+void run_periodic(MPI_Comm comm, const Case& problem);
 /// The standard set of speed measurements.
 void run_bench(MPI_Comm comm, const Case& problem);
 

@@ -1,7 +1,7 @@
 // The gear pair without lubricant: Hertz contacts in place of films.
 //
-//   dH_0/dT = V_0 ,   I_n dV_0/dT = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k) for the approach -h_0
-// The start and the check of the lubricated pair; its H_0 lies lower than the lubricated one by about the film.
+//   dH_0/dT = V_0 ,   I_n (dV_0/dT + c V_0) = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k), approach -h_0
+// with c = 0, but for continuation from a damped pair. The start and the check of the lubricated pair; its H_0 lies lower than the lubricated one by about the film.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,8 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
 class DryMarch {
 public:
   /// Inertia I_n; steps of the record at most dT long (the integration itself adapts its steps to 1e-10).
-  DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer);
+  DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
+           double damping = 0.0);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);
@@ -34,6 +35,7 @@ private:
   Scales scales_;
   const ContactPath& path_;
   double inertia_;
+  double damping_;  ///< c
   double dT_;
   StepObserver observer_;
   double T_ = 0.0;

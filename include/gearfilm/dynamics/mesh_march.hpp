@@ -17,6 +17,12 @@ namespace gearfilm {
 /// grid the smoother alone is cheapest although it takes more Krylov iterations; 0 (all levels) beyond 10000 nodes.
 int step_levels(const Grid& grid);
 
+/// Motion and films of all present contacts (compact pressures, leading contact first).
+struct PairState {
+  Motion motion;
+  std::vector<std::vector<double>> pressures;
+};
+
 class MeshMarch {
 public:
   /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers.
@@ -28,8 +34,15 @@ public:
   /// Integrates up to T_end.
   void run(double T_end);
 
+  /// The present state; and another one in its place, for as many contacts.
+  PairState state() const;
+  void set_state(const PairState& state);
+  /// Jumps to another motion. The films follow at constant mass: their pressures change so that rho H stays.
+  void displace(const Motion& motion);
+
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
+  MPI_Comm comm() const { return grid_.comm(); }
 
 private:
   struct Tooth {

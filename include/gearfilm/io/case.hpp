@@ -8,7 +8,7 @@
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/dynamics/segment_stepper.hpp"
+#include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
@@ -52,6 +52,7 @@ struct Case {
   std::optional<Motion> start_motion;  ///< absent: at rest
   StepOptions steps;
   int step_levels = 0;                 ///< multigrid levels in time steps; 0: chosen by the grid
+  PeriodicOptions periodic;            ///< search for the periodic state
   double snapshot_interval = 0.0;      ///< mesh periods between stored fields; 0: none
 
   std::filesystem::path output_directory;

@@ -1,0 +1,56 @@
+// What every march in time leaves on disk and on the screen: history, snapshots, statistics, progress.
+#pragma once
+
+#include <optional>
+
+#include "gearfilm/dynamics/march_statistics.hpp"
+#include "gearfilm/dynamics/mesh_march.hpp"
+#include "gearfilm/io/case.hpp"
+#include "gearfilm/io/history.hpp"
+#include "gearfilm/io/progress.hpp"
+#include "gearfilm/io/snapshots.hpp"
+#include "gearfilm/io/summary.hpp"
+
+namespace gearfilm {
+
+class MarchOutput {
+public:
+  /// Creates results.h5 in the case's output folder. expected_periods: the whole of the work, for the time left.
+  MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, bool lubricated,
+              const std::string& command, double expected_periods);
+
+  void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  /// As an observer of a march; this must outlive it.
+  StepObserver observer();
+
+  const MarchStatistics& statistics() const { return statistics_; }
+  ResultsFile& file() { return file_; }
+
+private:
+  void report(const StepRecord& record, double period);
+
+  const Case& problem_;
+  const ContactPath& path_;
+  bool lubricated_;
+  double expected_periods_;
+  ResultsFile file_;
+  History history_;
+  std::optional<Snapshots> snapshots_;
+  MarchStatistics statistics_;
+  Progress progress_;
+  double next_snapshot_ = 0.0;
+};
+
+/// Figures of one mesh period, in SI.
+Summary period_summary(const Scales& scales, const PeriodFigures& period);
+/// All of a march: its periods, their extremes, events and losses of contact.
+Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics);
+
+/// The grid of a case.
+GridShape case_grid(const Case& problem);
+/// Throws InputError unless the case is a gear pair with inertia.
+void require_inertia(const Case& problem);
+/// A march of the case's lubricated pair.
+MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
+
+}  // namespace gearfilm

@@ -1,0 +1,37 @@
+// The periodic state of the lubricated gear pair in a few mesh periods.
+//
+// The film forgets within a fraction of a mesh period, so the map of the state over one period is nearly
+// two-dimensional in (H_0, V_0), and close to that of the dry pair. Newton's method on it: from the dry periodic orbit,
+// its H_0 shifted by the film, with the dry pair's Jacobian, improved by Broyden's update after every period marched.
+// The films themselves are carried on from period to period, and must repeat too.
+// Where a step makes the defect worse, the next is half as long; where that does not help, the pair is marched on.
+#pragma once
+
+#include "gearfilm/dynamics/dry_orbit.hpp"
+#include "gearfilm/dynamics/mesh_march.hpp"
+
+namespace gearfilm {
+
+struct PeriodicOptions {
+  double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period, largest of both [-]
+  double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
+  int max_periods = 40;          ///< marched before the search fails
+  bool with_multipliers = true;  ///< two more periods for the Floquet multipliers
+};
+
+struct PeriodicOrbit {
+  PairState start;              ///< just after a contact has left
+  double begin = 0.0;           ///< T at which the last period, the periodic one, began
+  double defect = 0.0;          ///< of the motion over that period
+  double film_defect = 0.0;     ///< of the films
+  int periods_used = 0;         ///< marched to find the orbit
+  DryOrbit dry;
+  Monodromy monodromy{};        ///< of the motion, by differences; zero without multipliers
+};
+
+/// The march must not have started; path starts (T = 0) just after a contact has left. film_shift: H_0 of a stationary
+/// film less that of the dry contact. Throws SolveError with the defects reached where no orbit is found.
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const DryOrbit& dry, double film_shift,
+                                  const PeriodicOptions& options);
+
+}  // namespace gearfilm

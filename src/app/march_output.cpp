@@ -1,0 +1,148 @@
+#include "gearfilm/app/march_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "gearfilm/app/derived.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+MarchOutput::MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, bool lubricated,
+                         const std::string& command, double expected_periods)
+    : problem_(problem),
+      path_(path),
+      lubricated_(lubricated),
+      expected_periods_(expected_periods),
+      file_(comm, problem.output_directory / "results.h5", ResultsFile::Mode::growing),
+      history_(file_, problem.scales, path, lubricated),
+      statistics_(path.mesh_period(), problem.scales.static_force),
+      progress_(comm) {
+  write_identity(file_, problem, command);
+  if (lubricated && problem.snapshot_interval > 0.0) {
+    snapshots_.emplace(file_, grid, problem.scales, problem.output_directory / "results.xmf");
+  }
+}
+
+StepObserver MarchOutput::observer() {
+  return [this](const StepRecord& record, const std::vector<LiveContact>& contacts) { step(record, contacts); };
+}
+
+void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  history_.append(record);
+  statistics_.add(record, lubricated_);
+  const double period = record.T / path_.mesh_period();
+  if (snapshots_ && period >= next_snapshot_ - 1e-9) {
+    snapshots_->write(record, contacts);
+    next_snapshot_ += problem_.snapshot_interval;
+  }
+  report(record, period);
+}
+
+void MarchOutput::report(const StepRecord& record, double period) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << "mesh period " << period << ", force ratio "
+       << record.pressure_integral() / problem_.scales.static_force;
+  if (!record.contacts.empty()) text << ", xi = " << 1e3 * record.contacts.front().position << " mm";
+  if (lubricated_ && !record.contacts.empty()) {
+    double smallest = record.contacts.front().figures.smallest_film;
+    for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.figures.smallest_film);
+    text << ", smallest film " << 1e6 * problem_.scales.film * smallest << " um";
+  }
+  progress_.report(std::min(1.0, period / expected_periods_), text.str());
+}
+
+GridShape case_grid(const Case& problem) {
+  return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
+}
+
+void require_inertia(const Case& problem) {
+  if (problem.line && problem.equivalent_mass) return;
+  throw InputError("the case '" + problem.name +
+                   "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
+                   "wheel.inertia, of a gear pair");
+}
+
+MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
+  SolverOptions films = problem.solver;
+  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
+  return MeshMarch(grid, problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), films, problem.steps,
+                   std::move(observer));
+}
+
+namespace {
+
+Summary film_pair(const Scales& scales, const FilmPair& films, const std::string& prefix) {
+  return {{prefix + "_h_central", scales.film * films.central}, {prefix + "_h_min", scales.film * films.smallest}};
+}
+
+/// Largest, or smallest, of one figure over the periods that have it.
+double extreme(const Summary& periods, const std::string& name, bool largest) {
+  double value = largest ? -HUGE_VAL : HUGE_VAL;
+  for (const Summary& period : periods) {
+    if (!period.contains(name)) continue;
+    value = largest ? std::max(value, period[name].get<double>()) : std::min(value, period[name].get<double>());
+  }
+  return value;
+}
+
+}  // namespace
+
+Summary period_summary(const Scales& scales, const PeriodFigures& period) {
+  Summary summary;
+  summary["H0"] = period.end.H0;
+  summary["V0"] = period.end.V0;
+  summary["force_ratio_max"] = period.largest_integral / scales.static_force;
+  summary["total_force_ratio_max"] = period.largest_total / scales.static_force;
+  summary["total_force_ratio_min"] = period.smallest_total / scales.static_force;
+  summary["p_max"] = scales.pressure * period.largest_pressure;
+  if (period.smallest_film) summary["h_min"] = scales.film * *period.smallest_film;
+  if (period.at_pitch) summary.update(film_pair(scales, *period.at_pitch, "pitch"));
+  if (period.at_entry) summary.update(film_pair(scales, *period.at_entry, "entry"));
+  summary["steps"] = period.steps;
+  summary["contact_steps"] = period.contact_steps;
+  summary["newton_iterations"] = period.newton;
+  summary["krylov_iterations"] = period.krylov;
+  summary["wall_time"] = period.wall_seconds;
+  return summary;
+}
+
+Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics) {
+  const Scales& scales = problem.scales;
+  Summary summary = {{"case", problem.name}, {"model", problem.model == MarchModel::dry ? "dry" : "dynamic"}};
+  summary["nx"] = problem.nx;
+  summary["ny"] = problem.ny;
+  summary["dT"] = problem.steps.dT;
+  summary["mesh_period"] = scales.time * path.mesh_period();
+  Summary periods = Summary::array();
+  for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
+  if (!periods.empty()) {
+    for (const std::string name : {"force_ratio_max", "total_force_ratio_max", "p_max"}) {
+      summary[name] = extreme(periods, name, true);
+    }
+    if (problem.model != MarchModel::dry) summary["h_min"] = extreme(periods, "h_min", false);
+    summary["H0"] = periods.back()["H0"];
+    summary["V0"] = periods.back()["V0"];
+  }
+  summary["periods"] = std::move(periods);
+  summary["events"] = Summary::array();
+  for (const MeshEvent& event : statistics.events()) {
+    summary["events"].push_back({{"event", event.kind == MeshEvent::Kind::exit ? "exit" : "entry"},
+                                 {"contact", event.contact},
+                                 {"T", event.T},
+                                 {"distance", path.distance(event.T)},
+                                 {"H0", event.motion.H0},
+                                 {"V0", event.motion.V0}});
+  }
+  summary["contact_losses"] = Summary::array();
+  for (const ContactLoss& loss : statistics.losses()) {
+    Summary entry = {{"distance", path.distance(loss.begin)}, {"distance_end", path.distance(loss.end)}};
+    if (problem.model != MarchModel::dry) entry["largest_h_central"] = scales.film * loss.largest_central_film;
+    summary["contact_losses"].push_back(entry);
+  }
+  return summary;
+}
+
+}  // namespace gearfilm

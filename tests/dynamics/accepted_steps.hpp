@@ -1,0 +1,87 @@
+// The states of a lubricated march, copied at every accepted step.
+#pragma once
+
+#include "pair_case.hpp"
+
+namespace gearfilm {
+
+/// One accepted state; compact arrays, one for each contact.
+struct PairState {
+  double T = 0.0;
+  double dT = 0.0;
+  Motion motion;
+  std::vector<int> contacts;
+  std::vector<std::vector<double>> pressure;
+  std::vector<std::vector<double>> stored;  ///< rho H
+};
+
+inline PairState copy_of(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  PairState state{record.T, record.dT, record.motion, {}, {}, {}};
+  for (const LiveContact& contact : contacts) {
+    const FilmState& film = contact.film->state();
+    const Grid& grid = contact.film->grid();
+    std::vector<double> pressure(grid.local_size()), density(grid.local_size()), stored(grid.local_size());
+    film.pressure.store(pressure.data());
+    film.density.store(density.data());
+    film.film.store(stored.data());
+    for (std::size_t n = 0; n < stored.size(); ++n) stored[n] *= density[n];
+    state.contacts.push_back(contact.contact);
+    state.pressure.push_back(std::move(pressure));
+    state.stored.push_back(std::move(stored));
+  }
+  return state;
+}
+
+/// The march of a case up to T, the last three states of which are kept.
+class AcceptedSteps {
+ public:
+  AcceptedSteps(const Case& problem, double T_end) : march(problem) {
+    march.on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+      before_last = std::move(last_but_one);
+      last_but_one = std::move(last);
+      last = copy_of(record, contacts);
+    };
+    march.start();
+    march.run(T_end);
+  }
+
+  RecordedMarch march;
+  PairState before_last, last_but_one, last;
+};
+
+/// d(values)/dT by the second-order backward formula over two equal steps.
+inline double backward_rate(double now, double before, double long_before, double dT) {
+  return (1.5 * now - 2.0 * before + 0.5 * long_before) / dT;
+}
+
+/// A system of its own for the contacts and the place of a state.
+class PairAt {
+ public:
+  PairAt(const RecordedMarch& march, const PairState& state, int levels = 1) {
+    MultigridOptions options = march.problem().solver.multigrid;
+    options.levels = levels;
+    std::vector<PairContact> contacts;
+    for (const int contact : state.contacts) {
+      films_.push_back(std::make_unique<ContactFilm>(march.grid(), march.problem().scales, options));
+      contacts.push_back({contact, films_.back().get()});
+    }
+    pair = std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.static_force());
+    pair->place(state.T);
+  }
+
+  const ContactFilm& film(std::size_t contact) const { return *films_[contact]; }
+
+  OwnedVec vector(const std::vector<std::vector<double>>& fields, const Motion& motion) const {
+    OwnedVec vec = pair->create_state();
+    for (std::size_t k = 0; k < fields.size(); ++k) pair->set_pressure(vec, k, fields[k]);
+    pair->set_motion(vec, motion);
+    return vec;
+  }
+
+  std::unique_ptr<LubricatedPair> pair;
+
+ private:
+  std::vector<std::unique_ptr<ContactFilm>> films_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,309 @@
+// Films and motion as one system: its Jacobian, its preconditioner, and the equations an accepted time step fulfils.
+#include "accepted_steps.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Two contacts in motion, a few steps of 0.05 after the start.
+const AcceptedSteps& two_contacts() {
+  static const AcceptedSteps steps(table3_case(with(after_leaving(), {{"start.place", "position"},
+                                                                      {"start.position", "4.5e-3"},
+                                                                      {"start.H0", "-1.1"},
+                                                                      {"start.V0", "0.3"},
+                                                                      {"time.newton_tolerance", "1e-9"}})),
+                                   0.25);
+  return steps;
+}
+
+class LubricatedPairAt : public testing::Test {
+ protected:
+  /// C of a state as PETSc would have it at that time.
+  OwnedVec stored(const PairState& at) const { return system.vector(at.stored, at.motion); }
+
+  /// C_0 of the second-order backward formula: rate = shift (C - C_0).
+  OwnedVec history() const {
+    OwnedVec history = stored(steps.last_but_one);
+    petsc_check(VecAXPBY(history, -1.0 / 3.0, 4.0 / 3.0, stored(steps.before_last)));
+    return history;
+  }
+
+  OwnedVec rows_at(Vec state) {
+    OwnedVec rate = system.pair->create_state(), rows = system.pair->create_state();
+    system.pair->storage(state, rate);
+    petsc_check(VecAXPY(rate, -1.0, C0));
+    petsc_check(VecScale(rate, shift));
+    system.pair->residual(state, rate, rows);
+    return rows;
+  }
+
+  /// Rows differ by ten orders of magnitude from inlet to centre: each is divided by its own scale.
+  double norm(Vec rows) const {
+    OwnedVec scaled = system.pair->create_state();
+    petsc_check(VecCopy(rows, scaled));
+    {
+      const VecWriting values(scaled);
+      std::size_t n = 0;
+      for (std::size_t k = 0; k < steps.last.contacts.size(); ++k) {
+        const ContactFilm& film = system.film(k);
+        const ReynoldsWeights weights(grid, film.conditions().entrainment);
+        for (int i = 0; i < grid.nx(); ++i) {
+          for (int j = 0; j < grid.y_count(); ++j) values[n++] /= weights.row_scale(conductance[k].row(i)[j]);
+        }
+      }
+    }
+    PetscReal size = 0.0;
+    petsc_check(VecNorm(scaled, NORM_2, &size));
+    return size;
+  }
+
+  void keep_row_scales() {
+    for (std::size_t k = 0; k < steps.last.contacts.size(); ++k)
+      conductance.push_back(system.film(k).state().conductance);
+  }
+
+  /// A change of the state: of the pressures of some contacts, and of the motion. Small where the pressure is, so that
+  /// no node changes between wet and cavitated (there the rows have a kink).
+  OwnedVec direction(const std::vector<double>& amplitudes, const Motion& motion) const {
+    std::vector<std::vector<double>> changes;
+    for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+      changes.emplace_back(grid.local_size(), 0.0);
+      for (int i = 0; i < grid.nx(); ++i) {
+        for (int j = 0; j < grid.y_count(); ++j) {
+          const int n = i * grid.y_count() + j;
+          const double wave = std::sin(2.3 * grid.x(i) + 0.4) * std::cos(0.6 * grid.y(j) + 0.5) +
+                              0.3 * noise(i, grid.y_begin() + j, static_cast<unsigned>(k));
+          changes[k][n] = amplitudes[k] * wave * steps.last.pressure[k][n];
+        }
+      }
+    }
+    return system.vector(changes, motion);
+  }
+
+  const AcceptedSteps& steps = two_contacts();
+  const Grid& grid = steps.march.grid();
+  PairAt system{steps.march, steps.last};
+  double shift = 1.5 / steps.last.dT;
+  OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
+  OwnedVec C0 = history();
+  std::vector<Field<double>> conductance;
+};
+
+// The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 1e-3.
+TEST_F(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_formula) {
+  ASSERT_EQ(steps.last.contacts.size(), 2U);
+  ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
+  const OwnedVec rows = rows_at(state);
+  PetscReal size = 0.0;
+  petsc_check(VecNorm(rows, NORM_2, &size));
+  // Newton's tolerance, and the round-off of rates of differences.
+  EXPECT_LT(size / system.pair->weight(), 1.1 * steps.march.problem().steps.newton.tolerance + 1e-11);
+  const double dT = steps.last.dT;
+  EXPECT_NEAR(backward_rate(steps.last.motion.H0, steps.last_but_one.motion.H0, steps.before_last.motion.H0, dT),
+              steps.last.motion.V0, 1e-6);
+}
+
+TEST_F(LubricatedPairAt, jacobian_passes_taylor_test) {
+  const OwnedVec at_state = rows_at(state);
+  keep_row_scales();
+  system.pair->linearise(shift);
+  const std::vector<OwnedVec> directions = [&] {
+    std::vector<OwnedVec> list;
+    list.push_back(direction({1.0, 0.0}, {}));
+    list.push_back(direction({0.0, 1.0}, {}));
+    list.push_back(direction({0.0, 0.0}, {1e-2, 0.3}));
+    list.push_back(direction({1.0, -0.5}, {-1e-2, 0.1}));
+    return list;
+  }();
+  for (std::size_t n = 0; n < directions.size(); ++n) {
+    SCOPED_TRACE("direction " + std::to_string(n));
+    const OwnedVec slope = system.pair->create_state(), moved = system.pair->create_state();
+    (void)rows_at(state);
+    system.pair->linearise(shift);
+    system.pair->multiply(directions[n], slope);
+    EXPECT_GT(norm(slope), 1e-4);  // a slope of zero would pass as well
+    double before = 0.0;
+    for (const double step : {4e-3, 2e-3, 1e-3, 5e-4}) {
+      petsc_check(VecWAXPY(moved, step, directions[n], state));
+      const OwnedVec remainder = rows_at(moved);
+      petsc_check(VecAXPY(remainder, -1.0, at_state));
+      petsc_check(VecAXPY(remainder, -step, slope));
+      const double size = norm(remainder);
+      if (before > 0.0) expect_rate("jacobian_taylor_remainder", std::log2(before / size));
+      before = size;
+    }
+  }
+}
+
+TEST_F(LubricatedPairAt, films_act_on_each_other_through_the_motion_only) {
+  (void)rows_at(state);
+  system.pair->linearise(shift);
+  const OwnedVec rows = system.pair->create_state();
+  system.pair->multiply(direction({1.0, 0.0}, {}), rows);
+  EXPECT_EQ(largest(system.pair->pressure(rows, 1)), 0.0);
+  EXPECT_GT(largest(system.pair->pressure(rows, 0)), 0.0);
+  const Motion motion_rows = system.pair->motion(rows);
+  EXPECT_EQ(motion_rows.H0, 0.0);
+  EXPECT_NE(motion_rows.V0, 0.0);
+}
+
+TEST_F(LubricatedPairAt, pressures_are_clipped_and_the_motion_is_not) {
+  const OwnedVec negative = system.vector(steps.last.pressure, {-1.0, -2.0});
+  {
+    const VecWriting values(negative);
+    values[0] = -1.0;
+  }
+  system.pair->clip(negative);
+  EXPECT_EQ(system.pair->pressure(negative, 0).front(), 0.0);
+  EXPECT_EQ(system.pair->pressure(negative, 1), steps.last.pressure[1]);
+  EXPECT_EQ(system.pair->motion(negative).H0, -1.0);
+  EXPECT_EQ(system.pair->motion(negative).V0, -2.0);
+}
+
+/// With how many levels.
+class LubricatedPairPreconditioner : public testing::TestWithParam<int> {};
+
+TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
+  const AcceptedSteps& steps = two_contacts();
+  PairAt system(steps.march, steps.last, GetParam());
+  LubricatedPair& pair = *system.pair;
+  const double shift = 1.5 / steps.last.dT;
+  const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
+  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state();
+  pair.residual(state, rate, rows);
+  pair.linearise(shift);
+  // What a wrong first guess leaves: without any rate.
+  NewtonOptions options;
+  options.krylov_tolerance = 1e-3;
+  OwnedSNES snes;
+  petsc_check(SNESCreate(pair.comm(), snes.put()));
+  configure_newton(snes, pair, options, pair.weight());
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  const OwnedMat jacobian = shell_jacobian(pair);
+  petsc_check(KSPSetOperators(ksp, jacobian, jacobian));
+  petsc_check(KSPSolve(ksp, rows, change));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  PetscInt iterations = 0;
+  petsc_check(KSPGetConvergedReason(ksp, &reason));
+  petsc_check(KSPGetIterationNumber(ksp, &iterations));
+  report("%d level(s): %d iterations for a factor 1e-3", GetParam(), static_cast<int>(iterations));
+  EXPECT_GT(reason, 0);
+  EXPECT_LE(iterations, 12);
+  // Once by itself.
+  const OwnedVec left = pair.create_state();
+  PetscReal before = 0.0, after = 0.0;
+  pair.precondition(rows, change);
+  pair.multiply(change, left);
+  petsc_check(VecAYPX(left, -1.0, rows));
+  petsc_check(VecNorm(rows, NORM_2, &before));
+  petsc_check(VecNorm(left, NORM_2, &after));
+  report("one cycle: %g", after / before);
+  EXPECT_LT(after, 0.5 * before);
+}
+
+INSTANTIATE_TEST_SUITE_P(levels, LubricatedPairPreconditioner, testing::Values(1, 0));
+
+/// Mass of one contact through the faces of its nodes, in whole arrays; rho H^3/(eta lambda) anew from pressure and film.
+class FaceFluxes {
+ public:
+  FaceFluxes(const RecordedMarch& march, const ContactFilm& film)
+      : grid_(march.grid()), U_(film.conditions().entrainment), pressure_(whole_of(grid_, film.pressure())) {
+    const Scales& scales = march.problem().scales;
+    const std::vector<double> heights = whole_of(grid_, film.film());
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+      const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
+      stored_.push_back(rho * heights[n]);
+      conductance_.push_back(rho * std::pow(heights[n], 3) / scales.lambda *
+                             std::exp(-log_relative_viscosity(scales.oil, p).value));
+    }
+  }
+
+  const std::vector<double>& stored() const { return stored_; }
+  int index(int i, int row) const { return i * grid_.ny() + row; }
+
+  /// Through the face between nodes i and i+1: the wedge extrapolates rho H to the face from upwind; in the first row
+  /// it has its mean there.
+  double along_x(int i, int row) const {
+    const int n = index(i, row), east = index(i + 1, row);
+    const double carried =
+        i == 0 ? 0.5 * (stored_[n] + stored_[east]) : 1.5 * stored_[n] - 0.5 * stored_[index(i - 1, row)];
+    return grid_.h_y() * (U_ * carried - driven(n, east) / grid_.h_x());
+  }
+  /// Through the face between rows row and row+1.
+  double along_y(int i, int row) const {
+    return -grid_.h_x() * driven(index(i, row), index(i, row + 1)) / grid_.h_y();
+  }
+
+ private:
+  double driven(int n, int next) const {
+    return 0.5 * (conductance_[n] + conductance_[next]) * (pressure_[next] - pressure_[n]);
+  }
+
+  const Grid& grid_;
+  double U_;
+  std::vector<double> pressure_, stored_, conductance_;
+};
+
+/// What passes the border of the wet nodes.
+struct BorderFlow {
+  double in = 0.0;
+  double out = 0.0;
+
+  void add(double outward) { (outward > 0.0 ? out : in) += std::abs(outward); }
+};
+
+BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::vector<double>& wet) {
+  const auto is_wet = [&](int i, int row) { return wet[fluxes.index(i, row)] != 0.0; };
+  BorderFlow flow;
+  for (int i = 0; i + 1 < grid.nx(); ++i) {
+    for (int row = 0; row + 1 < grid.ny(); ++row) {
+      if (is_wet(i, row) != is_wet(i + 1, row)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_x(i, row));
+      if (is_wet(i, row) != is_wet(i, row + 1)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_y(i, row));
+    }
+  }
+  return flow;
+}
+
+// The discrete equations of all wet nodes telescope: what flows in through the border of the wet set flows out or is
+// stored. The cavitated nodes, where the film is not full, are outside.
+TEST(MassBalance, mass_is_conserved_over_a_step) {
+  const Case problem = table3_case(with(after_leaving(), {{"time.newton_tolerance", "1e-9"}}));
+  const AcceptedSteps steps(problem, 0.5);
+  ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
+  const Grid& grid = steps.march.grid();
+  PairAt system(steps.march, steps.last);
+  const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
+  // The wet nodes are those of the residual with its rate.
+  OwnedVec rate = system.vector(steps.last.stored, steps.last.motion), rows = system.pair->create_state();
+  petsc_check(VecScale(rate, 1.5 / steps.last.dT));
+  petsc_check(VecAXPY(rate, -2.0 / steps.last.dT,
+                      system.vector(steps.last_but_one.stored, steps.last_but_one.motion)));
+  petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.stored, steps.before_last.motion)));
+  system.pair->residual(state, rate, rows);
+  const ContactFilm& film = system.film(0);
+  const FaceFluxes fluxes(steps.march, film);
+  const std::vector<double> wet = whole_of(grid, film.state().wet), rates = [&] {
+    return whole_of(grid, system.pair->pressure(rate, 0));
+  }();
+  double stored = 0.0;
+  int wet_nodes = 0;
+  for (std::size_t n = 0; n < wet.size(); ++n) {
+    if (wet[n] == 0.0) continue;
+    stored += grid.h_x() * grid.h_y() * rates[n];
+    ++wet_nodes;
+  }
+  const BorderFlow flow = border_flow(grid, fluxes, wet);
+  report("inflow %.6f, outflow %.6f, storage %.6f, balance %.2e", flow.in, flow.out, stored,
+         flow.in - flow.out - stored);
+  // Both must matter against what the balance may miss.
+  EXPECT_GT(flow.out, 1.0);
+  EXPECT_GT(std::abs(stored), 0.01);
+  EXPECT_LT(wet_nodes, (grid.nx() - 2) * (grid.ny() - 2));  // some nodes are cavitated
+  // A sum of n rows is at most sqrt(n) times their norm, which Newton's tolerance bounds.
+  const double bound =
+      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.pair->weight() * problem.steps.newton.tolerance;
+  EXPECT_NEAR(flow.in - flow.out, stored, bound + 1e-11 * flow.in);
+}
+
+}  // namespace
+}  // namespace gearfilm

@@ -1,0 +1,115 @@
+// The linearised Reynolds equation, row by row, against differences of its residual, without any deformation.
+#include "gearfilm/ehl/linear_film.hpp"
+
+#include "film_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+class LinearFilmRows : public testing::Test {
+ protected:
+  // Conductances of order one, so that wedge, squeeze and Poiseuille terms weigh alike in every row.
+  static Scales scales() {
+    Scales scales = circular_contact().scales;
+    scales.lambda = 0.5;
+    return scales;
+  }
+
+  /// P and H at x + e (v, u).
+  void set_state(double step) {
+    fill(grid, state.pressure, [](double x, double y) { return 0.3 + 0.1 * std::sin(2.0 * x + 0.3) * std::cos(y); });
+    fill(grid, state.film, [](double x, double y) { return 1.0 + 0.2 * std::cos(3.0 * x) * std::sin(2.0 * y + 1.0); });
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        state.pressure.row(i)[j] += step * v.row(i)[j];
+        state.film.row(i)[j] += step * u.row(i)[j];
+      }
+    }
+    FilmProperties(scales()).evaluate(state);
+    exchange_ghosts(halo, state);
+  }
+
+  /// R with the squeeze term shift rho H; a constant of -1e4 keeps every inner node wet.
+  std::vector<double> residual_at(double step, double shift) {
+    set_state(step);
+    std::vector<double> rate(grid.local_size()), residual(grid.local_size());
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.film.row(i)[j] - 1e4;
+      }
+    }
+    reynolds_residual(grid, entrainment, state, rate.data(), residual.data());
+    return residual;
+  }
+
+  LinearFilmRows() {
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        v.row(i)[j] = noise(i, grid.y_begin() + j, 7);
+        u.row(i)[j] = noise(i, grid.y_begin() + j, 8);
+      }
+    }
+    halo.exchange(v);
+    halo.exchange(u);
+  }
+
+  static constexpr double entrainment = 1.1;
+  Grid grid{PETSC_COMM_WORLD, {17, 13, -1.5, 1.0, 1.2}};
+  Halo halo{grid};
+  FilmState state{grid};
+  Field<double> v{grid}, u{grid}, rows{grid};
+  LinearFilm<double> linear{grid};
+};
+
+TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
+  for (const double shift : {0.0, 3.0}) {
+    // Central differences: off by e^2/6 times third derivatives of order (alpha_B p_h)^3 ~ 1e3, and by round-off/e of
+    // the constant 1e4: both 1e-6.
+    constexpr double step = 1e-5, tolerance = 1e-5;
+    const auto more = residual_at(step, shift), less = residual_at(-step, shift);
+    (void)residual_at(0.0, shift);
+    linearise(grid, entrainment, shift, state, linear);
+    apply_stencil(linear, v, u, rows);
+    double top = 0.0;
+    for (int i = 1; i < grid.nx() - 1; ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        if (grid.is_boundary(i, j)) continue;
+        const int n = i * grid.y_count() + j;
+        EXPECT_NEAR(rows.row(i)[j], (more[n] - less[n]) / (2.0 * step), tolerance) << i << ' ' << grid.y_begin() + j;
+        top = std::max(top, std::abs(rows.row(i)[j]));
+      }
+    }
+    EXPECT_GT(maximum(top), 1.0);
+  }
+}
+
+TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
+  set_state(0.0);
+  state.wet.fill(0.0);
+  linearise(grid, entrainment, 3.0, state, linear);
+  apply_stencil(linear, v, u, rows);
+  const ReynoldsWeights weights(grid, entrainment);
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      EXPECT_DOUBLE_EQ(rows.row(i)[j], weights.row_scale(state.conductance.row(i)[j]) * v.row(i)[j]);
+    }
+  }
+}
+
+TEST_F(LinearFilmRows, single_precision_is_the_rounded_double_one) {
+  (void)residual_at(0.0, 3.0);
+  LinearFilm<float> rounded(grid);
+  linearise(grid, entrainment, 3.0, state, linear);
+  linearise(grid, entrainment, 3.0, state, rounded);
+  for (int n = 0; n < neighbour_count; ++n) {
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        EXPECT_EQ(rounded.by_pressure[n].row(i)[j], static_cast<float>(linear.by_pressure[n].row(i)[j]));
+        EXPECT_EQ(rounded.by_film[n].row(i)[j], static_cast<float>(linear.by_film[n].row(i)[j]));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm

@@ -1,0 +1,93 @@
+// The parts of the preconditioner put together by hand must be the preconditioner.
+#include "film_case.hpp"
+#include "gearfilm/ehl/multigrid_level.hpp"
+#include "gearfilm/ehl/preconditioner.hpp"
+
+namespace gearfilm {
+namespace {
+
+class Multigrid : public testing::Test {
+ protected:
+  Multigrid() {
+    // A film with cavitated nodes need not be converged for this.
+    const FilmSolution solution = film_away_from_pitch(65, 33);
+    ContactFilm film(grid, pitch.scales, MultigridOptions{});
+    film.set_conditions(away_from_pitch());
+    std::vector<double> rows(grid.local_size());
+    film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());
+    state.pressure = film.pressure();
+    state.film = film.film();
+    FilmProperties(pitch.scales).evaluate(state);
+    exchange_ghosts(Halo(grid), state);
+    reynolds_residual(grid, entrainment, state, nullptr, rows.data());
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        if (!grid.is_boundary(i, j)) right_side[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);
+      }
+    }
+    fine.state() = state;
+    fine.update(entrainment, storage_shift);
+    inject_state(grid, coarse.grid(), fine.state(), coarse.state());
+    coarse.update(entrainment, storage_shift);
+  }
+
+  /// The preconditioner's answer to the right side.
+  std::vector<double> preconditioned(const MultigridOptions& options) {
+    const auto preconditioner = make_film_preconditioner(grid, pitch.scales.C_h, options);
+    preconditioner->update(state, entrainment, storage_shift);
+    std::vector<double> change(grid.local_size());
+    preconditioner->apply(right_side.data(), change.data());
+    return change;
+  }
+
+  void expect_same(const std::vector<double>& computed, const std::vector<double>& expected) {
+    // The same operations; a sum or two in another order.
+    EXPECT_LT(relative_difference(whole_of(grid, computed), whole_of(grid, expected)), 1e-12);
+  }
+
+  static constexpr double storage_shift = 5.0;
+  const double entrainment = away_from_pitch().entrainment;
+  FilmCase pitch = table3_pitch();
+  Grid grid{PETSC_COMM_WORLD, pitch.shape(65, 33)};
+  FilmState state{grid};
+  MultigridLevel<double> fine{grid.copy(), pitch.scales.C_h};
+  MultigridLevel<double> coarse{grid.coarsened(), pitch.scales.C_h};
+  std::vector<double> right_side = std::vector<double>(grid.local_size(), 0.0);
+};
+
+TEST_F(Multigrid, one_level_is_the_smoother) {
+  std::vector<double> expected(grid.local_size());
+  fine.smooth(right_side.data(), expected.data(), 3, true);
+  expect_same(preconditioned({.levels = 1, .smoothing_sweeps = 3, .precision = Precision::double_precision}), expected);
+}
+
+TEST_F(Multigrid, two_levels_are_the_cycle_put_together_by_hand) {
+  std::vector<double> change(grid.local_size()), rows(grid.local_size());
+  std::vector<double> coarse_residual(coarse.grid().local_size()), correction(coarse.grid().local_size());
+  fine.smooth(right_side.data(), change.data(), 2, true);
+  fine.multiply(change.data(), rows.data());
+  for (std::size_t n = 0; n < rows.size(); ++n) rows[n] = right_side[n] - rows[n];
+  coarse.restrict_from(fine, rows.data(), coarse_residual.data());
+  coarse.smooth(coarse_residual.data(), correction.data(), 5, true);
+  coarse.interpolate_to(fine, correction.data(), change.data());
+  fine.smooth(right_side.data(), change.data(), 2, false);
+  expect_same(preconditioned(
+                  {.levels = 2, .smoothing_sweeps = 2, .coarse_sweeps = 5, .precision = Precision::double_precision}),
+              change);
+}
+
+// The finest level's operator is the Jacobian itself.
+TEST_F(Multigrid, finest_operator_is_the_jacobian) {
+  const FilmSolution solution = film_away_from_pitch(65, 33);
+  ContactFilm film(grid, pitch.scales, MultigridOptions{});
+  film.set_conditions(away_from_pitch());
+  std::vector<double> rows(grid.local_size()), expected(grid.local_size());
+  film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());
+  film.linearise(storage_shift);
+  film.multiply(right_side.data(), 0.0, expected.data());
+  fine.multiply(right_side.data(), rows.data());
+  expect_same(rows, expected);
+}
+
+}  // namespace
+}  // namespace gearfilm
