@@ -1,9 +1,12 @@
-// Speed of the kernels and of stationary solves, in seconds, per node, and in convolution times (yardstick.hpp).
+// Speed of the kernels, of stationary solves and of a mesh period, in seconds, per node, and in convolution times (yardstick.hpp).
 #include <cmath>
 
+#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/stopwatch.hpp"
 #include "gearfilm/app/yardstick.hpp"
+#include "gearfilm/dynamics/dry_orbit.hpp"
+#include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/io/output_directory.hpp"
@@ -96,6 +99,42 @@ private:
   Summary table_ = Summary::array();
 };
 
+/// One mesh period of the lubricated pair, from the dry periodic orbit shifted by the film.
+Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
+  Case resized = problem;
+  resized.nx = size.nx;
+  resized.ny = size.ny;
+  const Grid grid(comm, case_grid(resized));
+  const ContactPath path = path_after_leaving(resized);
+  const DryOrbit dry = find_dry_orbit(resized.scales, path, resized.scales.inertia(*resized.equivalent_mass));
+  MarchStatistics statistics(path.mesh_period(), resized.scales.static_force);
+  MeshMarch march = make_march(resized, grid, path, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    statistics.add(record, true);
+  });
+  double unit = convolution_time(size.nx, size.ny);
+  MPI_Bcast(&unit, 1, MPI_DOUBLE, 0, comm);
+  march.start(Motion{dry.start.H0 + stationary_film_shift(resized, grid), dry.start.V0});
+  const double start = MPI_Wtime();
+  march.run(path.mesh_period());
+  const double seconds = MPI_Wtime() - start;
+  const PeriodFigures& period = statistics.periods().front();
+  const double contact_step = period.wall_seconds / period.contact_steps / unit;
+  petsc_check(PetscPrintf(comm,
+                          "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
+                          "Newton and %.2f Krylov iterations a step\n",
+                          size.nx, size.ny, resized.steps.dT, seconds, period.contact_steps, contact_step,
+                          static_cast<double>(period.newton) / period.steps,
+                          static_cast<double>(period.krylov) / period.steps));
+  return {{"nx", size.nx},
+          {"ny", size.ny},
+          {"dT", resized.steps.dT},
+          {"seconds", seconds},
+          {"contact_steps", period.contact_steps},
+          {"newton_per_step", static_cast<double>(period.newton) / period.steps},
+          {"krylov_per_step", static_cast<double>(period.krylov) / period.steps},
+          {"contact_step_convolutions", contact_step}};
+}
+
 }  // namespace
 
 void run_bench(MPI_Comm comm, const Case& problem) {
@@ -104,6 +143,10 @@ void run_bench(MPI_Comm comm, const Case& problem) {
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();
   for (const GridSize size : standard_grids) summary["grids"].push_back(GridBench(comm, problem, size).run());
+  if (problem.line && problem.equivalent_mass) {
+    summary["mesh_period"] = bench_mesh_period(comm, problem, standard_grids[0]);
+    summary["contact_step_convolutions"] = summary["mesh_period"]["contact_step_convolutions"];
+  }
   write_summary(comm, problem.output_directory / "summary.json", summary);
 }
 

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "gearfilm/app/derived.hpp"
-#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -52,24 +51,6 @@ void MarchOutput::report(const StepRecord& record, double period) {
     text << ", smallest film " << 1e6 * problem_.scales.film * smallest << " um";
   }
   progress_.report(std::min(1.0, period / expected_periods_), text.str());
-}
-
-GridShape case_grid(const Case& problem) {
-  return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
-}
-
-void require_inertia(const Case& problem) {
-  if (problem.line && problem.equivalent_mass) return;
-  throw InputError("the case '" + problem.name +
-                   "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
-                   "wheel.inertia, of a gear pair");
-}
-
-MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
-  SolverOptions films = problem.solver;
-  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
-  return MeshMarch(grid, problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), films, problem.steps,
-                   std::move(observer));
 }
 
 namespace {

@@ -1,23 +1,15 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
+#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
-#include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
 namespace {
 
 constexpr double usual_periods = 6.0;  // for the time left
-
-/// H_0 of the stationary film under the static force at the pitch point, less that of the dry contact.
-double stationary_film_shift(const Case& problem, const Grid& grid) {
-  ContactFilm film(grid, problem.scales, problem.solver.multigrid);
-  const StationaryResult result =
-      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
-  return result.solution.H0 + problem.scales.hertz.approach / problem.scales.film;
-}
 
 Summary multiplier_list(const Monodromy& monodromy) {
   Summary list = Summary::array();
@@ -62,8 +54,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
-  const double after_leaving = problem.line->exit() - problem.line->base_pitch();
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, after_leaving);
+  const ContactPath path = path_after_leaving(problem);
   const double inertia = problem.scales.inertia(*problem.equivalent_mass);
   const DryOrbit dry = find_dry_orbit(problem.scales, path, inertia);
   const double film_shift = stationary_film_shift(problem, grid);

@@ -1,9 +1,9 @@
 // `gearfilm steady`: the stationary film of one contact at one position on the line of action.
 #include <sstream>
 
+#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/march_output.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/io/output_directory.hpp"

@@ -1,4 +1,5 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
+#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"

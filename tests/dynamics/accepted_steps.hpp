@@ -6,7 +6,7 @@
 namespace gearfilm {
 
 /// One accepted state; compact arrays, one for each contact.
-struct PairState {
+struct AcceptedState {
   double T = 0.0;
   double dT = 0.0;
   Motion motion;
@@ -15,8 +15,8 @@ struct PairState {
   std::vector<std::vector<double>> stored;  ///< rho H
 };
 
-inline PairState copy_of(const StepRecord& record, const std::vector<LiveContact>& contacts) {
-  PairState state{record.T, record.dT, record.motion, {}, {}, {}};
+inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  AcceptedState state{record.T, record.dT, record.motion, {}, {}, {}};
   for (const LiveContact& contact : contacts) {
     const FilmState& film = contact.film->state();
     const Grid& grid = contact.film->grid();
@@ -46,7 +46,7 @@ class AcceptedSteps {
   }
 
   RecordedMarch march;
-  PairState before_last, last_but_one, last;
+  AcceptedState before_last, last_but_one, last;
 };
 
 /// d(values)/dT by the second-order backward formula over two equal steps.
@@ -57,7 +57,7 @@ inline double backward_rate(double now, double before, double long_before, doubl
 /// A system of its own for the contacts and the place of a state.
 class PairAt {
  public:
-  PairAt(const RecordedMarch& march, const PairState& state, int levels = 1) {
+  PairAt(const RecordedMarch& march, const AcceptedState& state, int levels = 1) {
     MultigridOptions options = march.problem().solver.multigrid;
     options.levels = levels;
     std::vector<PairContact> contacts;

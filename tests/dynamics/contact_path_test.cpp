@@ -183,8 +183,8 @@ INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,
                                          PathOf{"ratio_just_below_2", "high_contact_ratio.yaml", 2.0 - 1e-6},
                                          PathOf{"ratio_2", "high_contact_ratio.yaml", 2.0},
                                          PathOf{"ratio_just_above_2", "high_contact_ratio.yaml", 2.0 + 1e-6}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& pair) {
+                           std::string name = pair.param.name;
                            std::replace(name.begin(), name.end(), '.', '_');
                            return name;
                          });

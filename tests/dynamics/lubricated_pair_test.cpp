@@ -18,7 +18,7 @@ const AcceptedSteps& two_contacts() {
 class LubricatedPairAt : public testing::Test {
  protected:
   /// C of a state as PETSc would have it at that time.
-  OwnedVec stored(const PairState& at) const { return system.vector(at.stored, at.motion); }
+  OwnedVec stored(const AcceptedState& at) const { return system.vector(at.stored, at.motion); }
 
   /// C_0 of the second-order backward formula: rate = shift (C - C_0).
   OwnedVec history() const {

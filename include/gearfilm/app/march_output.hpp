@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/io/case.hpp"
 #include "gearfilm/io/history.hpp"
 #include "gearfilm/io/progress.hpp"
@@ -45,12 +44,5 @@ private:
 Summary period_summary(const Scales& scales, const PeriodFigures& period);
 /// All of a march: its periods, their extremes, events and losses of contact.
 Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics);
-
-/// The grid of a case.
-GridShape case_grid(const Case& problem);
-/// Throws InputError unless the case is a gear pair with inertia.
-void require_inertia(const Case& problem);
-/// A march of the case's lubricated pair.
-MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
 
 }  // namespace gearfilm

@@ -1,0 +1,37 @@
+#include "gearfilm/app/case_setup.hpp"
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+GridShape case_grid(const Case& problem) {
+  return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
+}
+
+void require_inertia(const Case& problem) {
+  if (problem.line && problem.equivalent_mass) return;
+  throw InputError("the case '" + problem.name +
+                   "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
+                   "wheel.inertia, of a gear pair");
+}
+
+MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
+  SolverOptions films = problem.solver;
+  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
+  return MeshMarch(grid, problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), films, problem.steps,
+                   std::move(observer));
+}
+
+double stationary_film_shift(const Case& problem, const Grid& grid) {
+  ContactFilm film(grid, problem.scales, problem.solver.multigrid);
+  const StationaryResult result =
+      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+  return result.solution.H0 + problem.scales.hertz.approach / problem.scales.film;
+}
+
+ContactPath path_after_leaving(const Case& problem) {
+  const double start = problem.line->exit() - problem.line->base_pitch();
+  return ContactPath(*problem.line, problem.scales, problem.pinion_speed, start);
+}
+
+}  // namespace gearfilm
