@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Closing table of the demonstration: what gearfilm computed beside what the paper prints.
 
-    scripts/report.py FOLDER      reads FOLDER/info and FOLDER/steady, the results of these commands of gearfilm
+    scripts/report.py FOLDER      reads FOLDER/info, FOLDER/steady and FOLDER/transient, the results of these commands
 
 The paper is Barbieri, Lubrecht, Pellicano, Tribology International 62 (2013) 37-48,
 doi 10.1016/j.triboint.2013.01.017. Exit status 1, with one line, where results are missing or not gearfilm's.
@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 
 class Row(NamedTuple):
-    """One quantity: its key in a summary, its value in the paper, and how both are printed."""
+    """One quantity: its key in a summary ("list.0.name" for nested ones), its value in the paper, and how both are printed."""
     label: str
     key: str
     paper: float
@@ -44,6 +44,9 @@ SECTIONS = [
         Row("central film h_central", "h_central", 2.415e-6, "um", 1e6),
         Row("smallest film h_min", "h_min", 2.163e-6, "um", 1e6),
     ]),
+    Section("transient", "First two mesh periods, from rest", [
+        Row("first loss of contact after", "contact_losses.0.distance", 16.27e-3, "mm", 1e3, digits=2),
+    ]),
 ]
 
 
@@ -66,7 +69,12 @@ def read_summary(path):
 
 
 def value_of(summary, key, path):
-    value = summary.get(key)
+    value = summary
+    for name in key.split("."):
+        try:
+            value = value[int(name)] if isinstance(value, list) else value.get(name)
+        except (IndexError, ValueError, AttributeError):
+            value = None
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise ReportError(f"{path} is not a summary of this run: it has no number '{key}'")
     return value

@@ -13,7 +13,7 @@
 namespace {
 
 class FailurePrinter : public testing::EmptyTestEventListener {
- public:
+public:
   explicit FailurePrinter(int rank) : rank_(rank) {}
 
   // GoogleTest holds its lock while it reports a result: asking it for the current test there would wait for ever.
@@ -27,7 +27,7 @@ class FailurePrinter : public testing::EmptyTestEventListener {
                  result.file_name() ? result.file_name() : "", result.line_number(), result.message());
   }
 
- private:
+private:
   int rank_;
   std::string test_;
 };

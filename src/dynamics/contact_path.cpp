@@ -13,8 +13,9 @@ ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double 
       start_(start),
       reference_radius_(scales.solids.radius_x),
       reference_velocity_(scales.operation.entrainment_velocity) {
-  // Number 0 is the leading contact.
+  // Number 0 is the leading contact; one at its exit has left.
   while (exit_time(-1) > tolerance()) start_ += line_.base_pitch();
+  while (exit_time(0) <= tolerance()) start_ -= line_.base_pitch();
 }
 
 ContactConditions ContactPath::conditions(int contact, double T) const {

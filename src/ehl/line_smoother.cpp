@@ -8,7 +8,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double distributive_limit = 0.3;  // on xi_R/h_x^2
+constexpr double distributive_limit = 2.0;  // on xi_R/h_x^2
 constexpr double distributive_damping = 0.6;
 constexpr double plain_damping = 0.8;
 

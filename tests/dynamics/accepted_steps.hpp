@@ -34,7 +34,7 @@ inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveCon
 
 /// The march of a case up to T, the last three states of which are kept.
 class AcceptedSteps {
- public:
+public:
   AcceptedSteps(const Case& problem, double T_end) : march(problem) {
     march.on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
       before_last = std::move(last_but_one);
@@ -56,7 +56,7 @@ inline double backward_rate(double now, double before, double long_before, doubl
 
 /// A system of its own for the contacts and the place of a state.
 class PairAt {
- public:
+public:
   PairAt(const RecordedMarch& march, const AcceptedState& state, int levels = 1) {
     MultigridOptions options = march.problem().solver.multigrid;
     options.levels = levels;
@@ -80,7 +80,7 @@ class PairAt {
 
   std::unique_ptr<LubricatedPair> pair;
 
- private:
+private:
   std::vector<std::unique_ptr<ContactFilm>> films_;
 };
 

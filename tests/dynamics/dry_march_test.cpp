@@ -14,7 +14,7 @@ const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>
 
 /// The motion by classical Runge-Kutta steps between events that are found here again.
 class RungeKutta {
- public:
+public:
   explicit RungeKutta(const Case& problem)
       : line_(*problem.line),
         scales_(problem.scales),
@@ -42,7 +42,7 @@ class RungeKutta {
     return motion;
   }
 
- private:
+private:
   Motion rate(const Motion& motion, const std::vector<double>& offsets, double T) const {
     double force = 0.0;
     for (const double offset : offsets) {
@@ -128,7 +128,7 @@ TEST(DryMarch, records_reach_every_event_and_share_the_force) {
 
 /// The pitch point held in place: a pair that hardly turns.
 class FrozenGeometry : public testing::Test {
- protected:
+protected:
   double energy(const Motion& motion) const {
     const double reference = problem.scales.hertz.approach / problem.scales.film;
     const double compressed = std::max(0.0, -motion.H0);
@@ -143,25 +143,34 @@ class FrozenGeometry : public testing::Test {
   double H0_at_rest = -problem.scales.hertz.approach / problem.scales.film;
 };
 
-// A motion large enough to lose contact: the force is then not smooth.
-TEST_F(FrozenGeometry, energy_is_conserved_through_a_loss_of_contact) {
-  const Motion start{2.0 * H0_at_rest, 0.1};
-  const double total = energy(start);
-  double largest_H0 = start.H0, drift = 0.0;
-  DryMarch march(problem.scales, path, inertia, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    largest_H0 = std::max(largest_H0, record.motion.H0);
-    drift = std::max(drift, std::abs(energy(record.motion) - total));
-  });
-  march.start(start);
-  march.run(40.0);
-  EXPECT_GT(largest_H0, 0.1);
-  EXPECT_LT(drift, 1e-8 * std::abs(total - energy({H0_at_rest, 0.0})));
+/// A start above or below balance.
+struct FrozenMotion {
+  Motion start;
+  bool loses_contact;
+};
+
+// Some thousand steps, each to 1e-10; where contact is lost and comes back the force is not smooth.
+TEST_F(FrozenGeometry, energy_is_conserved) {
+  for (const auto& [start, loses_contact] :
+       {FrozenMotion{{1.4 * H0_at_rest, 0.0}, false}, FrozenMotion{{2.0 * H0_at_rest, 0.1}, true}}) {
+    const double total = energy(start);
+    double largest_H0 = start.H0, drift = 0.0;
+    DryMarch march(problem.scales, path, inertia, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+      largest_H0 = std::max(largest_H0, record.motion.H0);
+      drift = std::max(drift, std::abs(energy(record.motion) - total));
+    });
+    march.start(start);
+    march.run(40.0);
+    EXPECT_EQ(largest_H0 > 0.1, loses_contact);
+    report("energy drifts by %.1e of %.3f", drift, total - energy({H0_at_rest, 0.0}));
+    EXPECT_LT(drift, (loses_contact ? 1e-7 : 1e-8) * (total - energy({H0_at_rest, 0.0})));
+  }
 }
 
 // Three halves is no whole power: the period of an oscillation differs from the linear one with the amplitude squared.
 TEST_F(FrozenGeometry, small_oscillations_have_the_natural_frequency) {
-  const double frequency =
-      natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz), *problem.equivalent_mass);
+  const double frequency = natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
+                                             *problem.equivalent_mass);
   const double period = 1.0 / (frequency * problem.scales.time);
   DryMarch march(problem.scales, path, inertia, 0.1, nobody);
   const double amplitude = 1e-4 * std::abs(H0_at_rest);

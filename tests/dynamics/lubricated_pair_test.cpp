@@ -1,22 +1,29 @@
-// Films and motion as one system: its Jacobian, its preconditioner, and the equations an accepted time step fulfils.
+// Films and motion as one system: its Jacobian, its preconditioner, and the time scheme it is solved for.
 #include "accepted_steps.hpp"
 
 namespace gearfilm {
 namespace {
 
 /// Two contacts in motion, a few steps of 0.05 after the start.
-const AcceptedSteps& two_contacts() {
-  static const AcceptedSteps steps(table3_case(with(after_leaving(), {{"start.place", "position"},
-                                                                      {"start.position", "4.5e-3"},
-                                                                      {"start.H0", "-1.1"},
-                                                                      {"start.V0", "0.3"},
-                                                                      {"time.newton_tolerance", "1e-9"}})),
-                                   0.25);
-  return steps;
-}
+class TwoContacts : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    march = std::make_unique<AcceptedSteps>(table3_case(with(after_leaving(), {{"start.place", "position"},
+                                                                               {"start.position", "4.5e-3"},
+                                                                               {"start.H0", "-1.1"},
+                                                                               {"start.V0", "0.3"},
+                                                                               {"time.newton_tolerance", "1e-9"}})),
+                                            0.25);
+  }
+  // Its vectors must go before PETSc does.
+  static void TearDownTestSuite() { march.reset(); }
 
-class LubricatedPairAt : public testing::Test {
- protected:
+  static inline std::unique_ptr<AcceptedSteps> march;
+  const AcceptedSteps& steps = *march;
+};
+
+class LubricatedPairAt : public TwoContacts {
+protected:
   /// C of a state as PETSc would have it at that time.
   OwnedVec stored(const AcceptedState& at) const { return system.vector(at.stored, at.motion); }
 
@@ -27,12 +34,12 @@ class LubricatedPairAt : public testing::Test {
     return history;
   }
 
-  OwnedVec rows_at(Vec state) {
+  OwnedVec rows_at(Vec at) {
     OwnedVec rate = system.pair->create_state(), rows = system.pair->create_state();
-    system.pair->storage(state, rate);
+    system.pair->storage(at, rate);
     petsc_check(VecAXPY(rate, -1.0, C0));
     petsc_check(VecScale(rate, shift));
-    system.pair->residual(state, rate, rows);
+    system.pair->residual(at, rate, rows);
     return rows;
   }
 
@@ -79,7 +86,6 @@ class LubricatedPairAt : public testing::Test {
     return system.vector(changes, motion);
   }
 
-  const AcceptedSteps& steps = two_contacts();
   const Grid& grid = steps.march.grid();
   PairAt system{steps.march, steps.last};
   double shift = 1.5 / steps.last.dT;
@@ -153,17 +159,37 @@ TEST_F(LubricatedPairAt, pressures_are_clipped_and_the_motion_is_not) {
     values[0] = -1.0;
   }
   system.pair->clip(negative);
+  // Cavitated nodes of an accepted state may be negative by round-off.
+  std::vector<double> expected = steps.last.pressure[1];
+  for (double& pressure : expected) pressure = std::max(pressure, 0.0);
   EXPECT_EQ(system.pair->pressure(negative, 0).front(), 0.0);
-  EXPECT_EQ(system.pair->pressure(negative, 1), steps.last.pressure[1]);
+  EXPECT_EQ(system.pair->pressure(negative, 1), expected);
   EXPECT_EQ(system.pair->motion(negative).H0, -1.0);
   EXPECT_EQ(system.pair->motion(negative).V0, -2.0);
 }
 
+TEST_F(LubricatedPairAt, a_multigrid_cycle_reduces_the_residual) {
+  PairAt with_all_levels(steps.march, steps.last, 0);
+  LubricatedPair& pair = *with_all_levels.pair;
+  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state(),
+                 left = pair.create_state();
+  pair.residual(state, rate, rows);
+  pair.linearise(shift);
+  pair.precondition(rows, change);
+  pair.multiply(change, left);
+  petsc_check(VecAYPX(left, -1.0, rows));
+  PetscReal before = 0.0, after = 0.0;
+  petsc_check(VecNorm(rows, NORM_2, &before));
+  petsc_check(VecNorm(left, NORM_2, &after));
+  EXPECT_LT(after, 0.5 * before);
+  // dH_0/dT = V_0 holds exactly after it.
+  EXPECT_NEAR(pair.motion(left).H0, 0.0, 1e-10 * std::abs(pair.motion(rows).H0));
+}
+
 /// With how many levels.
-class LubricatedPairPreconditioner : public testing::TestWithParam<int> {};
+class LubricatedPairPreconditioner : public TwoContacts, public testing::WithParamInterface<int> {};
 
 TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
-  const AcceptedSteps& steps = two_contacts();
   PairAt system(steps.march, steps.last, GetParam());
   LubricatedPair& pair = *system.pair;
   const double shift = 1.5 / steps.last.dT;
@@ -189,121 +215,9 @@ TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
   report("%d level(s): %d iterations for a factor 1e-3", GetParam(), static_cast<int>(iterations));
   EXPECT_GT(reason, 0);
   EXPECT_LE(iterations, 12);
-  // Once by itself.
-  const OwnedVec left = pair.create_state();
-  PetscReal before = 0.0, after = 0.0;
-  pair.precondition(rows, change);
-  pair.multiply(change, left);
-  petsc_check(VecAYPX(left, -1.0, rows));
-  petsc_check(VecNorm(rows, NORM_2, &before));
-  petsc_check(VecNorm(left, NORM_2, &after));
-  report("one cycle: %g", after / before);
-  EXPECT_LT(after, 0.5 * before);
 }
 
 INSTANTIATE_TEST_SUITE_P(levels, LubricatedPairPreconditioner, testing::Values(1, 0));
-
-/// Mass of one contact through the faces of its nodes, in whole arrays; rho H^3/(eta lambda) anew from pressure and film.
-class FaceFluxes {
- public:
-  FaceFluxes(const RecordedMarch& march, const ContactFilm& film)
-      : grid_(march.grid()), U_(film.conditions().entrainment), pressure_(whole_of(grid_, film.pressure())) {
-    const Scales& scales = march.problem().scales;
-    const std::vector<double> heights = whole_of(grid_, film.film());
-    for (std::size_t n = 0; n < heights.size(); ++n) {
-      const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
-      stored_.push_back(rho * heights[n]);
-      conductance_.push_back(rho * std::pow(heights[n], 3) / scales.lambda *
-                             std::exp(-log_relative_viscosity(scales.oil, p).value));
-    }
-  }
-
-  const std::vector<double>& stored() const { return stored_; }
-  int index(int i, int row) const { return i * grid_.ny() + row; }
-
-  /// Through the face between nodes i and i+1: the wedge extrapolates rho H to the face from upwind; in the first row
-  /// it has its mean there.
-  double along_x(int i, int row) const {
-    const int n = index(i, row), east = index(i + 1, row);
-    const double carried =
-        i == 0 ? 0.5 * (stored_[n] + stored_[east]) : 1.5 * stored_[n] - 0.5 * stored_[index(i - 1, row)];
-    return grid_.h_y() * (U_ * carried - driven(n, east) / grid_.h_x());
-  }
-  /// Through the face between rows row and row+1.
-  double along_y(int i, int row) const {
-    return -grid_.h_x() * driven(index(i, row), index(i, row + 1)) / grid_.h_y();
-  }
-
- private:
-  double driven(int n, int next) const {
-    return 0.5 * (conductance_[n] + conductance_[next]) * (pressure_[next] - pressure_[n]);
-  }
-
-  const Grid& grid_;
-  double U_;
-  std::vector<double> pressure_, stored_, conductance_;
-};
-
-/// What passes the border of the wet nodes.
-struct BorderFlow {
-  double in = 0.0;
-  double out = 0.0;
-
-  void add(double outward) { (outward > 0.0 ? out : in) += std::abs(outward); }
-};
-
-BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::vector<double>& wet) {
-  const auto is_wet = [&](int i, int row) { return wet[fluxes.index(i, row)] != 0.0; };
-  BorderFlow flow;
-  for (int i = 0; i + 1 < grid.nx(); ++i) {
-    for (int row = 0; row + 1 < grid.ny(); ++row) {
-      if (is_wet(i, row) != is_wet(i + 1, row)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_x(i, row));
-      if (is_wet(i, row) != is_wet(i, row + 1)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_y(i, row));
-    }
-  }
-  return flow;
-}
-
-// The discrete equations of all wet nodes telescope: what flows in through the border of the wet set flows out or is
-// stored. The cavitated nodes, where the film is not full, are outside.
-TEST(MassBalance, mass_is_conserved_over_a_step) {
-  const Case problem = table3_case(with(after_leaving(), {{"time.newton_tolerance", "1e-9"}}));
-  const AcceptedSteps steps(problem, 0.5);
-  ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
-  const Grid& grid = steps.march.grid();
-  PairAt system(steps.march, steps.last);
-  const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
-  // The wet nodes are those of the residual with its rate.
-  OwnedVec rate = system.vector(steps.last.stored, steps.last.motion), rows = system.pair->create_state();
-  petsc_check(VecScale(rate, 1.5 / steps.last.dT));
-  petsc_check(VecAXPY(rate, -2.0 / steps.last.dT,
-                      system.vector(steps.last_but_one.stored, steps.last_but_one.motion)));
-  petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.stored, steps.before_last.motion)));
-  system.pair->residual(state, rate, rows);
-  const ContactFilm& film = system.film(0);
-  const FaceFluxes fluxes(steps.march, film);
-  const std::vector<double> wet = whole_of(grid, film.state().wet), rates = [&] {
-    return whole_of(grid, system.pair->pressure(rate, 0));
-  }();
-  double stored = 0.0;
-  int wet_nodes = 0;
-  for (std::size_t n = 0; n < wet.size(); ++n) {
-    if (wet[n] == 0.0) continue;
-    stored += grid.h_x() * grid.h_y() * rates[n];
-    ++wet_nodes;
-  }
-  const BorderFlow flow = border_flow(grid, fluxes, wet);
-  report("inflow %.6f, outflow %.6f, storage %.6f, balance %.2e", flow.in, flow.out, stored,
-         flow.in - flow.out - stored);
-  // Both must matter against what the balance may miss.
-  EXPECT_GT(flow.out, 1.0);
-  EXPECT_GT(std::abs(stored), 0.01);
-  EXPECT_LT(wet_nodes, (grid.nx() - 2) * (grid.ny() - 2));  // some nodes are cavitated
-  // A sum of n rows is at most sqrt(n) times their norm, which Newton's tolerance bounds.
-  const double bound =
-      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.pair->weight() * problem.steps.newton.tolerance;
-  EXPECT_NEAR(flow.in - flow.out, stored, bound + 1e-11 * flow.in);
-}
 
 }  // namespace
 }  // namespace gearfilm

@@ -9,6 +9,7 @@
 
 #include "film_case.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
+#include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/io/case.hpp"
 #include "gearfilm/io/case_file.hpp"
@@ -25,9 +26,7 @@ inline Case input_case(const std::string& file, const Settings& settings = {}) {
   return make_case(values);
 }
 
-inline Case table3_case(const Settings& settings = {}) {
-  return input_case("barbieri2013.yaml", settings);
-}
+inline Case table3_case(const Settings& settings = {}) { return input_case("barbieri2013.yaml", settings); }
 
 /// Table 3 on 65 x 33 nodes, just after a contact has left, with the motion of the periodic state there.
 inline Settings after_leaving() {
@@ -50,9 +49,7 @@ inline ContactPath path_of(const Case& problem) {
   return {*problem.line, problem.scales, problem.pinion_speed, problem.start_position};
 }
 
-inline double inertia_of(const Case& problem) {
-  return problem.scales.inertia(*problem.equivalent_mass);
-}
+inline double inertia_of(const Case& problem) { return problem.scales.inertia(*problem.equivalent_mass); }
 
 inline GridShape shape_of(const Case& problem) {
   return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
@@ -60,7 +57,7 @@ inline GridShape shape_of(const Case& problem) {
 
 /// A lubricated march of a case that keeps its records.
 class RecordedMarch {
- public:
+public:
   explicit RecordedMarch(Case problem, MPI_Comm comm = PETSC_COMM_WORLD)
       : problem_(std::move(problem)),
         grid_(comm, shape_of(problem_)),
@@ -70,6 +67,8 @@ class RecordedMarch {
                  records_.push_back(record);
                  if (on_step) on_step(record, contacts);
                }) {}
+  RecordedMarch(const RecordedMarch&) = delete;
+  RecordedMarch& operator=(const RecordedMarch&) = delete;
 
   void start() { march_.start(problem_.start_motion); }
   void run(double T_end) { march_.run(T_end); }
@@ -84,7 +83,7 @@ class RecordedMarch {
 
   StepObserver on_step;  ///< called after the record is kept
 
- private:
+private:
   SolverOptions film_options() const {
     SolverOptions options = problem_.solver;
     options.multigrid.levels = step_levels(grid_);
@@ -98,9 +97,26 @@ class RecordedMarch {
   MeshMarch march_;
 };
 
+/// What the march has passed through, in figures.
+inline MarchStatistics statistics_of(const RecordedMarch& march) {
+  MarchStatistics statistics(march.path().mesh_period(), march.static_force());
+  for (const StepRecord& record : march.records()) statistics.add(record, true);
+  return statistics;
+}
+
+/// PETSc prints no stack of an error that is expected, for the time of a scope.
+class ExpectedPetscErrors {
+public:
+  ExpectedPetscErrors() { petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr)); }
+  ~ExpectedPetscErrors() { (void)PetscPopErrorHandler(); }
+  ExpectedPetscErrors(const ExpectedPetscErrors&) = delete;
+  ExpectedPetscErrors& operator=(const ExpectedPetscErrors&) = delete;
+};
+
 /// Message of the SolveError that a call raises; empty (and a failure) when it raises none.
 template <class Call>
 std::string solve_error_of(Call&& call) {
+  const ExpectedPetscErrors quiet;
   try {
     call();
   } catch (const SolveError& error) {

@@ -155,10 +155,8 @@ TEST(MarchStatistics, contact_is_lost_below_a_fiftieth_of_the_static_force) {
 }
 
 TEST(MarchStatistics, a_dry_march_has_no_films) {
-  const MarchStatistics statistics =
-      statistics_of({step(0.0, 0.0, {contact(0, 0.0, 10.0)}),
-                     step(0.5, 0.5, {contact(0, 0.1, 5.0), contact(1, -0.9, 5.0)})},
-                    false);
+  const MarchStatistics statistics = statistics_of(
+      {step(0.0, 0.0, {contact(0, 0.0, 10.0)}), step(0.5, 0.5, {contact(0, 0.1, 5.0), contact(1, -0.9, 5.0)})}, false);
   const PeriodFigures& period = statistics.periods().at(0);
   EXPECT_FALSE(period.smallest_film);
   EXPECT_FALSE(period.at_pitch);

@@ -59,7 +59,7 @@ TEST(LoveKernel, is_the_integral_over_the_own_cell) {
 
 template <class Real>
 class DeformationOf : public testing::Test {
- protected:
+protected:
   // Round-off of a transform of a few hundred points, relative to the largest deformation.
   static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
 };
@@ -120,7 +120,7 @@ TYPED_TEST(DeformationOf, a_pressure_symmetric_in_y_is_symmetric_in_y) {
 }
 
 class HertzPressure : public testing::Test {
- protected:
+protected:
   HertzPressure() {
     hertz_pressure(grid, contact.scales, contact.scales.hertz, pressure.data());
     std::vector<double> unused(grid.local_size());

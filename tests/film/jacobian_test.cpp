@@ -13,12 +13,10 @@ struct Direction {
   double H0;
 };
 
-std::ostream& operator<<(std::ostream& out, const Direction& direction) {
-  return out << direction.name;
-}
+std::ostream& operator<<(std::ostream& out, const Direction& direction) { return out << direction.name; }
 
 class Jacobian : public testing::TestWithParam<std::tuple<double, Direction>> {
- protected:
+protected:
   Jacobian() {
     static const FilmSolution solution = film_away_from_pitch(65, 33);
     film.set_conditions(away_from_pitch());

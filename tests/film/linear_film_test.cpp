@@ -7,7 +7,7 @@ namespace gearfilm {
 namespace {
 
 class LinearFilmRows : public testing::Test {
- protected:
+protected:
   // Conductances of order one, so that wedge, squeeze and Poiseuille terms weigh alike in every row.
   static Scales scales() {
     Scales scales = circular_contact().scales;

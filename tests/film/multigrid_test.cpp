@@ -7,7 +7,7 @@ namespace gearfilm {
 namespace {
 
 class Multigrid : public testing::Test {
- protected:
+protected:
   Multigrid() {
     // A film with cavitated nodes need not be converged for this.
     const FilmSolution solution = film_away_from_pitch(65, 33);

@@ -10,13 +10,11 @@
 namespace gearfilm {
 namespace {
 
-const char* name_of(Precision precision) {
-  return precision == Precision::single_precision ? "single" : "double";
-}
+const char* name_of(Precision precision) { return precision == Precision::single_precision ? "single" : "double"; }
 
 /// A film linearised about the converged Table 3 film, and a linear solver for it.
 class LinearisedFilm {
- public:
+public:
   LinearisedFilm(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
                  double storage_shift)
       : grid(comm, contact.shape(nx, ny)), film(grid, contact.scales, options) {
@@ -94,7 +92,7 @@ int iterations_to(double tolerance, const std::vector<double>& history) {
 }
 
 class Preconditioner : public testing::TestWithParam<std::tuple<int, Precision>> {
- protected:
+protected:
   static const FilmSolution& solution() {
     static const FilmSolution solved = film_away_from_pitch(65, 33);
     return solved;

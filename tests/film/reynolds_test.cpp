@@ -19,12 +19,8 @@ Smooth wave(double constant, double amplitude, double k, double s, double m, dou
           -amplitude * m * sine * std::sin(m * y + t), -k * k * fluctuation, -m * m * fluctuation};
 }
 
-Smooth pressure_at(double x, double y) {
-  return wave(2.0, 0.7, 1.3, 0.2, 0.9, 0.3, x, y);
-}
-Smooth film_at(double x, double y) {
-  return wave(1.0, 0.3, 2.1, -0.4, 1.4, -0.2, x, y);
-}
+Smooth pressure_at(double x, double y) { return wave(2.0, 0.7, 1.3, 0.2, 0.9, 0.3, x, y); }
+Smooth film_at(double x, double y) { return wave(1.0, 0.3, 2.1, -0.4, 1.4, -0.2, x, y); }
 
 constexpr double lambda = 0.8;
 constexpr double entrainment = 1.1;
@@ -37,7 +33,7 @@ double exact_residual(double x, double y) {
 }
 
 class Reynolds : public testing::Test {
- protected:
+protected:
   // An incompressible oil whose viscosity does not depend on pressure.
   static Scales isoviscous_scales() {
     Scales scales = circular_contact().scales;

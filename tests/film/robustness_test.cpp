@@ -7,7 +7,7 @@ namespace gearfilm {
 namespace {
 
 class SlowRobustness : public testing::TestWithParam<std::tuple<double, double, double>> {
- protected:
+protected:
   static void SetUpTestSuite() {
     report("     M    L     D     nx x ny    H_central      H_min  Newton  Krylov  (finest grid)  seconds");
   }

@@ -69,9 +69,7 @@ void expect_row(const FilmCase& film_case, const nlohmann::json& row) {
   expect_sound(solved);
 }
 
-TEST(Stationary, reproduces_the_pitch_film_of_table3) {
-  expect_row(table3_pitch(), reference().at("steady_pitch")[0]);
-}
+TEST(Stationary, reproduces_the_pitch_film_of_table3) { expect_row(table3_pitch(), reference().at("steady_pitch")[0]); }
 
 TEST(Stationary, reproduces_the_circular_contact) {
   expect_row(circular_contact(), reference().at("steady_circular_M20_L10")[0]);
@@ -190,7 +188,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
 }
 
 class StationaryLoad : public testing::Test {
- protected:
+protected:
   const FilmCase pitch = table3_pitch();
   const double force = pitch.scales.static_force;
   SolvedFilm under_force{PETSC_COMM_WORLD, pitch, 65, 33};

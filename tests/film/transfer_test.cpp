@@ -8,7 +8,7 @@ namespace {
 
 template <class Real>
 class TransferOf : public testing::Test {
- protected:
+protected:
   // Round-off of a dozen operations on values of order ten.
   static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
 
@@ -144,7 +144,7 @@ TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpola
 }
 
 class CubicInterpolation : public testing::Test {
- protected:
+protected:
   /// Largest error at nodes at least `margin` coarse cells from the edges.
   template <class Function>
   double error_for(Function f, int margin) {

@@ -25,7 +25,7 @@ void expect_mentions(const std::string& message, const std::string& part) {
 const std::string where = "contact 1 at xi = -2.5 mm";
 
 class Validity : public testing::Test {
- protected:
+protected:
   /// The dry film of `force_ratio` times the static load, raised by `gap`, on a domain.
   std::string message_for(const Domain& domain, double force_ratio, double gap) {
     const FilmCase pitch = table3_pitch();

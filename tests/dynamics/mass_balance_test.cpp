@@ -1,0 +1,107 @@
+// Conservation of mass by an accepted time step, from the flow through the faces of its nodes.
+#include "accepted_steps.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Mass of one contact through the faces of its nodes, in whole arrays; rho H^3/(eta lambda) anew from pressure and
+/// film.
+class FaceFluxes {
+public:
+  FaceFluxes(const RecordedMarch& march, const ContactFilm& film)
+      : grid_(march.grid()), U_(film.conditions().entrainment), pressure_(whole_of(grid_, film.pressure())) {
+    const Scales& scales = march.problem().scales;
+    const std::vector<double> heights = whole_of(grid_, film.film());
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+      const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
+      stored_.push_back(rho * heights[n]);
+      conductance_.push_back(rho * std::pow(heights[n], 3) / scales.lambda *
+                             std::exp(-log_relative_viscosity(scales.oil, p).value));
+    }
+  }
+
+  const std::vector<double>& stored() const { return stored_; }
+  int index(int i, int row) const { return i * grid_.ny() + row; }
+
+  /// Through the face between nodes i and i+1: the wedge extrapolates rho H to the face from upwind; in the first row
+  /// it has its mean there.
+  double along_x(int i, int row) const {
+    const int n = index(i, row), east = index(i + 1, row);
+    const double carried =
+        i == 0 ? 0.5 * (stored_[n] + stored_[east]) : 1.5 * stored_[n] - 0.5 * stored_[index(i - 1, row)];
+    return grid_.h_y() * (U_ * carried - driven(n, east) / grid_.h_x());
+  }
+  /// Through the face between rows row and row+1.
+  double along_y(int i, int row) const { return -grid_.h_x() * driven(index(i, row), index(i, row + 1)) / grid_.h_y(); }
+
+private:
+  double driven(int n, int next) const {
+    return 0.5 * (conductance_[n] + conductance_[next]) * (pressure_[next] - pressure_[n]);
+  }
+
+  const Grid& grid_;
+  double U_;
+  std::vector<double> pressure_, stored_, conductance_;
+};
+
+/// What passes the border of the wet nodes.
+struct BorderFlow {
+  double in = 0.0;
+  double out = 0.0;
+
+  void add(double outward) { (outward > 0.0 ? out : in) += std::abs(outward); }
+};
+
+BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::vector<double>& wet) {
+  const auto is_wet = [&](int i, int row) { return wet[fluxes.index(i, row)] != 0.0; };
+  BorderFlow flow;
+  for (int i = 0; i + 1 < grid.nx(); ++i) {
+    for (int row = 0; row + 1 < grid.ny(); ++row) {
+      if (is_wet(i, row) != is_wet(i + 1, row)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_x(i, row));
+      if (is_wet(i, row) != is_wet(i, row + 1)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_y(i, row));
+    }
+  }
+  return flow;
+}
+
+// The discrete equations of all wet nodes telescope: what flows in through the border of the wet set flows out or is
+// stored. The cavitated nodes, where the film is not full, are outside.
+TEST(MassBalance, mass_is_conserved_over_a_step) {
+  const Case problem = table3_case(with(after_leaving(), {{"time.newton_tolerance", "1e-9"}}));
+  const AcceptedSteps steps(problem, 0.5);
+  ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
+  const Grid& grid = steps.march.grid();
+  PairAt system(steps.march, steps.last);
+  const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
+  // The wet nodes are those of the residual with its rate.
+  OwnedVec rate = system.vector(steps.last.stored, steps.last.motion), rows = system.pair->create_state();
+  petsc_check(VecScale(rate, 1.5 / steps.last.dT));
+  petsc_check(VecAXPY(rate, -2.0 / steps.last.dT, system.vector(steps.last_but_one.stored, steps.last_but_one.motion)));
+  petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.stored, steps.before_last.motion)));
+  system.pair->residual(state, rate, rows);
+  const ContactFilm& film = system.film(0);
+  const FaceFluxes fluxes(steps.march, film);
+  const std::vector<double> wet = whole_of(grid, film.state().wet),
+                            rates = [&] { return whole_of(grid, system.pair->pressure(rate, 0)); }();
+  double stored = 0.0;
+  int wet_nodes = 0;
+  for (std::size_t n = 0; n < wet.size(); ++n) {
+    if (wet[n] == 0.0) continue;
+    stored += grid.h_x() * grid.h_y() * rates[n];
+    ++wet_nodes;
+  }
+  const BorderFlow flow = border_flow(grid, fluxes, wet);
+  report("inflow %.6f, outflow %.6f, storage %.6f, balance %.2e", flow.in, flow.out, stored,
+         flow.in - flow.out - stored);
+  // Both must matter against what the balance may miss.
+  EXPECT_GT(flow.out, 1.0);
+  EXPECT_GT(std::abs(stored), 0.01);
+  EXPECT_LT(wet_nodes, (grid.nx() - 2) * (grid.ny() - 2));  // some nodes are cavitated
+  // A sum of n rows is at most sqrt(n) times their norm, which Newton's tolerance bounds.
+  const double bound =
+      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.pair->weight() * problem.steps.newton.tolerance;
+  EXPECT_NEAR(flow.in - flow.out, stored, bound + 1e-11 * flow.in);
+}
+
+}  // namespace
+}  // namespace gearfilm

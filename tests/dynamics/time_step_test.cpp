@@ -1,0 +1,92 @@
+// The time scheme between events: its order, and what it does when a step fails.
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// What one contact and the motion have come to.
+struct EndOfMarch {
+  double H0, V0, central_film;
+};
+
+EndOfMarch march_of(const std::string& dT, double T_end) {
+  RecordedMarch march(table3_case(with(after_leaving(), {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
+  march.start();
+  march.run(T_end);
+  return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures.central_film};
+}
+
+// Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell
+// (0.05): until then the central film is not in its asymptotic range. The half step of first order at the start does
+// not spoil the order.
+TEST(TimeSteps, converge_second_order) {
+  constexpr double T_end = 1.5;
+  const EndOfMarch coarse = march_of("0.025", T_end), middle = march_of("0.0125", T_end),
+                   fine = march_of("0.00625", T_end);
+  const auto expect_order = [&](const char* name, double EndOfMarch::*value) {
+    SCOPED_TRACE(name);
+    const double order = std::log2((coarse.*value - middle.*value) / (middle.*value - fine.*value));
+    report("order of %s: %.2f", name, order);
+    expect_rate("time_steps", order);
+  };
+  expect_order("H0", &EndOfMarch::H0);
+  expect_order("V0", &EndOfMarch::V0);
+  expect_order("central film", &EndOfMarch::central_film);
+}
+
+/// Few Newton iterations, so that many a step of 0.05 fails.
+RecordedMarch march_with(int max_iterations, int max_rejections) {
+  Case problem = table3_case(after_leaving());
+  problem.steps.newton.max_iterations = max_iterations;
+  problem.steps.max_rejections = max_rejections;
+  return RecordedMarch(problem);
+}
+
+TEST(TimeSteps, a_failed_step_is_repeated_shorter_and_the_nominal_step_comes_back) {
+  constexpr double T_end = 1.0, nominal = 0.05;
+  constexpr int max_iterations = 5;
+  RecordedMarch march = march_with(max_iterations, StepOptions{}.max_rejections);
+  march.start();
+  march.run(T_end);
+  int shorter = 0, back = 0;
+  double T = 0.0, before = 0.0;
+  for (const StepRecord& record : march.records()) {
+    T += record.dT;
+    EXPECT_NEAR(record.T, T, 1e-12);
+    const bool last = record.T > T_end - nominal;  // a step shortened to land on the end
+    if (record.dT == 0.0 || last) continue;
+    const double halvings = std::log2(nominal / record.dT);
+    EXPECT_NEAR(halvings, std::round(halvings), 1e-9) << "dT = " << record.dT;
+    EXPECT_GE(halvings, -1e-9) << "dT = " << record.dT;
+    if (halvings > 0.5) {
+      ++shorter;
+      // The iterations of the failed attempts are counted.
+      EXPECT_GT(record.newton, max_iterations) << "at T = " << record.T;
+    } else if (before > 0.0 && before < 0.9 * nominal) {
+      ++back;
+    }
+    before = record.dT;
+  }
+  EXPECT_NEAR(T, T_end, 1e-12);
+  EXPECT_GE(shorter, 1);
+  EXPECT_GE(back, 1);
+  RecordedMarch unlimited = march_with(StepOptions{}.newton.max_iterations, StepOptions{}.max_rejections);
+  unlimited.start();
+  unlimited.run(T_end);
+  EXPECT_LT(unlimited.records().size(), march.records().size());
+  // The error of steps of 0.05 is 2.4e-4 here.
+  EXPECT_NEAR(march.motion().H0, unlimited.motion().H0, 5e-4);
+}
+
+TEST(TimeSteps, a_step_that_fails_for_good_is_an_error_that_names_the_contact) {
+  RecordedMarch march = march_with(1, 2);
+  march.start();
+  const std::string message = solve_error_of([&] { march.run(1.0); });
+  for (const char* word : {"T = 0", "contact 0", "xi = -3.1", "0.05/2^2", "time_dt"}) {
+    EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
+  }
+  EXPECT_EQ(march.records().size(), 1U);  // the start: no state that has not converged is shown
+}
+
+}  // namespace
+}  // namespace gearfilm
