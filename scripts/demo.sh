@@ -23,7 +23,7 @@ run() {
   mpiexec -n "$processes" "$gearfilm" "$command" "$case_file" -output_dir "$folder/$command" "$@"
 }
 
-scripts/setup.sh
+scripts/setup.sh release gearfilm
 
 # The force on one contact passes 1.33 of the static one, where the ellipse leaves the paper's |y| <= 1.1 b.
 wide=(-grid_nx 145 -grid_ny 81 -grid_x_min -2.25 -grid_x_max 1.5 -grid_y_half 1.4)

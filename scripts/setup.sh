@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what gearfilm needs from Debian's packages where it is missing, configures, and builds.
-#   scripts/setup.sh [release|debug]      the build preset; release by default
+#   scripts/setup.sh [release|debug [TARGET]]     the build preset, release by default; all targets by default
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
+target=${2:-all}
 
 packages=(g++ cmake ninja-build pkg-config openmpi-bin libopenmpi-dev petsc-dev slepc-dev libhdf5-openmpi-dev
           libfftw3-dev libyaml-cpp-dev nlohmann-json3-dev libgtest-dev python3 python3-numpy python3-h5py
@@ -22,4 +23,4 @@ if ((${#missing[@]})); then
 fi
 
 cmake --preset "$preset" >/dev/null
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" --target "$target"

@@ -289,7 +289,7 @@ TEST(Parameters, echo_reads_back_as_the_same_case) {
   EXPECT_EQ(repeated.name, original.name);
   EXPECT_EQ(repeated.operation.load, original.operation.load);
   EXPECT_EQ(repeated.scales.lambda, original.scales.lambda);
-  EXPECT_EQ(repeated.solver.newton_tolerance, original.solver.newton_tolerance);
+  EXPECT_EQ(repeated.solver.newton.tolerance, original.solver.newton.tolerance);
   EXPECT_EQ(repeated.parameters.echo().size(), original.parameters.echo().size());
 }
 
