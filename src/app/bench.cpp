@@ -1,4 +1,5 @@
-// Speed of the kernels, of stationary solves and of a mesh period, in seconds, per node, and in convolution times (yardstick.hpp).
+// Speed of the kernels, of stationary solves and of a mesh period, in seconds, per node, and in convolution times
+// (yardstick.hpp).
 #include <cmath>
 
 #include "gearfilm/app/case_setup.hpp"
@@ -50,16 +51,19 @@ private:
   void report(const std::string& name, double seconds) {
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
     const double per_node = 1e9 * seconds / (static_cast<double>(grid_.nx()) * grid_.ny());
-    petsc_check(PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node,
-                            seconds / unit_));
-    table_.push_back({{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node},
-                      {"convolutions", seconds / unit_}});
+    petsc_check(
+        PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node, seconds / unit_));
+    table_.push_back(
+        {{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node}, {"convolutions", seconds / unit_}});
   }
 
   void solve() {
-    report("stationary film",
-           median_time([&] { result_ = solve_stationary(film_, LoadCondition::force(problem_.scales.static_force), problem_.solver); }, 0.0, 0,
-                       solve_runs));
+    report("stationary film", median_time(
+                                  [&] {
+                                    result_ = solve_stationary(
+                                        film_, LoadCondition::force(problem_.scales.static_force), problem_.solver);
+                                  },
+                                  0.0, 0, solve_runs));
   }
 
   template <class Real>

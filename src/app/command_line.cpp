@@ -28,13 +28,13 @@ constexpr std::array<Command, 5> commands = {{
 constexpr const char* parameters_command = "parameters";
 
 std::string usage() {
-  std::string text =
-      "gearfilm " + std::string(version) +
-      "\nLubricant films and vibration of spur-gear pairs.\n\n"
-      "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
-      "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
+  std::string text = "gearfilm " + std::string(version) +
+                     "\nLubricant films and vibration of spur-gear pairs.\n\n"
+                     "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
+                     "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
   for (const Command& command : commands) {
-    text += "  " + std::string(command.name) + std::string(12 - std::string(command.name).size(), ' ') + command.meaning + "\n";
+    text += "  " + std::string(command.name) + std::string(12 - std::string(command.name).size(), ' ') +
+            command.meaning + "\n";
   }
   return text + "  parameters  the table of all parameters in Markdown (needs no case)\n\n";
 }
@@ -97,8 +97,9 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     }
     return;
   }
-  throw InputError((command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
-                   "; use one of " + known + ", " + parameters_command + ", or -help");
+  throw InputError(
+      (command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
+      "; use one of " + known + ", " + parameters_command + ", or -help");
 }
 
 }  // namespace gearfilm

@@ -97,13 +97,14 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
   petsc_check(PetscPrintf(comm,
                           "%s, %d x %d nodes: film %.4f um central, %.4f um smallest; pressure %.4f GPa largest; "
                           "force %.6g N\n",
-                          position.label.c_str(), problem.nx, problem.ny, um(summary["h_central"]), um(summary["h_min"]),
-                          1e-9 * summary["p_max"].get<double>(), summary["force"].get<double>()));
-  petsc_check(PetscPrintf(comm,
-                          "formulas: Hamrock-Dowson %.4f um central, %.4f um smallest; Nijenbanning-Venner-Moes %.4f um "
-                          "central\n",
-                          um(predicted["hamrock_dowson_h_central"]), um(predicted["hamrock_dowson_h_min"]),
-                          um(predicted["nijenbanning_venner_moes_h_central"])));
+                          position.label.c_str(), problem.nx, problem.ny, um(summary["h_central"]),
+                          um(summary["h_min"]), 1e-9 * summary["p_max"].get<double>(), summary["force"].get<double>()));
+  petsc_check(
+      PetscPrintf(comm,
+                  "formulas: Hamrock-Dowson %.4f um central, %.4f um smallest; Nijenbanning-Venner-Moes %.4f um "
+                  "central\n",
+                  um(predicted["hamrock_dowson_h_central"]), um(predicted["hamrock_dowson_h_min"]),
+                  um(predicted["nijenbanning_venner_moes_h_central"])));
   petsc_check(PetscPrintf(comm, "%d Newton and %d Krylov iterations on this grid, residual %.2e\n",
                           summary["newton_iterations"].get<int>(), summary["krylov_iterations"].get<int>(),
                           summary["residual"].get<double>()));

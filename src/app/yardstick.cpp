@@ -3,7 +3,6 @@
 #include "gearfilm/app/stopwatch.hpp"
 #include "gearfilm/ehl/fftw.hpp"
 
-
 namespace gearfilm {
 
 double convolution_time(int nx, int ny) {
@@ -22,13 +21,15 @@ double convolution_time(int nx, int ny) {
   return median_time([&] {
     std::fill_n(padded.data(), static_cast<std::size_t>(length[0]) * length[1], 0.0);
     for (int i = 0; i < nx; ++i) {
-      std::copy_n(&field[static_cast<std::size_t>(i) * ny], ny, padded.data() + static_cast<std::size_t>(i) * length[1]);
+      std::copy_n(&field[static_cast<std::size_t>(i) * ny], ny,
+                  padded.data() + static_cast<std::size_t>(i) * length[1]);
     }
     forward.execute();
     for (std::size_t n = 0; n < waves; ++n) spectrum.data()[n] *= kernel[n];
     backward.execute();
     for (int i = 0; i < nx; ++i) {
-      std::copy_n(padded.data() + static_cast<std::size_t>(i) * length[1], ny, &field[static_cast<std::size_t>(i) * ny]);
+      std::copy_n(padded.data() + static_cast<std::size_t>(i) * length[1], ny,
+                  &field[static_cast<std::size_t>(i) * ny]);
     }
   });
 }

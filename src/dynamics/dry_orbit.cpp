@@ -9,10 +9,10 @@
 namespace gearfilm {
 namespace {
 
-constexpr double difference = 1e-5;        // of the motion, for derivatives of the map
+constexpr double difference = 1e-5;  // of the motion, for derivatives of the map
 constexpr double shooting_tolerance = 1e-9;
 constexpr double damping_ratios[] = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.0};
-constexpr int settling_periods = 12;       // of the most damped pair
+constexpr int settling_periods = 12;  // of the most damped pair
 
 /// The map of the motion over one mesh period.
 class DryMap {
@@ -25,14 +25,16 @@ public:
 
   void set_damping_ratio(double zeta) { damping_ = 2.0 * zeta * natural_rate_; }
 
-  Motion march(const std::optional<Motion>& start, double periods, double record_step, const StepObserver& observer) const {
+  Motion march(const std::optional<Motion>& start, double periods, double record_step,
+               const StepObserver& observer) const {
     DryMarch dry(scales_, path_, inertia_, record_step, observer, damping_);
     dry.start(start);
     dry.run(periods * path_.mesh_period());
     return dry.motion();
   }
   Motion operator()(const Motion& start) const {
-    return march(start, 1.0, std::numeric_limits<double>::max(), [](const StepRecord&, const std::vector<LiveContact>&) {});
+    return march(start, 1.0, std::numeric_limits<double>::max(),
+                 [](const StepRecord&, const std::vector<LiveContact>&) {});
   }
   Monodromy derivative(const Motion& at) const {
     const Motion h_plus = (*this)({at.H0 + difference, at.V0}), h_minus = (*this)({at.H0 - difference, at.V0});
@@ -120,11 +122,12 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     }
   }
   orbit.monodromy = map.derivative(orbit.start);
-  map.march(orbit.start, 1.0, 0.01 * path.mesh_period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    for (const ContactRecord& contact : record.contacts) {
-      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
-    }
-  });
+  map.march(orbit.start, 1.0, 0.01 * path.mesh_period(),
+            [&](const StepRecord& record, const std::vector<LiveContact>&) {
+              for (const ContactRecord& contact : record.contacts) {
+                orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
+              }
+            });
   return orbit;
 }
 

@@ -43,7 +43,8 @@ void DryMarch::observe(double dT, double wall_seconds) const {
     FilmFigures figures;
     figures.pressure_integral = dry_force(scales_, conditions, motion_.H0);
     if (figures.pressure_integral > 0.0) {
-      figures.largest_pressure = dry_contact(scales_, conditions, figures.pressure_integral).pressure / scales_.pressure;
+      figures.largest_pressure =
+          dry_contact(scales_, conditions, figures.pressure_integral).pressure / scales_.pressure;
       figures.central_pressure = figures.largest_pressure;
     }
     record.contacts.push_back({contact, path_.position(contact, T_), figures});

@@ -43,9 +43,8 @@ MeshMarch::Tooth MeshMarch::enter(int contact, const std::vector<double>* neighb
   film->set_conditions(path_.conditions(contact, T_));
   const LoadCondition load = LoadCondition::displacement(motion_.H0);
   try {
-    StationaryResult entered = neighbour
-                                   ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
-                                   : solve_stationary(*film, load, film_options_);
+    StationaryResult entered = neighbour ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
+                                         : solve_stationary(*film, load, film_options_);
     check_validity(*film, entered.figures, label(contact));
     return {contact, film, std::move(entered.solution.pressure)};
   } catch (const SolveError& error) {
@@ -71,7 +70,8 @@ void MeshMarch::balance_at_rest() {
     teeth_.clear();
     double sum = -scales_.static_force;
     for (int contact : contacts) {
-      const auto known = std::find_if(before.begin(), before.end(), [&](const Tooth& t) { return t.contact == contact; });
+      const auto known =
+          std::find_if(before.begin(), before.end(), [&](const Tooth& t) { return t.contact == contact; });
       teeth_.push_back(enter(contact, known != before.end() ? &known->pressure : &before.front().pressure));
       sum += teeth_.back().film->figures().pressure_integral;
     }

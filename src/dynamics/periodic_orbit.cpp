@@ -9,8 +9,9 @@
 namespace gearfilm {
 namespace {
 
-constexpr double multiplier_difference = 2e-3;  // of the motion: well above the noise of a march, within its linear range
-constexpr double largest_change = 0.5;          // of H_0 or V_0 in one Newton step
+constexpr double multiplier_difference =
+    2e-3;                               // of the motion: well above the noise of a march, within its linear range
+constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
 
 double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
 Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }

@@ -10,7 +10,11 @@ namespace gearfilm {
 
 SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
                                std::function<void(const StepRecord&)> on_step)
-    : pair_(pair), options_(options), on_step_(std::move(on_step)), rows_(pair.create_state()), jacobian_(shell_jacobian(pair)) {
+    : pair_(pair),
+      options_(options),
+      on_step_(std::move(on_step)),
+      rows_(pair.create_state()),
+      jacobian_(shell_jacobian(pair)) {
   create_time_scheme();
   configure_solvers();
 }
@@ -55,9 +59,8 @@ void SegmentStepper::create_time_scheme() {
         });
       },
       this));
-  petsc_check(TSSetPreStage(ts_, [](TS ts, PetscReal T) -> PetscErrorCode {
-    return petsc_callback([&] { of(ts).state_time_ = T; });
-  }));
+  petsc_check(TSSetPreStage(
+      ts_, [](TS ts, PetscReal T) -> PetscErrorCode { return petsc_callback([&] { of(ts).state_time_ = T; }); }));
   petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal, PetscInt, Vec*) -> PetscErrorCode {
     return petsc_callback([&] {
       SNES snes = nullptr;
@@ -67,9 +70,8 @@ void SegmentStepper::create_time_scheme() {
       if (reason < 0) petsc_check(TSGetTime(ts, &of(ts).state_time_));
     });
   }));
-  petsc_check(TSSetPostStep(ts_, [](TS ts) -> PetscErrorCode {
-    return petsc_callback([&] { of(ts).finish_step(); });
-  }));
+  petsc_check(
+      TSSetPostStep(ts_, [](TS ts) -> PetscErrorCode { return petsc_callback([&] { of(ts).finish_step(); }); }));
   TSAdapt adapt = nullptr;
   petsc_check(TSGetAdapt(ts_, &adapt));
   petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));

@@ -63,9 +63,8 @@ void Deformation<Real>::plan_transforms() {
   if (wave_count() > 0) {
     auto* lines = reinterpret_cast<Raw>(y_lines_.data());
     for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
-      (sign == FFTW_FORWARD ? y_forward_ : y_backward_) =
-          fftw::Plan<Real>(Fftw::many_c2c(1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1,
-                                          length_y_, sign, FFTW_MEASURE));
+      (sign == FFTW_FORWARD ? y_forward_ : y_backward_) = fftw::Plan<Real>(Fftw::many_c2c(
+          1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1, length_y_, sign, FFTW_MEASURE));
     }
   }
 }
@@ -140,14 +139,15 @@ template <class Real>
 void Deformation<Real>::to_x_lines() const {
   if (alone()) return;
   for_each_block_line([](const Complex* line, Complex* block, int rows) { std::copy_n(line, rows, block); });
-  MPI_Alltoallv(exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(),
-                x_spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), comm_);
+  MPI_Alltoallv(exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), x_spectrum_.data(),
+                x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), comm_);
 }
 
 template <class Real>
 void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformation) const {
   const ScopedEvent event(Kernel::deformation);
-  for (int i = 0; i < nx_; ++i) std::copy_n(pressure.row(i), rows_, padded_.data() + static_cast<std::size_t>(i) * rows_);
+  for (int i = 0; i < nx_; ++i)
+    std::copy_n(pressure.row(i), rows_, padded_.data() + static_cast<std::size_t>(i) * rows_);
   x_forward_.execute();
   to_y_lines();
   y_forward_.execute();
@@ -156,7 +156,8 @@ void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformat
   y_backward_.execute();
   to_x_lines();
   x_backward_.execute();
-  for (int i = 0; i < nx_; ++i) std::copy_n(result_.data() + static_cast<std::size_t>(i) * rows_, rows_, deformation.row(i));
+  for (int i = 0; i < nx_; ++i)
+    std::copy_n(result_.data() + static_cast<std::size_t>(i) * rows_, rows_, deformation.row(i));
 }
 
 template class Deformation<float>;

@@ -6,8 +6,8 @@ namespace gearfilm {
 namespace {
 
 constexpr std::size_t kernel_count = static_cast<std::size_t>(Kernel::count);
-constexpr std::array<const char*, kernel_count> kernel_names = {"FilmDeform", "FilmProps",   "FilmResid",  "FilmLinear",
-                                                                "FilmJacMult", "SmoothFactor", "SmoothSweep", "MGTransfer"};
+constexpr std::array<const char*, kernel_count> kernel_names = {
+    "FilmDeform", "FilmProps", "FilmResid", "FilmLinear", "FilmJacMult", "SmoothFactor", "SmoothSweep", "MGTransfer"};
 std::array<PetscLogEvent, kernel_count> events{};
 bool registered = false;
 
@@ -28,9 +28,7 @@ void register_events() {
   }
 }
 
-ScopedEvent::ScopedEvent(Kernel kernel) : kernel_(kernel) {
-  (void)PetscLogEventBegin(event_of(kernel_), 0, 0, 0, 0);
-}
+ScopedEvent::ScopedEvent(Kernel kernel) : kernel_(kernel) { (void)PetscLogEventBegin(event_of(kernel_), 0, 0, 0, 0); }
 ScopedEvent::~ScopedEvent() { (void)PetscLogEventEnd(event_of(kernel_), 0, 0, 0, 0); }
 
 ScopedStage::ScopedStage(const char* name) {

@@ -6,9 +6,9 @@
 namespace gearfilm {
 namespace {
 
-constexpr double largest_fall = 0.5;   // of a pressure, relative
-constexpr double largest_rise = 0.2;   // absolute
-constexpr double free_below = 0.01;    // pressures that may vanish at once
+constexpr double largest_fall = 0.5;  // of a pressure, relative
+constexpr double largest_rise = 0.2;  // absolute
+constexpr double free_below = 0.01;   // pressures that may vanish at once
 constexpr double shortest_step = 1e-3;
 
 /// Limits each pressure's part of the change (the new state is state - change).
@@ -31,7 +31,7 @@ void search(SNESLineSearch line_search) {
   PetscBool changed = PETSC_FALSE;
   petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
   petsc_check(VecNorm(residual, NORM_2, &norm));
-  for (double length = 1.0;; ) {
+  for (double length = 1.0;;) {
     petsc_check(VecWAXPY(trial, -length, change, state));
     petsc_check(SNESComputeFunction(snes, trial, trial_residual));
     petsc_check(VecNorm(trial_residual, NORM_2, &trial_norm));
@@ -54,8 +54,7 @@ void search(SNESLineSearch line_search) {
 OwnedMat shell_jacobian(LinearisedSystem& system) {
   OwnedMat jacobian;
   const PetscInt size = system.local_size();
-  petsc_check(
-      MatCreateShell(system.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &system, jacobian.put()));
+  petsc_check(MatCreateShell(system.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &system, jacobian.put()));
   const auto multiply = +[](Mat matrix, Vec in, Vec out) -> PetscErrorCode {
     return petsc_callback([&] {
       LinearisedSystem* own = nullptr;
@@ -76,10 +75,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
   petsc_check(SNESLineSearchShellSetUserFunc(
-      line_search,
-      [](SNESLineSearch own, void*) -> PetscErrorCode {
-        return petsc_callback([&] { search(own); });
-      },
+      line_search, [](SNESLineSearch own, void*) -> PetscErrorCode { return petsc_callback([&] { search(own); }); },
       nullptr));
   if (options.limit_changes) {
     petsc_check(SNESLineSearchSetPreCheck(
@@ -95,8 +91,8 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   petsc_check(KSPSetType(ksp, KSPFGMRES));
-  petsc_check(KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
-                               options.krylov_max_iterations));
+  petsc_check(
+      KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, options.krylov_max_iterations));
   petsc_check(KSPGMRESSetRestart(ksp, std::min(options.krylov_max_iterations, 60)));
   PC pc = nullptr;
   petsc_check(KSPGetPC(ksp, &pc));

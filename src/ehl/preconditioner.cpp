@@ -71,9 +71,7 @@ public:
     petsc_check(VecResetArray(solution_));
   }
 
-  int levels() const override {
-    return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0);
-  }
+  int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
 
 private:
   using Level = MultigridLevel<Real>;
@@ -94,11 +92,11 @@ private:
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
   MultigridOptions options_;
-  std::vector<std::unique_ptr<Level>> levels_;          ///< finest first
-  std::vector<std::unique_ptr<Shell>> shells_;          ///< one a level
+  std::vector<std::unique_ptr<Level>> levels_;  ///< finest first
+  std::vector<std::unique_ptr<Shell>> shells_;  ///< one a level
   std::vector<OwnedMat> matrices_;
   OwnedPC cycle_;
-  OwnedVec right_side_, solution_;                      ///< wrap the caller's arrays
+  OwnedVec right_side_, solution_;  ///< wrap the caller's arrays
   // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
   std::optional<Grid> whole_grid_;
   std::optional<Gather> gather_;
@@ -132,7 +130,8 @@ template <class Real>
 OwnedMat FilmMultigrid<Real>::level_operator(Shell& shell) const {
   OwnedMat matrix;
   const PetscInt size = shell.level->grid().local_size();
-  petsc_check(MatCreateShell(shell.level->grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
+  petsc_check(
+      MatCreateShell(shell.level->grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
   const auto multiply = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
     return petsc_callback([&] {
       Shell* own = nullptr;
@@ -202,8 +201,9 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
     });
   }));
   petsc_check(PCShellSetApplyRichardson(
-      pc, [](PC shell_pc, Vec in, Vec out, Vec, PetscReal, PetscReal, PetscReal, PetscInt its, PetscBool zero_guess,
-             PetscInt* done, PCRichardsonConvergedReason* reason) -> PetscErrorCode {
+      pc,
+      [](PC shell_pc, Vec in, Vec out, Vec, PetscReal, PetscReal, PetscReal, PetscInt its, PetscBool zero_guess,
+         PetscInt* done, PCRichardsonConvergedReason* reason) -> PetscErrorCode {
         return petsc_callback([&] {
           Shell* own = nullptr;
           petsc_check(PCShellGetContext(shell_pc, &own));
@@ -258,7 +258,8 @@ void FilmMultigrid<Real>::build_cycle() {
       if (whole_) {
         configure_gathered(coarse, matrix);
       } else {
-        configure_smoother(coarse, matrix, *shells_[l], count == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
+        configure_smoother(coarse, matrix, *shells_[l],
+                           count == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
       KSP down = nullptr, up = nullptr;

@@ -17,7 +17,8 @@ constexpr double pseudo_step_growth = 2.0;
 constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid with at least so many lines
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
-bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
+bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load,
+                               FilmSolution& solution) {
   std::vector<double> storage(film.grid().local_size());
   double step = first_pseudo_step;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {

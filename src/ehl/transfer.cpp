@@ -79,7 +79,8 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
         return 0.25 * (field.row(below)[J] + field.row(below)[J_next] + field.row(above)[J] + field.row(above)[J_next]);
       };
       const double along_x = below == above ? 0.0 : 0.125, along_y = J == J_next ? 0.0 : 0.125;
-      fine.row(i)[j] = mean(values) - along_x * mean(bend_x) - along_y * mean(bend_y) + along_x * along_y * mean(bend_xy);
+      fine.row(i)[j] =
+          mean(values) - along_x * mean(bend_x) - along_y * mean(bend_y) + along_x * along_y * mean(bend_xy);
     }
   }
 }

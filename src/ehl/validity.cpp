@@ -7,8 +7,8 @@
 
 namespace gearfilm {
 
-void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions,
-                  double pressure_integral, const std::string& where) {
+void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions, double pressure_integral,
+                  const std::string& where) {
   if (pressure_integral <= 0.0) return;
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
   const auto require = [&](double half_axis, double edge, const std::string& side, const std::string& option) {

@@ -163,9 +163,7 @@ double LineOfAction::sliding_velocity(double xi, double pinion_speed) const {
   return pinion_speed * (1.0 + speed_ratio_) * xi;
 }
 
-double LineOfAction::travel_velocity(double pinion_speed) const {
-  return pinion_speed * base_radius_pinion_;
-}
+double LineOfAction::travel_velocity(double pinion_speed) const { return pinion_speed * base_radius_pinion_; }
 
 std::vector<double> LineOfAction::contact_positions(double xi) const {
   assert(std::isfinite(xi));

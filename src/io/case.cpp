@@ -23,9 +23,7 @@ auto in_file_of(const ParameterValues& values, Make make) {
   }
 }
 
-std::string quoted(const std::string& name) {
-  return "'" + name + "'";
-}
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
   return {.teeth = values.integer(gear + ".teeth"),
@@ -187,7 +185,8 @@ double read_start_position(const Case& result) {
 }
 
 std::optional<Motion> read_start_motion(const ParameterValues& values) {
-  if (values.has("start.H0")) return Motion{values.real("start.H0"), values.has("start.V0") ? values.real("start.V0") : 0.0};
+  if (values.has("start.H0"))
+    return Motion{values.real("start.H0"), values.has("start.V0") ? values.real("start.V0") : 0.0};
   if (!values.has("start.V0")) return {};
   throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
 }
@@ -236,8 +235,6 @@ Case make_case(const ParameterValues& values) {
   return result;
 }
 
-Case read_case(MPI_Comm comm, const std::string& file) {
-  return make_case(read_parameters(comm, file));
-}
+Case read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
 
 }  // namespace gearfilm

@@ -24,7 +24,7 @@ bool is_section(const std::string& name) {
 
 // Collects the leaves of nested maps under their full names.
 class EntryCollector : public YAML::EventHandler {
- public:
+public:
   explicit EntryCollector(std::string file) : file_(std::move(file)) {}
 
   std::vector<CaseFileEntry> take_entries() { return std::move(entries_); }
@@ -70,7 +70,7 @@ class EntryCollector : public YAML::EventHandler {
     fail(mark, "YAML aliases ('*name') are not read; write the value out");
   }
 
- private:
+private:
   bool expects_key() const { return key_.empty(); }
   std::string place(const YAML::Mark& mark) const { return file_ + ":" + std::to_string(mark.line + 1); }
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {

@@ -4,10 +4,18 @@ namespace gearfilm {
 namespace {
 
 std::vector<TableColumn> step_columns() {
-  return {{"step", "-", true},      {"T", "-"},          {"t", "s"},
-          {"dT", "-"},              {"distance", "m"},   {"H0", "-"},
-          {"V0", "-"},              {"h0", "m"},         {"force_total", "N"},
-          {"contacts", "-", true},  {"newton", "-", true}, {"krylov", "-", true},
+  return {{"step", "-", true},
+          {"T", "-"},
+          {"t", "s"},
+          {"dT", "-"},
+          {"distance", "m"},
+          {"H0", "-"},
+          {"V0", "-"},
+          {"h0", "m"},
+          {"force_total", "N"},
+          {"contacts", "-", true},
+          {"newton", "-", true},
+          {"krylov", "-", true},
           {"wall_time", "s"}};
 }
 
@@ -33,9 +41,9 @@ void History::append(const StepRecord& record) {
   std::vector<double> rows;
   for (const ContactRecord& contact : record.contacts) {
     const FilmFigures& figures = contact.figures;
-    rows.insert(rows.end(), {static_cast<double>(step_), static_cast<double>(contact.contact), record.T,
-                             contact.position, scales_.force(figures.pressure_integral),
-                             scales_.pressure * figures.largest_pressure});
+    rows.insert(rows.end(),
+                {static_cast<double>(step_), static_cast<double>(contact.contact), record.T, contact.position,
+                 scales_.force(figures.pressure_integral), scales_.pressure * figures.largest_pressure});
     if (lubricated_) {
       rows.insert(rows.end(), {scales_.pressure * figures.central_pressure, scales_.film * figures.central_film,
                                scales_.film * figures.smallest_film});

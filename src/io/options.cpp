@@ -20,8 +20,8 @@ constexpr auto object_prefixes = std::to_array<std::string_view>(
      "mat_",  "matmatmult_", "mfn_", "mg_",  "nep_",  "npc_", "pc_",  "pep_",        "redundant_", "rg_", "sf_",
      "snes_", "st_",         "sub_", "svd_", "tao_",  "ts_",  "vec_", "vecscatter_", "viewer_"});
 // The same for this program's own solvers, by their prefixes.
-constexpr auto solver_prefixes = std::to_array<std::string_view>(
-    {"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_"});
+constexpr auto solver_prefixes =
+    std::to_array<std::string_view>({"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_"});
 // What PETSc reads at its start or when it ends, whatever the program does.
 constexpr auto general_prefixes = std::to_array<std::string_view>(
     {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",
@@ -43,8 +43,8 @@ bool begins_with_any(std::string_view option, const Prefixes& prefixes) {
 
 bool is_parameter_option(std::string_view option) {
   const std::string name = lower_case(option);
-  return std::ranges::any_of(parameter_table(), [&](const Parameter& parameter) { return lower_case(parameter.option()) == name;
-  });
+  return std::ranges::any_of(parameter_table(),
+                             [&](const Parameter& parameter) { return lower_case(parameter.option()) == name; });
 }
 
 struct Option {
@@ -80,7 +80,7 @@ bool find_option(const std::string& option, std::string& value) {
 // Keeps options of a case file in the database for the time of a scope: a second case of the same process must not
 // take them for the command line.
 class FileOptions {
- public:
+public:
   FileOptions() = default;
   ~FileOptions() {
     for (const std::string& option : options_) (void)PetscOptionsClearValue(nullptr, option.c_str());
@@ -93,7 +93,7 @@ class FileOptions {
     options_.push_back(option);
   }
 
- private:
+private:
   std::vector<std::string> options_;
 };
 

@@ -82,9 +82,7 @@ std::string describe_type(const Parameter& parameter) {
   return parameter.type == ParameterType::integer ? "a whole number" : "a number";
 }
 
-bool has_unit(const Parameter& parameter) {
-  return !parameter.unit.empty() && parameter.unit != "-";
-}
+bool has_unit(const Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "-"; }
 
 std::string with_unit(const std::string& text, const Parameter& parameter) {
   return has_unit(parameter) ? text + " " + parameter.unit : text;

@@ -39,9 +39,7 @@ void for_each_in_sections(Begin begin, Each each) {
   }
 }
 
-std::string markdown_code(const std::string& text) {
-  return text.empty() ? text : "`" + text + "`";
-}
+std::string markdown_code(const std::string& text) { return text.empty() ? text : "`" + text + "`"; }
 
 }  // namespace
 

@@ -16,30 +16,16 @@ namespace {
 using Records = std::vector<Parameter>;
 using Words = std::vector<std::string>;
 
-Range at_least(double lower) {
-  return {.lower = lower};
-}
-Range above(double lower) {
-  return {.lower = lower, .lower_open = true};
-}
-Range below(double upper) {
-  return {.upper = upper, .upper_open = true};
-}
-Range closed(double lower, double upper) {
-  return {.lower = lower, .upper = upper};
-}
-Range left_open(double lower, double upper) {
-  return {.lower = lower, .upper = upper, .lower_open = true};
-}
-Range right_open(double lower, double upper) {
-  return {.lower = lower, .upper = upper, .upper_open = true};
-}
+Range at_least(double lower) { return {.lower = lower}; }
+Range above(double lower) { return {.lower = lower, .lower_open = true}; }
+Range below(double upper) { return {.upper = upper, .upper_open = true}; }
+Range closed(double lower, double upper) { return {.lower = lower, .upper = upper}; }
+Range left_open(double lower, double upper) { return {.lower = lower, .upper = upper, .lower_open = true}; }
+Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
 Range open(double lower, double upper) {
   return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
 }
-Range odd(double lower, double upper) {
-  return {.lower = lower, .upper = upper, .odd = true};
-}
+Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
 
 // One record; section() puts the section before the name.
 Parameter number(std::string name, std::string symbol, std::string unit, const Range& range, std::string meaning) {
@@ -119,9 +105,7 @@ Records pinion_records() {
   return section("pinion", Scope::gear_pair, std::move(records));
 }
 
-Records wheel_records() {
-  return section("wheel", Scope::gear_pair, one_gear_records("2"));
-}
+Records wheel_records() { return section("wheel", Scope::gear_pair, one_gear_records("2")); }
 
 Records gear_records() {
   return section(
@@ -207,31 +191,30 @@ Records start_records() {
 
 Records time_records() {
   const StepOptions standard;
-  return section(
-      "time", Scope::gear_pair,
-      {optional("the grid's h_x", number("dt", "dT", "-", left_open(0, 1), "time step in units of a/u_m")),
-       preset(standard.newton.tolerance,
-              number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of a step's scaled residual")),
-       preset(standard.newton.max_iterations,
-              whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
-       preset(standard.newton.krylov_tolerance,
-              number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve in a time step")),
-       preset(standard.newton.krylov_max_iterations,
-              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
-       preset(0, whole("levels", "", closed(0, 20),
-                       "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
+  return section("time", Scope::gear_pair,
+                 {optional("the grid's h_x", number("dt", "dT", "-", left_open(0, 1), "time step in units of a/u_m")),
+                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", open(0, 1),
+                                                           "on the root mean square of a step's scaled residual")),
+                  preset(standard.newton.max_iterations,
+                         whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
+                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", open(0, 1),
+                                                                  "relative, of each linear solve in a time step")),
+                  preset(standard.newton.krylov_max_iterations,
+                         whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+                  preset(0, whole("levels", "", closed(0, 20),
+                                  "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
 Records periodic_records() {
   const PeriodicOptions standard;
-  return section(
-      "periodic", Scope::gear_pair,
-      {preset(standard.tolerance,
-              number("tolerance", "", "-", open(0, 1), "on the change of H0 and V0 over one mesh period")),
-       preset(standard.film_tolerance,
-              number("film_tolerance", "", "-", open(0, 1), "on the largest change of any pressure, in units of p_h")),
-       preset(standard.max_periods, whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
-       choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
+  return section("periodic", Scope::gear_pair,
+                 {preset(standard.tolerance,
+                         number("tolerance", "", "-", open(0, 1), "on the change of H0 and V0 over one mesh period")),
+                  preset(standard.film_tolerance, number("film_tolerance", "", "-", open(0, 1),
+                                                         "on the largest change of any pressure, in units of p_h")),
+                  preset(standard.max_periods,
+                         whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
+                  choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
 }
 
 Records solver_records() {
@@ -252,7 +235,8 @@ Records solver_records() {
               whole("levels", "", closed(0, 20), "multigrid levels of the preconditioner; 0: chosen by the grid")),
        preset(standard.multigrid.smoothing_sweeps,
               whole("smoothing_sweeps", "", closed(1, 1000), "sweeps before and after a coarse-grid correction")),
-       preset(standard.multigrid.coarse_sweeps, whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
+       preset(standard.multigrid.coarse_sweeps,
+              whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
        std::move(precision)});
 }
 
@@ -268,9 +252,10 @@ Records output_records() {
 const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
-    for (Records& records : std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(),
-                                                 contact_records(), lubricant_records(), grid_records(), steady_records(), march_records(), start_records(), time_records(), periodic_records(), solver_records(),
-                                                 output_records()})
+    for (Records& records :
+         std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(),
+                              lubricant_records(), grid_records(), steady_records(), march_records(), start_records(),
+                              time_records(), periodic_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

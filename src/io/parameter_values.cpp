@@ -7,9 +7,7 @@
 namespace gearfilm {
 namespace {
 
-std::string kind_name(Scope scope) {
-  return scope == Scope::gear_pair ? "gear_pair" : "contact";
-}
+std::string kind_name(Scope scope) { return scope == Scope::gear_pair ? "gear_pair" : "contact"; }
 
 }  // namespace
 
@@ -35,9 +33,7 @@ void ParameterValues::complete() {
   if (!has("output.dir")) set("output.dir", "output/" + text("case.name"), "default");
 }
 
-Scope ParameterValues::scope() const {
-  return text("case.kind") == "contact" ? Scope::contact : Scope::gear_pair;
-}
+Scope ParameterValues::scope() const { return text("case.kind") == "contact" ? Scope::contact : Scope::gear_pair; }
 
 bool ParameterValues::in_scope(const Parameter& parameter) const {
   return parameter.scope == Scope::any || parameter.scope == scope();

@@ -25,7 +25,10 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(MPI_Comm comm) : terminal_(isatty(STDOUT_FILENO) != 0), start_(MPI_Wtime()) {
+// Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
+// standard error stays a pipe.
+Progress::Progress(MPI_Comm comm)
+    : terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0), start_(MPI_Wtime()) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   prints_ = rank == 0;

@@ -97,7 +97,8 @@ std::string xdmf_contact(const std::string& results_name, const std::string& mes
                          const std::string& size) {
   std::string text = "        <Grid Name=\"" + group.substr(group.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
   text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
-  text += "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
+  text +=
+      "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
   for (const std::string name : {"P", "H"}) {
     text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
             xdmf_data(size, results_name + ":" + group + "/" + name) + "</Attribute>\n";

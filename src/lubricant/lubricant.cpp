@@ -18,9 +18,7 @@ constexpr double roelands_log = 9.67;         // -ln of the viscosity 6.315e-5 P
 constexpr double density_pressure = 5.9e8;    // A [Pa]
 constexpr double density_limit = 1.34;        // rho/rho_0 for p -> infinity
 
-double log_viscosity_span(const Lubricant& oil) {
-  return std::log(oil.viscosity) + roelands_log;
-}
+double log_viscosity_span(const Lubricant& oil) { return std::log(oil.viscosity) + roelands_log; }
 
 void require_positive(double value, const std::string& parameter, const std::string& unit) {
   if (value > 0.0 && std::isfinite(value)) return;

@@ -94,7 +94,7 @@ protected:
   std::vector<Field<double>> conductance;
 };
 
-// The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 1e-3.
+// The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 2e-2.
 TEST_F(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_formula) {
   ASSERT_EQ(steps.last.contacts.size(), 2U);
   ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);

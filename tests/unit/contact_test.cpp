@@ -74,9 +74,7 @@ TEST(Hertz, linearised_contact_gives_the_natural_frequency_of_table3) {
   EXPECT_NEAR(slope, stiffness, 1e-8 * stiffness);  // error of the central difference, step^2/24 relative
 }
 
-TEST(HertzEllipticity, is_exactly_one_for_the_circle) {
-  EXPECT_EQ(hertz_ellipticity(1.0), 1.0);
-}
+TEST(HertzEllipticity, is_exactly_one_for_the_circle) { EXPECT_EQ(hertz_ellipticity(1.0), 1.0); }
 
 TEST(HertzEllipticity, is_the_inverse_of_its_equation) {
   for (double exponent = -3.0; exponent <= 3.0; exponent += 0.125) {

@@ -20,9 +20,7 @@ namespace {
 
 const std::string source_dir = GEARFILM_SOURCE_DIR;
 
-Case read_input(const std::string& name) {
-  return read_case(PETSC_COMM_WORLD, source_dir + "/input/" + name);
-}
+Case read_input(const std::string& name) { return read_case(PETSC_COMM_WORLD, source_dir + "/input/" + name); }
 
 std::string content(const std::string& path) {
   std::ifstream stream(path);
@@ -33,7 +31,7 @@ std::string content(const std::string& path) {
 
 // Options as if given on the command line, for the time of a scope.
 class CommandLine {
- public:
+public:
   CommandLine(std::initializer_list<std::pair<std::string, std::string>> options) : options_(options) {
     for (const auto& [name, value] : options_) petsc_check(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
   }
@@ -43,7 +41,7 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
- private:
+private:
   std::vector<std::pair<std::string, std::string>> options_;
 };
 

@@ -12,9 +12,7 @@ namespace {
 
 using table3::expect_input_error_naming;
 
-Lubricant table3_oil() {
-  return {.viscosity = 0.04, .pressure_viscosity = 2.2e-8};
-}
+Lubricant table3_oil() { return {.viscosity = 0.04, .pressure_viscosity = 2.2e-8}; }
 
 TEST(Lubricant, is_at_ambient_conditions_at_zero_pressure) {
   for (const auto law : {ViscosityLaw::roelands, ViscosityLaw::barus}) {
@@ -87,9 +85,7 @@ INSTANTIATE_TEST_SUITE_P(from_inlet_to_centre, LubricantDerivative,
                          testing::Combine(testing::Values(ViscosityLaw::roelands, ViscosityLaw::barus),
                                           testing::Values(1e8, 5e8, 1e9, 3e9)));
 
-TEST(Lubricant, check_accepts_the_oil_of_table3) {
-  EXPECT_NO_THROW(check(table3_oil()));
-}
+TEST(Lubricant, check_accepts_the_oil_of_table3) { EXPECT_NO_THROW(check(table3_oil())); }
 
 TEST(Lubricant, check_refuses_values_that_are_not_positive) {
   for (const double wrong : {0.0, -0.04, std::numeric_limits<double>::quiet_NaN()}) {

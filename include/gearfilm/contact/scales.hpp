@@ -18,14 +18,14 @@ struct Scales {
   Lubricant oil;
   HertzContact hertz;  ///< of the reference contact under w*
 
-  double length = 0.0;    ///< a [m]: X, Y
-  double pressure = 0.0;  ///< p_h [Pa]: P
-  double film = 0.0;      ///< a^2/R_x* [m]: H
-  double time = 0.0;      ///< t* [s]: T
-  double lambda = 0.0;    ///< Reynolds number group [-]
-  double C_h = 0.0;       ///< elastic deformation coefficient [-]
-  double radius_ratio = 0.0;   ///< D = R_x*/R_y [-]
-  double static_force = 0.0;   ///< F* = 2 pi/(3 kappa) [-], the integral of P that carries w*
+  double length = 0.0;        ///< a [m]: X, Y
+  double pressure = 0.0;      ///< p_h [Pa]: P
+  double film = 0.0;          ///< a^2/R_x* [m]: H
+  double time = 0.0;          ///< t* [s]: T
+  double lambda = 0.0;        ///< Reynolds number group [-]
+  double C_h = 0.0;           ///< elastic deformation coefficient [-]
+  double radius_ratio = 0.0;  ///< D = R_x*/R_y [-]
+  double static_force = 0.0;  ///< F* = 2 pi/(3 kappa) [-], the integral of P that carries w*
 
   /// Force [N] of a dimensionless pressure integral.
   double force(double pressure_integral) const { return operation.load * pressure_integral / static_force; }

@@ -17,14 +17,14 @@ struct FilmPair {
 
 /// One mesh period, counted from T = 0.
 struct PeriodFigures {
-  Motion end;                          ///< at its last step
-  double largest_integral = 0.0;       ///< pressure integral of one contact
-  double largest_total = 0.0;          ///< of all contacts together
+  Motion end;                     ///< at its last step
+  double largest_integral = 0.0;  ///< pressure integral of one contact
+  double largest_total = 0.0;     ///< of all contacts together
   double smallest_total = 0.0;
   double largest_pressure = 0.0;
-  std::optional<double> smallest_film; ///< absent in the dry model, as are the following
-  std::optional<FilmPair> at_pitch;    ///< at the step nearest xi = 0
-  std::optional<FilmPair> at_entry;    ///< at the first step after the last entry
+  std::optional<double> smallest_film;  ///< absent in the dry model, as are the following
+  std::optional<FilmPair> at_pitch;     ///< at the step nearest xi = 0
+  std::optional<FilmPair> at_entry;     ///< at the first step after the last entry
   int steps = 0;
   int contact_steps = 0;  ///< films really computed
   int newton = 0;
@@ -69,10 +69,10 @@ private:
   std::vector<PeriodFigures> periods_;
   std::vector<MeshEvent> events_;
   std::vector<ContactLoss> losses_;
-  std::vector<int> present_;            ///< contacts of the last record
+  std::vector<int> present_;  ///< contacts of the last record
   bool lost_ = false;
-  std::optional<int> entered_;          ///< contact whose first step is still to come
-  double pitch_distance_ = 0.0;         ///< |xi| of the present period's at_pitch [m]
+  std::optional<int> entered_;   ///< contact whose first step is still to come
+  double pitch_distance_ = 0.0;  ///< |xi| of the present period's at_pitch [m]
 };
 
 }  // namespace gearfilm

@@ -26,8 +26,8 @@ struct PairState {
 class MeshMarch {
 public:
   /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers.
-  MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
-            const SolverOptions& films, const StepOptions& steps, StepObserver observer);
+  MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia, const SolverOptions& films,
+            const StepOptions& steps, StepObserver observer);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);

@@ -20,13 +20,13 @@ struct PeriodicOptions {
 };
 
 struct PeriodicOrbit {
-  PairState start;              ///< just after a contact has left
-  double begin = 0.0;           ///< T at which the last period, the periodic one, began
-  double defect = 0.0;          ///< of the motion over that period
-  double film_defect = 0.0;     ///< of the films
-  int periods_used = 0;         ///< marched to find the orbit
+  PairState start;           ///< just after a contact has left
+  double begin = 0.0;        ///< T at which the last period, the periodic one, began
+  double defect = 0.0;       ///< of the motion over that period
+  double film_defect = 0.0;  ///< of the films
+  int periods_used = 0;      ///< marched to find the orbit
   DryOrbit dry;
-  Monodromy monodromy{};        ///< of the motion, by differences; zero without multipliers
+  Monodromy monodromy{};  ///< of the motion, by differences; zero without multipliers
 };
 
 /// The march must not have started; path starts (T = 0) just after a contact has left. film_shift: H_0 of a stationary

@@ -23,7 +23,7 @@ struct FilmFigures {
   double smallest_film = 0.0;
   double central_pressure = 0.0;
   double largest_pressure = 0.0;
-  bool finite = true;              ///< false where any pressure or film is not a number
+  bool finite = true;  ///< false where any pressure or film is not a number
 };
 
 class ContactFilm {

@@ -54,20 +54,20 @@ private:
   double h_y_;
   int nx_;
   int ny_;
-  int rows_;                      ///< own rows
-  int length_x_;                  ///< padded lengths of the transforms
+  int rows_;      ///< own rows
+  int length_x_;  ///< padded lengths of the transforms
   int length_y_;
   std::vector<int> wave_ranges_;  ///< first x wave number of every process, and their number
   std::vector<int> y_ranges_;
-  Blocks x_side_;                 ///< of x_spectrum_
-  Blocks y_side_;                 ///< of exchanged_
+  Blocks x_side_;  ///< of x_spectrum_
+  Blocks y_side_;  ///< of exchanged_
   // Work space of apply(); [x or wave number][y], y contiguous.
-  mutable fftw::Buffer<Real> padded_;        ///< [length_x][rows], zero from nx on
-  mutable fftw::Buffer<Real> result_;        ///< [length_x][rows]
-  mutable fftw::Buffer<Complex> x_spectrum_; ///< [all wave numbers][rows]; empty on one process
-  mutable fftw::Buffer<Complex> exchanged_;  ///< blocks as they travel; empty on one process
-  mutable fftw::Buffer<Complex> y_lines_;    ///< [own wave numbers][length_y]
-  std::vector<Real> kernel_;                 ///< transform of K, real, with the factor of the inverse transform
+  mutable fftw::Buffer<Real> padded_;         ///< [length_x][rows], zero from nx on
+  mutable fftw::Buffer<Real> result_;         ///< [length_x][rows]
+  mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
+  mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
+  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y]
+  std::vector<Real> kernel_;                  ///< transform of K, real, with the factor of the inverse transform
   fftw::Plan<Real> x_forward_, x_backward_, y_forward_, y_backward_;
 };
 

@@ -12,8 +12,6 @@ struct Domain {
 };
 
 /// The paper's choice by the load group M: long for M < 200, short from there on.
-constexpr Domain default_domain(double M) {
-  return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1};
-}
+constexpr Domain default_domain(double M) { return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1}; }
 
 }  // namespace gearfilm

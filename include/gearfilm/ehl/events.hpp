@@ -6,14 +6,14 @@
 namespace gearfilm {
 
 enum class Kernel {
-  deformation,       ///< convolution of the pressure with the elastic half-space
-  film_properties,   ///< density, viscosity and conductance of every node
-  residual,          ///< Reynolds residual with cavitation
-  linearise,         ///< stencil of the Jacobian
-  jacobian_apply,    ///< Jacobian times vector, its convolution included
-  smoother_factor,   ///< banded factors of all lines
-  smoother_sweep,    ///< one distributive line relaxation
-  transfer,          ///< restriction and prolongation
+  deformation,      ///< convolution of the pressure with the elastic half-space
+  film_properties,  ///< density, viscosity and conductance of every node
+  residual,         ///< Reynolds residual with cavitation
+  linearise,        ///< stencil of the Jacobian
+  jacobian_apply,   ///< Jacobian times vector, its convolution included
+  smoother_factor,  ///< banded factors of all lines
+  smoother_sweep,   ///< one distributive line relaxation
+  transfer,         ///< restriction and prolongation
   count
 };
 

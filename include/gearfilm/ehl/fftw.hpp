@@ -61,7 +61,8 @@ private:
 template <class Value>
 class Buffer {
 public:
-  explicit Buffer(std::size_t size) : values_(static_cast<Value*>(fftw_malloc(std::max<std::size_t>(size, 1) * sizeof(Value)))) {
+  explicit Buffer(std::size_t size)
+      : values_(static_cast<Value*>(fftw_malloc(std::max<std::size_t>(size, 1) * sizeof(Value)))) {
     if (!values_) throw std::bad_alloc();
     std::fill_n(values_.get(), std::max<std::size_t>(size, 1), Value{});
   }

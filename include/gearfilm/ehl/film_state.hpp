@@ -25,10 +25,9 @@ struct FilmState {
 
   /// All of them, for what treats them alike (injection, gathering).
   std::array<Field<double>*, 8> fields() {
-    return {&pressure,    &film,
-            &density,     &density_by_pressure,
-            &conductance, &conductance_by_pressure,
-            &conductance_by_film, &wet};
+    return {
+        &pressure, &film, &density, &density_by_pressure, &conductance, &conductance_by_pressure, &conductance_by_film,
+        &wet};
   }
 
   Field<double> pressure;                 ///< P

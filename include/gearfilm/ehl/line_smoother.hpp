@@ -58,12 +58,12 @@ private:
   Real weight_x_;  ///< w_x
   Real weight_y_;  ///< w_y
   Influence plain_;
-  Influence correction_;     ///< distributive minus plain
-  std::vector<Real> band_;   ///< [x][diagonal][y], factored in place
-  Field<Real> distributive_; ///< 1 where the unknown is a distributive change
+  Influence correction_;      ///< distributive minus plain
+  std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
+  Field<Real> distributive_;  ///< 1 where the unknown is a distributive change
   Field<Real> damping_;
   Field<Real> wet_;
-  Field<Real> spread_;       ///< distributive changes, with ghosts
+  Field<Real> spread_;  ///< distributive changes, with ghosts
 };
 
 extern template class LineSmoother<float>;

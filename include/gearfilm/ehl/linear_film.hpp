@@ -3,8 +3,8 @@
 // For a change v of P and u of H, with
 //   d(xi_R) = xi_P v + xi_H u ,   d(rho H) = rho_P H v + rho u ,
 // the row of a wet node is  dR = sum_s ( V_s v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1 of its own
-// x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact where P = 0 at cavitated nodes, as at every
-// solution: only the derivative of their scale d is left out.
+// x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact where P = 0 at cavitated
+// nodes, as at every solution: only the derivative of their scale d is left out.
 #pragma once
 
 #include <array>

@@ -12,11 +12,11 @@
 namespace gearfilm {
 
 struct NewtonOptions {
-  double tolerance = 1e-8;        ///< on norm/weight: a root mean square of the scaled residual [-]
+  double tolerance = 1e-8;  ///< on norm/weight: a root mean square of the scaled residual [-]
   int max_iterations = 60;
-  double krylov_tolerance = 0.05; ///< relative, of each linear solve [-]
+  double krylov_tolerance = 0.05;  ///< relative, of each linear solve [-]
   int krylov_max_iterations = 200;
-  bool limit_changes = false;     ///< limit each node's change; for time steps, whose first guess is near
+  bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near
 };
 
 /// A nonlinear system as its linear solver sees it, linearised about the last state.

@@ -1,7 +1,7 @@
 // The stationary film of one contact under a prescribed force, or at a prescribed displacement.
 //
-// From nothing: on a coarse grid from the dry (Hertz) pressure through pseudo-time (the squeeze term with a growing step), then
-// grid by grid with the coarser film as first guess; pseudo-time again wherever Newton alone fails.
+// From nothing: on a coarse grid from the dry (Hertz) pressure through pseudo-time (the squeeze term with a growing
+// step), then grid by grid with the coarser film as first guess; pseudo-time again wherever Newton alone fails.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace gearfilm {
 struct StationaryResult {
   FilmSolution solution;
   FilmFigures figures;
-  SolveCounts counts;                 ///< on the finest grid
-  std::vector<SolveCounts> by_grid;   ///< coarsest first, the finest last
+  SolveCounts counts;                ///< on the finest grid
+  std::vector<SolveCounts> by_grid;  ///< coarsest first, the finest last
 };
 
 /// Film on film.grid() under the load condition, from nothing. Throws SolveError naming the step that failed.

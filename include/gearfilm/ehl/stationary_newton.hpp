@@ -17,8 +17,8 @@ namespace gearfilm {
 struct SolveCounts {
   int newton = 0;
   int krylov = 0;
-  long convolutions = 0;    ///< double-precision ones on the grid itself
-  double residual = 0.0;    ///< last root mean square
+  long convolutions = 0;  ///< double-precision ones on the grid itself
+  double residual = 0.0;  ///< last root mean square
 };
 
 /// What is prescribed: the force a film carries (as its pressure integral), or its rigid displacement H_0.
@@ -66,16 +66,16 @@ private:
 
   ContactFilm& film_;
   const Grid& grid_;
-  int size_;        ///< own nodes
-  bool has_scalar_; ///< the first process also holds H_0
-  double load_weight_; ///< sqrt(nodes)
+  int size_;            ///< own nodes
+  bool has_scalar_;     ///< the first process also holds H_0
+  double load_weight_;  ///< sqrt(nodes)
   LoadCondition load_;
   double shift_ = 0.0;
   const double* storage_ = nullptr;
   std::vector<double> storage_rate_;
-  std::vector<double> column_;          ///< dG/dH_0
-  std::vector<double> column_solution_; ///< (dG/dP)^-1 dG/dH_0, approximately
-  double schur_ = 0.0;                  ///< d(load row)/dH_0 after elimination
+  std::vector<double> column_;           ///< dG/dH_0
+  std::vector<double> column_solution_;  ///< (dG/dP)^-1 dG/dH_0, approximately
+  double schur_ = 0.0;                   ///< d(load row)/dH_0 after elimination
   OwnedVec state_, residual_, residual_at_state_;
   OwnedMat jacobian_;
   OwnedSNES snes_;

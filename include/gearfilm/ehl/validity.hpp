@@ -13,8 +13,8 @@ namespace gearfilm {
 
 /// Throws SolveError, naming `where` (contact and position) and the bound to change, if the Hertz ellipse under a
 /// pressure integral reaches an edge of the grid.
-void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions,
-                  double pressure_integral, const std::string& where);
+void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions, double pressure_integral,
+                  const std::string& where);
 
 /// Throws SolveError naming `where`, what is wrong and the remedy, if the film may not be believed.
 void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where);

@@ -51,9 +51,9 @@ struct Case {
   double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;  ///< absent: at rest
   StepOptions steps;
-  int step_levels = 0;                 ///< multigrid levels in time steps; 0: chosen by the grid
-  PeriodicOptions periodic;            ///< search for the periodic state
-  double snapshot_interval = 0.0;      ///< mesh periods between stored fields; 0: none
+  int step_levels = 0;             ///< multigrid levels in time steps; 0: chosen by the grid
+  PeriodicOptions periodic;        ///< search for the periodic state
+  double snapshot_interval = 0.0;  ///< mesh periods between stored fields; 0: none
 
   std::filesystem::path output_directory;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results

@@ -18,7 +18,7 @@ struct EchoedValue {
 };
 
 class ParameterValues {
- public:
+public:
   /// file: the case file, named in messages that have no closer place.
   explicit ParameterValues(std::string file = {}) : file_(std::move(file)) {}
 
@@ -41,7 +41,7 @@ class ParameterValues {
   /// All values, defaults included, in the order of the table.
   std::vector<EchoedValue> echo() const;
 
- private:
+private:
   struct Entry {
     ParameterValue value;
     std::string origin;

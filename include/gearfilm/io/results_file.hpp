@@ -21,7 +21,7 @@
 namespace gearfilm {
 
 class ResultsFile {
- public:
+public:
   /// whole: the file takes its name only in finish(). growing: it has its name from the start, for runs that append to
   /// it and may be stopped.
   enum class Mode { whole, growing };
@@ -44,7 +44,7 @@ class ResultsFile {
   hid_t hdf5_file();
   int rank() const { return rank_; }
 
- private:
+private:
   using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
 
   void view(const std::string& group, const std::string& name, Vec vec, const std::string& unit);
