@@ -120,7 +120,8 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;
   check_domain(grid, problem.scales, position.conditions, force, position.label);
-  const StationaryResult result = solve_stationary(film, LoadCondition::force(force), problem.solver);
+  const StationaryResult result =
+      located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.solver); });
   check_validity(film, result.figures, position.label);
   const Summary summary = film_summary(problem, position, result);
   write_results(comm, problem, position, film, summary);

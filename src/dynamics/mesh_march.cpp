@@ -42,14 +42,12 @@ MeshMarch::Tooth MeshMarch::enter(int contact, const std::vector<double>* neighb
   ContactFilm* film = free_film();
   film->set_conditions(path_.conditions(contact, T_));
   const LoadCondition load = LoadCondition::displacement(motion_.H0);
-  try {
-    StationaryResult entered = neighbour ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
-                                         : solve_stationary(*film, load, film_options_);
-    check_validity(*film, entered.figures, label(contact));
-    return {contact, film, std::move(entered.solution.pressure)};
-  } catch (const SolveError& error) {
-    throw SolveError(label(contact) + ", entering: " + error.what());
-  }
+  StationaryResult entered = located(label(contact) + ", entering", [&] {
+    return neighbour ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
+                     : solve_stationary(*film, load, film_options_);
+  });
+  check_validity(*film, entered.figures, label(contact));
+  return {contact, film, std::move(entered.solution.pressure)};
 }
 
 // A single contact is balanced together with its film; several by the secant method on H_0.
@@ -59,7 +57,8 @@ void MeshMarch::balance_at_rest() {
   ContactFilm* first = free_film();
   first->set_conditions(path_.conditions(contacts.front(), T_));
   const double share = scales_.static_force / static_cast<double>(contacts.size());
-  StationaryResult leading = solve_stationary(*first, LoadCondition::force(share), film_options_);
+  StationaryResult leading = located(
+      label(contacts.front()), [&] { return solve_stationary(*first, LoadCondition::force(share), film_options_); });
   motion_ = {leading.solution.H0, 0.0};
   teeth_.push_back({contacts.front(), first, leading.solution.pressure});
   if (contacts.size() == 1) return;

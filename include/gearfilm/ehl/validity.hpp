@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -18,5 +19,15 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
 
 /// Throws SolveError naming `where`, what is wrong and the remedy, if the film may not be believed.
 void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where);
+
+/// Runs `solve`; an error of it that says what failed gets `where` in front.
+template <class Solve>
+auto located(const std::string& where, Solve solve) {
+  try {
+    return solve();
+  } catch (const SolveError& error) {
+    throw SolveError(where + ": " + error.what());
+  }
+}
 
 }  // namespace gearfilm
