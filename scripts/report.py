@@ -81,7 +81,7 @@ def value_of(summary, key, path):
 
 
 def table_lines(folder):
-    form = "{:<30} | {:>10} | {:>10} | {:>9}"
+    form = "{:<34} | {:>10} | {:>10} | {:>9}"
     yield form.format("quantity", "gearfilm", "paper", "deviation")
     for section in SECTIONS:
         path = folder / section.folder / "summary.json"

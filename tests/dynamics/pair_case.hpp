@@ -70,6 +70,7 @@ public:
   RecordedMarch(const RecordedMarch&) = delete;
   RecordedMarch& operator=(const RecordedMarch&) = delete;
 
+  MeshMarch& march() { return march_; }
   void start() { march_.start(problem_.start_motion); }
   void run(double T_end) { march_.run(T_end); }
 

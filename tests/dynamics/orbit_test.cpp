@@ -1,0 +1,88 @@
+// Periodic orbits of the dry and of the lubricated pair, and what their multipliers say.
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/dynamics/periodic_orbit.hpp"
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+Settings after_leaving_place() { return {{"start.place", "after_leaving"}, {"time.dt", "0.026"}}; }
+
+double natural_frequency_of(const Case& problem) {
+  return natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
+                           *problem.equivalent_mass);
+}
+
+double free_frequency_of(const Case& problem, const Monodromy& monodromy) {
+  return free_oscillation(multipliers(monodromy), mesh_frequency(*problem.gears, problem.pinion_speed),
+                          natural_frequency_of(problem))
+      .frequency;
+}
+
+TEST(Monodromy, multipliers_solve_the_characteristic_equation) {
+  const Monodromy rotation{{{0.8, -0.5}, {0.6, 0.7}}};
+  for (const std::complex<double>& mu : multipliers(rotation)) {
+    EXPECT_LT(std::abs(mu * mu - 1.5 * mu + (0.8 * 0.7 + 0.5 * 0.6)), 1e-14);
+  }
+  const auto real = multipliers({{{2.0, 0.0}, {0.0, 0.5}}});
+  EXPECT_DOUBLE_EQ(real[0].real(), 2.0);
+  EXPECT_DOUBLE_EQ(real[1].real(), 0.5);
+}
+
+TEST(Monodromy, free_oscillation_takes_the_branch_next_to_the_natural_frequency) {
+  // 91.8 degrees a mesh period at 7000 Hz: 1785, 5215, 8785 ... Hz; the decay per period is the modulus.
+  const double modulus = 0.955, angle = 91.8 * std::numbers::pi / 180.0;
+  const std::array<std::complex<double>, 2> mu = {std::polar(modulus, angle), std::polar(modulus, -angle)};
+  const FreeOscillation oscillation = free_oscillation(mu, 7000.0, 5139.0);
+  EXPECT_NEAR(oscillation.frequency, 7000.0 * (1.0 - 91.8 / 360.0), 1e-6);
+  const double periods_per_cycle = 7000.0 / oscillation.frequency;
+  const double decay_per_cycle = -std::log(modulus) * periods_per_cycle;  // 2 pi zeta/sqrt(1-zeta^2)
+  EXPECT_NEAR(oscillation.damping_ratio, decay_per_cycle / std::hypot(decay_per_cycle, 2.0 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(free_oscillation(mu, 7000.0, 2000.0).frequency, 7000.0 * 91.8 / 360.0, 1e-6);
+  EXPECT_EQ(free_oscillation({2.0, 0.5}, 7000.0, 5139.0).frequency, 0.0);
+}
+
+TEST(DryOrbit, repeats_and_matches_the_reference) {
+  const auto& reference = table3::reference().at("dry_periodic");
+  const Case problem = table3_case(after_leaving_place());
+  const ContactPath path = path_of(problem);
+  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem));
+  DryMarch march(problem.scales, path, inertia_of(problem), 1.0,
+                 [](const StepRecord&, const std::vector<LiveContact>&) {});
+  march.start(orbit.start);
+  march.run(path.mesh_period());
+  // Shooting stops at 1e-9, and integrates to 1e-10.
+  EXPECT_NEAR(march.motion().H0, orbit.start.H0, 1e-8);
+  EXPECT_NEAR(march.motion().V0, orbit.start.V0, 1e-8);
+  EXPECT_NEAR(orbit.largest_integral / problem.scales.static_force, reference.at("force_ratio_max").at("value"),
+              reference.at("force_ratio_max").at("abs_tol"));
+  EXPECT_NEAR(free_frequency_of(problem, orbit.monodromy), reference.at("free_frequency").at("value"),
+              reference.at("free_frequency").at("abs_tol"));
+  // Without damping the map keeps areas.
+  EXPECT_NEAR(std::abs(multipliers(orbit.monodromy)[0]), 1.0, 1e-5);
+}
+
+TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
+  const auto& reference = table3::reference().at("film_periodic_129x65_dT_0.026");
+  RecordedMarch march(table3_case(after_leaving_place()));
+  const Case& problem = march.problem();
+  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem));
+  const double film_shift = table3::reference().at("steady_pitch").at(0).at("H0").get<double>() +
+                            problem.scales.hertz.approach / problem.scales.film;
+  const PeriodicOrbit orbit = find_periodic_orbit(march.march(), march.path(), dry, film_shift, problem.periodic);
+  report("%d mesh periods, defect %.1e, of the film %.1e", orbit.periods_used, orbit.defect, orbit.film_defect);
+  EXPECT_LE(orbit.periods_used, 6);
+  EXPECT_LT(orbit.defect, 1e-4);
+  EXPECT_LT(orbit.film_defect, 1e-3);
+  const auto expect = [&](const char* name, double computed) {
+    report("%-26s %14.6g", name, computed);
+    EXPECT_NEAR(computed, reference.at(name).at("value"), reference.at(name).at("abs_tol")) << name;
+  };
+  expect("H0_after_leaving", orbit.start.motion.H0);
+  expect("V0_after_leaving", orbit.start.motion.V0);
+  expect("floquet_modulus", std::abs(multipliers(orbit.monodromy)[0]));
+  expect("free_frequency", free_frequency_of(problem, orbit.monodromy));
+}
+
+}  // namespace
+}  // namespace gearfilm
