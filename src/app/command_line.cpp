@@ -23,7 +23,7 @@ constexpr std::array<Command, 5> commands = {{
     {"steady", run_steady, "stationary film of one contact"},
     {"transient", run_transient, "the gear pair marched in time"},
     {"periodic", run_periodic, "periodic state by shooting, with Floquet multipliers"},
-    {"bench", run_bench, "speed of the kernels and of stationary solves"},
+    {"bench", run_bench, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 constexpr const char* parameters_command = "parameters";
 
@@ -43,24 +43,25 @@ bool starts_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && !(std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.');
 }
 
+bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }
+
 }  // namespace
 
+// The command and the case are ours; PETSc gets the rest. A case file behind an option is still the case: PETSc's
+// options of either kind, with and without a value ("-log_view"), cannot be told apart here.
 CommandLine::CommandLine(int argc, char** argv) {
   petsc_arguments_.emplace_back(argc > 0 ? argv[0] : "gearfilm");
   bool after_option = false;
   for (int n = 1; n < argc; ++n) {
     const std::string word = argv[n];
+    const bool option = starts_option(word);
     if (word == "-help" || word == "--help" || word == "-h") {
       help_ = true;
-      continue;
-    }
-    if (word == "-version" || word == "--version") {
+    } else if (word == "-version" || word == "--version") {
       version_ = true;
-      continue;
-    }
-    petsc_arguments_.push_back(word);
-    const bool option = starts_option(word);
-    if (!option && !after_option) {
+    } else if (option || (after_option && !(is_case_file(word) && case_file_.empty()))) {
+      petsc_arguments_.push_back(word);
+    } else {
       std::string& place = command_.empty() ? command_ : case_file_.empty() ? case_file_ : surplus_;
       if (place.empty()) place = word;
     }
@@ -78,6 +79,9 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     return;
   }
   if (command_line.command() == parameters_command) {
+    if (!command_line.case_file().empty()) {
+      throw InputError("cannot use '" + command_line.case_file() + "'; the command parameters takes nothing");
+    }
     petsc_check(PetscPrintf(comm, "%s", parameter_markdown().c_str()));
     return;
   }

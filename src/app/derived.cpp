@@ -69,6 +69,10 @@ void write_identity(ResultsFile& file, const Case& problem, const std::string& c
   file.attribute("/", "program", std::string("gearfilm"));
   file.attribute("/", "version", std::string(version));
   file.attribute("/", "command", command);
+  // Chosen bounds too, which the parameters do not show where they follow from M.
+  file.attribute("/", "x_min", problem.domain.x_min);
+  file.attribute("/", "x_max", problem.domain.x_max);
+  file.attribute("/", "y_half", problem.domain.y_half);
   for (const EchoedValue& echoed : problem.parameters.echo()) {
     const bool pure = echoed.unit.empty() || echoed.unit == "-";
     file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);

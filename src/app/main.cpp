@@ -1,8 +1,10 @@
 // gearfilm: lubricant films and vibration of spur-gear pairs.   gearfilm COMMAND CASE.yaml [-option value ...]
 #include <petscsys.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "gearfilm/app/command_line.hpp"
 #include "gearfilm/app/session.hpp"
@@ -15,7 +17,9 @@ enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2 };
 int report(const char* kind, const std::exception& error, ExitStatus status) {
   int rank = 0;
   MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-  if (rank == 0) std::fprintf(stderr, "gearfilm: %s: %s\n", kind, error.what());
+  std::string line = error.what();
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  if (rank == 0) std::fprintf(stderr, "gearfilm: %s: %s\n", kind, line.c_str());
   return status;
 }
 

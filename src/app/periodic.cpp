@@ -4,6 +4,7 @@
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
+#include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
@@ -54,17 +55,29 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
+  remove_earlier_results(comm, problem.output_directory);
   const ContactPath path = path_after_leaving(problem);
   const double inertia = problem.scales.inertia(*problem.equivalent_mass);
   const DryOrbit dry = find_dry_orbit(problem.scales, path, inertia);
   const double film_shift = stationary_film_shift(problem, grid);
   MarchOutput output(comm, problem, grid, path, true, "periodic", usual_periods);
   MeshMarch march = make_march(problem, grid, path, output.observer());
-  const PeriodicOrbit orbit = find_periodic_orbit(march, path, dry, film_shift, problem.periodic);
+  const auto summary_file = problem.output_directory / "summary.json";
+  PeriodicOrbit orbit;
+  try {
+    orbit = find_periodic_orbit(march, path, dry, film_shift, problem.periodic);
+  } catch (const SolveError&) {
+    Summary summary = march_summary(problem, path, output.statistics());
+    summary["completed"] = false;
+    write_summary(comm, summary_file, summary);  // what was marched until then
+    throw;
+  }
   output.file().attribute("/history", "periodic_from", orbit.begin);
   output.file().attribute("/history", "periodic_to", orbit.begin + path.mesh_period());
   const PeriodFigures& period = output.statistics().periods().at(orbit.periods_used - 1);
-  write_summary(comm, problem.output_directory / "summary.json", orbit_summary(problem, orbit, period));
+  Summary summary = orbit_summary(problem, orbit, period);
+  summary["completed"] = true;
+  write_summary(comm, summary_file, summary);
 }
 
 }  // namespace gearfilm

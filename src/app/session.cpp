@@ -20,6 +20,8 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
   // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  // A closed pipe ends the program quietly, as it ends others.
+  petsc_check(PetscPopSignalHandler());
   register_events();
 }
 

@@ -116,6 +116,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, case_grid(problem));
   const Position position = steady_position(problem);
   prepare_output_directory(comm, problem.output_directory);
+  remove_earlier_results(comm, problem.output_directory);
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;

@@ -36,6 +36,18 @@ void prepare_output_directory(MPI_Comm comm, const std::filesystem::path& direct
   }
 }
 
+void remove_earlier_results(MPI_Comm comm, const std::filesystem::path& directory) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::error_code ignored;
+  if (rank == 0) {
+    for (const char* name : {"results.h5", "results.xmf", "summary.json"}) {
+      std::filesystem::remove(directory / name, ignored);
+    }
+  }
+  MPI_Barrier(comm);
+}
+
 std::filesystem::path part_of(const std::filesystem::path& path) {
   std::filesystem::path part = path;
   part += ".part";
