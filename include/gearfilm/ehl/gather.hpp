@@ -1,0 +1,27 @@
+// A field cut among the processes, whole on every process: for grids too small to be cut.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/ehl/grid.hpp"
+
+namespace gearfilm {
+
+/// Between compact fields of a distributed grid and of the same grid gathered.
+class Gather {
+public:
+  /// The grid must outlive the object.
+  explicit Gather(const Grid& grid);
+
+  /// Own part -> whole field, on all processes. Collective.
+  void to_all(const double* own, double* whole);
+  /// Whole field -> own part.
+  void own_part(const double* whole, double* own) const;
+
+private:
+  const Grid& grid_;
+  std::vector<int> counts_, offsets_;
+  std::vector<double> blocks_;  ///< as they arrive, process after process
+};
+
+}  // namespace gearfilm
