@@ -15,9 +15,7 @@ constexpr double integration_tolerance = 1e-10;
 }  // namespace
 
 double dry_force(const Scales& scales, const ContactConditions& conditions, double H0) {
-  ContactSolids solids = scales.solids;
-  solids.radius_x *= conditions.radius_ratio;
-  const double load = hertz_load(solids, -scales.film * (H0 + conditions.gap_offset));
+  const double load = hertz_load(solids_of(scales, conditions), -scales.film * (H0 + conditions.gap_offset));
   return load / scales.operation.load * scales.static_force;
 }
 

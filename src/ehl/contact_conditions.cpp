@@ -2,10 +2,14 @@
 
 namespace gearfilm {
 
-HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
+ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions) {
   ContactSolids solids = scales.solids;
   solids.radius_x *= conditions.radius_ratio;
-  return hertz_contact(solids, scales.force(pressure_integral));
+  return solids;
+}
+
+HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
+  return hertz_contact(solids_of(scales, conditions), scales.force(pressure_integral));
 }
 
 }  // namespace gearfilm

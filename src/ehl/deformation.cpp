@@ -10,12 +10,6 @@ namespace {
 
 double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)); }
 
-std::vector<int> cut_evenly(int items, int processes) {
-  std::vector<int> ranges(processes + 1);
-  for (int p = 0; p <= processes; ++p) ranges[p] = static_cast<int>(static_cast<long>(items) * p / processes);
-  return ranges;
-}
-
 }  // namespace
 
 double love_kernel(double x, double y, double h_x, double h_y) {

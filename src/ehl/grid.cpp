@@ -15,12 +15,16 @@ std::vector<int> even_ranges(MPI_Comm comm, int rows) {
     throw InputError("grid with ny = " + std::to_string(rows) + " rows cannot be cut among " +
                      std::to_string(processes) + " processes; use at most one process per row");
   }
-  std::vector<int> ranges(processes + 1);
-  for (int p = 0; p <= processes; ++p) ranges[p] = static_cast<int>(static_cast<long>(rows) * p / processes);
-  return ranges;
+  return cut_evenly(rows, processes);
 }
 
 }  // namespace
+
+std::vector<int> cut_evenly(int items, int processes) {
+  std::vector<int> ranges(processes + 1);
+  for (int p = 0; p <= processes; ++p) ranges[p] = static_cast<int>(static_cast<long>(items) * p / processes);
+  return ranges;
+}
 
 GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny) {
   return {nx, ny, domain.x_min, domain.x_max, domain.y_half / ellipticity};

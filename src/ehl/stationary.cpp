@@ -51,8 +51,7 @@ bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, const LoadCondit
 /// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
 FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
-  ContactSolids solids = scales.solids;
-  solids.radius_x *= film.conditions().radius_ratio;
+  const ContactSolids solids = solids_of(scales, film.conditions());
   const double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   double force = scales.force(load.value);

@@ -105,26 +105,4 @@ inline MarchStatistics statistics_of(const RecordedMarch& march) {
   return statistics;
 }
 
-/// PETSc prints no stack of an error that is expected, for the time of a scope.
-class ExpectedPetscErrors {
-public:
-  ExpectedPetscErrors() { petsc_check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr)); }
-  ~ExpectedPetscErrors() { (void)PetscPopErrorHandler(); }
-  ExpectedPetscErrors(const ExpectedPetscErrors&) = delete;
-  ExpectedPetscErrors& operator=(const ExpectedPetscErrors&) = delete;
-};
-
-/// Message of the SolveError that a call raises; empty (and a failure) when it raises none.
-template <class Call>
-std::string solve_error_of(Call&& call) {
-  const ExpectedPetscErrors quiet;
-  try {
-    call();
-  } catch (const SolveError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no SolveError";
-  return {};
-}
-
 }  // namespace gearfilm

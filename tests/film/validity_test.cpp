@@ -6,18 +6,6 @@
 namespace gearfilm {
 namespace {
 
-/// Message of the SolveError that a call raises; empty (and a failure) when it raises none.
-template <class Call>
-std::string solve_error_of(Call&& call) {
-  try {
-    call();
-  } catch (const SolveError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no SolveError";
-  return {};
-}
-
 void expect_mentions(const std::string& message, const std::string& part) {
   EXPECT_NE(message.find(part), std::string::npos) << message;
 }

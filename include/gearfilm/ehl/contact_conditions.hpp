@@ -13,6 +13,9 @@ struct ContactConditions {
   bool operator==(const ContactConditions&) const = default;
 };
 
+/// The reference contact's solids with the radius R_x of the moment.
+ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions);
+
 /// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI].
 HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
 

@@ -22,6 +22,9 @@ struct GridShape {
   double y_half = 0.0;
 };
 
+/// First item of every process, and their number, when items are cut as evenly as possible.
+std::vector<int> cut_evenly(int items, int processes);
+
 /// The grid of a domain whose y extent is given in units of b = a/ellipticity.
 GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny);
 

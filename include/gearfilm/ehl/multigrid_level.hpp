@@ -17,7 +17,6 @@ public:
   MultigridLevel& operator=(const MultigridLevel&) = delete;
 
   const Grid& grid() const { return grid_; }
-  const Halo& halo() const { return halo_; }
   FilmState& state() { return state_; }
 
   /// Linearises about state() and factors the smoother. Exchanges the state's ghosts.
