@@ -65,7 +65,9 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   const auto summary_file = problem.output_directory / "summary.json";
   PeriodicOrbit orbit;
   try {
-    orbit = find_periodic_orbit(march, path, dry, film_shift, problem.periodic);
+    orbit = find_periodic_orbit(march, path, dry, film_shift, problem.periodic, [&](const SearchPeriod& p) {
+      petsc_check(PetscPrintf(comm, "period %d: start %.5f %.5f end %.5f %.5f defect %.2e %.2e film %.2e\n", p.number, p.start.H0, p.start.V0, p.end.H0, p.end.V0, p.end.H0-p.start.H0, p.end.V0-p.start.V0, p.film_defect));
+    });
   } catch (const SolveError&) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = false;

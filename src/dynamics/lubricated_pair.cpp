@@ -23,12 +23,12 @@ OwnedVec LubricatedPair::create_state() const {
   return state;
 }
 
-void LubricatedPair::set_pressure(Vec state, std::size_t contact, const std::vector<double>& pressure) const {
+void LubricatedPair::set_field(Vec state, std::size_t contact, const std::vector<double>& field) const {
   const VecWriting values(state);
-  std::copy(pressure.begin(), pressure.end(), values + contact * field_size());
+  std::copy(field.begin(), field.end(), values + contact * field_size());
 }
 
-std::vector<double> LubricatedPair::pressure(Vec state, std::size_t contact) const {
+std::vector<double> LubricatedPair::field(Vec state, std::size_t contact) const {
   const VecReading values(state);
   const double* first = values + contact * field_size();
   return {first, first + field_size()};

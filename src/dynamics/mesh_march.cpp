@@ -9,6 +9,15 @@
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// A stationary film.
+ToothFilm still(std::vector<double> pressure) {
+  std::vector<double> rate(pressure.size(), 0.0);
+  return {std::move(pressure), std::move(rate)};
+}
+
+}  // namespace
 
 int step_levels(const Grid& grid) { return grid.nx() * grid.ny() <= 10000 ? 1 : 0; }
 
@@ -47,7 +56,7 @@ MeshMarch::Tooth MeshMarch::enter(int contact, const std::vector<double>* neighb
                      : solve_stationary(*film, load, film_options_);
   });
   check_validity(*film, entered.figures, label(contact));
-  return {contact, film, std::move(entered.solution.pressure)};
+  return {contact, film, still(std::move(entered.solution.pressure))};
 }
 
 // A single contact is balanced together with its film; several by the secant method on H_0.
@@ -60,7 +69,7 @@ void MeshMarch::balance_at_rest() {
   StationaryResult leading = located(
       label(contacts.front()), [&] { return solve_stationary(*first, LoadCondition::force(share), film_options_); });
   motion_ = {leading.solution.H0, 0.0};
-  teeth_.push_back({contacts.front(), first, leading.solution.pressure});
+  teeth_.push_back({contacts.front(), first, still(leading.solution.pressure)});
   if (contacts.size() == 1) return;
 
   const auto excess = [&](double H0) {
@@ -71,7 +80,7 @@ void MeshMarch::balance_at_rest() {
     for (int contact : contacts) {
       const auto known =
           std::find_if(before.begin(), before.end(), [&](const Tooth& t) { return t.contact == contact; });
-      teeth_.push_back(enter(contact, known != before.end() ? &known->pressure : &before.front().pressure));
+      teeth_.push_back(enter(contact, known != before.end() ? &known->state.pressure : &before.front().state.pressure));
       sum += teeth_.back().film->figures().pressure_integral;
     }
     return sum;
@@ -94,7 +103,7 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
     motion_ = *motion;
     teeth_.clear();
     for (int contact : path_.contacts_after(T_)) {
-      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().pressure));
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state.pressure));
     }
   } else {
     balance_at_rest();
@@ -129,7 +138,7 @@ void MeshMarch::exchange_contacts() {
   for (int contact : contacts) {
     const auto known = [&](const Tooth& tooth) { return tooth.contact == contact; };
     if (std::none_of(teeth_.begin(), teeth_.end(), known)) {
-      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().pressure));
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state.pressure));
     }
   }
   if (kept != present || teeth_.size() != kept) observe_present();
@@ -137,30 +146,33 @@ void MeshMarch::exchange_contacts() {
 
 PairState MeshMarch::state() const {
   PairState state{motion_, {}};
-  for (const Tooth& tooth : teeth_) state.pressures.push_back(tooth.pressure);
+  for (const Tooth& tooth : teeth_) state.films.push_back(tooth.state);
   return state;
 }
 
 void MeshMarch::set_state(const PairState& state) {
   motion_ = state.motion;
-  for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].pressure = state.pressures.at(k);
+  for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state = state.films.at(k);
 }
 
-// An implicit step too short for anything to flow.
+// One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
+// that no jump is no change.
 void MeshMarch::displace(const Motion& motion) {
-  constexpr double jump_time = 1e-4;
   if (motion.H0 != motion_.H0) {
+    const double shift = 1.0 / step_options_.dT;
     for (Tooth& tooth : teeth_) {
+      const ToothFilm& before = tooth.state;
       tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
-      std::vector<double> mass(tooth.pressure.size());
-      tooth.film->storage(tooth.pressure.data(), motion_.H0, mass.data());
+      std::vector<double> mass(before.pressure.size());
+      tooth.film->storage(before.pressure.data(), motion_.H0, mass.data());
+      for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= before.rate[n] / shift;
       StationaryNewton newton(*tooth.film, film_options_.newton);
-      FilmSolution moved{tooth.pressure, motion.H0};
-      if (!newton.solve(LoadCondition::displacement(motion.H0), moved, 1.0 / jump_time, mass.data())) {
+      FilmSolution moved{before.pressure, motion.H0};
+      if (!newton.solve(LoadCondition::displacement(motion.H0), moved, shift, mass.data())) {
         throw SolveError(label(tooth.contact) + ": the film does not follow a jump of H0 to " +
                          std::to_string(motion.H0));
       }
-      tooth.pressure = std::move(moved.pressure);
+      tooth.state.pressure = std::move(moved.pressure);
     }
   }
   motion_ = motion;
@@ -173,7 +185,7 @@ void MeshMarch::run(double T_end) {
     for (const Tooth& tooth : teeth_) contacts.push_back({tooth.contact, tooth.film});
     LubricatedPair pair(path_, contacts, inertia_, scales_.static_force);
     const OwnedVec state = pair.create_state();
-    for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_pressure(state, k, teeth_[k].pressure);
+    for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
     pair.set_motion(state, motion_);
     SegmentStepper stepper(pair, step_options_, [&](const StepRecord& record) {
       T_ = record.T;
@@ -187,7 +199,9 @@ void MeshMarch::run(double T_end) {
     stepper.run(state, T_, segment_end);
     T_ = segment_end;
     motion_ = pair.motion(state);
-    for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].pressure = pair.pressure(state, k);
+    for (std::size_t k = 0; k < teeth_.size(); ++k) {
+      teeth_[k].state = {pair.field(state, k), pair.field(stepper.rate(), k)};
+    }
     exchange_contacts();
   }
 }

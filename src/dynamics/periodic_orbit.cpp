@@ -51,10 +51,9 @@ private:
 /// Largest change of any pressure between two states with the same contacts.
 double film_change(const PairState& before, const PairState& after, MPI_Comm comm) {
   double largest = 0.0;
-  for (std::size_t k = 0; k < before.pressures.size() && k < after.pressures.size(); ++k) {
-    for (std::size_t n = 0; n < before.pressures[k].size(); ++n) {
-      largest = std::max(largest, std::abs(after.pressures[k][n] - before.pressures[k][n]));
-    }
+  for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
+    const std::vector<double>&first = before.films[k].pressure, &second = after.films[k].pressure;
+    for (std::size_t n = 0; n < first.size(); ++n) largest = std::max(largest, std::abs(second[n] - first[n]));
   }
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm);
   return largest;
@@ -83,7 +82,7 @@ Monodromy measure_monodromy(MeshMarch& march, const ContactPath& path, const Pai
 }  // namespace
 
 PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const DryOrbit& dry, double film_shift,
-                                  const PeriodicOptions& options) {
+                                  const PeriodicOptions& options, const SearchObserver& observer) {
   PeriodicOrbit orbit;
   orbit.dry = dry;
   march.start(Motion{dry.start.H0 + film_shift, dry.start.V0});
@@ -100,6 +99,7 @@ PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, con
     orbit.start = start;
     orbit.defect = length(defect);
     orbit.film_defect = film_change(start, end, march.comm());
+    observer({period, start.motion, end.motion, orbit.film_defect});
     if (orbit.defect < options.tolerance && orbit.film_defect < options.film_tolerance) {
       if (options.with_multipliers) orbit.monodromy = measure_monodromy(march, path, start, end);
       return orbit;

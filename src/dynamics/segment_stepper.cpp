@@ -14,6 +14,7 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
       options_(options),
       on_step_(std::move(on_step)),
       rows_(pair.create_state()),
+      rate_(pair.create_state()),
       jacobian_(shell_jacobian(pair)) {
   create_time_scheme();
   configure_solvers();
@@ -42,6 +43,7 @@ void SegmentStepper::create_time_scheme() {
           auto* own = static_cast<SegmentStepper*>(context);
           own->pair_.place(T);
           own->pair_.residual(state, rate, rows);
+          petsc_check(VecCopy(rate, own->rate_));
         });
       },
       this));

@@ -30,9 +30,9 @@ public:
 
   const std::vector<PairContact>& contacts() const { return contacts_; }
   OwnedVec create_state() const;
-  /// The compact pressure of one contact, and the motion, out of or into a state.
-  void set_pressure(Vec state, std::size_t contact, const std::vector<double>& pressure) const;
-  std::vector<double> pressure(Vec state, std::size_t contact) const;
+  /// The compact field of one contact (its pressure, or d(rho H)/dT in a rate), and the motion, out of or into a state.
+  void set_field(Vec state, std::size_t contact, const std::vector<double>& field) const;
+  std::vector<double> field(Vec state, std::size_t contact) const;
   void set_motion(Vec state, const Motion& motion) const;
   Motion motion(Vec state) const;
   /// Makes every pressure >= 0.

@@ -17,10 +17,16 @@ namespace gearfilm {
 /// grid the smoother alone is cheapest although it takes more Krylov iterations; 0 (all levels) beyond 10000 nodes.
 int step_levels(const Grid& grid);
 
-/// Motion and films of all present contacts (compact pressures, leading contact first).
+/// The film of one contact: compact pressure, and the rate d(rho H)/dT at which it squeezes.
+struct ToothFilm {
+  std::vector<double> pressure;
+  std::vector<double> rate;
+};
+
+/// Motion and films of all present contacts, leading contact first.
 struct PairState {
   Motion motion;
-  std::vector<std::vector<double>> pressures;
+  std::vector<ToothFilm> films;
 };
 
 class MeshMarch {
@@ -37,7 +43,8 @@ public:
   /// The present state; and another one in its place, for as many contacts.
   PairState state() const;
   void set_state(const PairState& state);
-  /// Jumps to another motion. The films follow at constant mass: their pressures change so that rho H stays.
+  /// Jumps to another motion. The films follow as they would if the jump took no longer than a time step: oil that
+  /// cannot flow away in it stays.
   void displace(const Motion& motion);
 
   double T() const { return T_; }
@@ -48,7 +55,7 @@ private:
   struct Tooth {
     int contact;
     ContactFilm* film;
-    std::vector<double> pressure;
+    ToothFilm state;
   };
 
   /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.

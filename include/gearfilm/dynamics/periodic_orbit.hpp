@@ -19,6 +19,15 @@ struct PeriodicOptions {
   bool with_multipliers = true;  ///< two more periods for the Floquet multipliers
 };
 
+/// One marched period of the search.
+struct SearchPeriod {
+  int number = 0;
+  Motion start;
+  Motion end;
+  double film_defect = 0.0;
+};
+using SearchObserver = std::function<void(const SearchPeriod&)>;
+
 struct PeriodicOrbit {
   PairState start;           ///< just after a contact has left
   double begin = 0.0;        ///< T at which the last period, the periodic one, began
@@ -32,6 +41,6 @@ struct PeriodicOrbit {
 /// The march must not have started; path starts (T = 0) just after a contact has left. film_shift: H_0 of a stationary
 /// film less that of the dry contact. Throws SolveError with the defects reached where no orbit is found.
 PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const DryOrbit& dry, double film_shift,
-                                  const PeriodicOptions& options);
+                                  const PeriodicOptions& options, const SearchObserver& observer);
 
 }  // namespace gearfilm

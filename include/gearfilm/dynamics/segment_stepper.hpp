@@ -34,6 +34,9 @@ public:
   /// Integrates the state from T0 to T1, in equal steps of at most dT. Throws SolveError where a step cannot be made.
   void run(Vec state, double T0, double T1);
 
+  /// d C(state)/dT at the end of run().
+  Vec rate() const { return rate_; }
+
 private:
   using OwnedTS = PetscHandle<TS, TSDestroy>;
 
@@ -46,6 +49,7 @@ private:
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;
+  OwnedVec rate_;  ///< of the last residual: that of the accepted state, once a step is done
   OwnedMat jacobian_;
   OwnedTS ts_;
   // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
