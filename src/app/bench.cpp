@@ -110,14 +110,13 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   resized.ny = size.ny;
   const Grid grid(comm, case_grid(resized));
   const ContactPath path = path_after_leaving(resized);
-  const DryOrbit dry = find_dry_orbit(resized.scales, path, resized.scales.inertia(*resized.equivalent_mass));
   MarchStatistics statistics(path.mesh_period(), resized.scales.static_force);
   MeshMarch march = make_march(resized, grid, path, [&](const StepRecord& record, const std::vector<LiveContact>&) {
     statistics.add(record, true);
   });
   double unit = convolution_time(size.nx, size.ny);
   MPI_Bcast(&unit, 1, MPI_DOUBLE, 0, comm);
-  march.start(Motion{dry.start.H0 + stationary_film_shift(resized, grid), dry.start.V0});
+  march.start(dry_guess(resized, grid, path).motion);
   const double start = MPI_Wtime();
   march.run(path.mesh_period());
   const double seconds = MPI_Wtime() - start;

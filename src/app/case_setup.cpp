@@ -22,11 +22,13 @@ MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& p
                    std::move(observer));
 }
 
-double stationary_film_shift(const Case& problem, const Grid& grid) {
+OrbitGuess dry_guess(const Case& problem, const Grid& grid, const ContactPath& path) {
+  const double inertia = problem.scales.inertia(*problem.equivalent_mass);
+  const DryOrbit dry = find_dry_orbit(problem.scales, path, inertia, usual_film_damping);
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);
-  const StationaryResult result =
+  const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
-  return result.solution.H0 + problem.scales.hertz.approach / problem.scales.film;
+  return guess_from(dry, at_pitch.solution.H0 + problem.scales.hertz.approach / problem.scales.film);
 }
 
 ContactPath path_after_leaving(const Case& problem) {

@@ -1,4 +1,6 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
+#include <cmath>
+
 #include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
@@ -31,21 +33,31 @@ void add_oscillation(const Case& problem, const Monodromy& monodromy, Summary& s
   summary["damping_ratio"] = oscillation.damping_ratio;
 }
 
-Summary orbit_summary(const Case& problem, const PeriodicOrbit& orbit, const PeriodFigures& period) {
-  const Scales& scales = problem.scales;
+/// The undamped dry pair's orbit, for comparison; nothing where there is none.
+Summary dry_summary(const Case& problem, const ContactPath& path) {
+  try {
+    const DryOrbit dry = find_dry_orbit(problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), 0.0);
+    Summary summary = {{"H0_after_leaving", dry.start.H0},
+                       {"V0_after_leaving", dry.start.V0},
+                       {"force_ratio_max", dry.largest_integral / problem.scales.static_force}};
+    add_oscillation(problem, dry.monodromy, summary);
+    return summary;
+  } catch (const SolveError&) {
+    return nullptr;
+  }
+}
+
+Summary orbit_summary(const Case& problem, const ContactPath& path, const PeriodicOrbit& orbit,
+                      const PeriodFigures& period) {
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}, {"dT", problem.steps.dT}};
   summary["periods_used"] = orbit.periods_used;
   summary["defect"] = orbit.defect;
   summary["film_defect"] = orbit.film_defect;
   summary["H0_after_leaving"] = orbit.start.motion.H0;
   summary["V0_after_leaving"] = orbit.start.motion.V0;
-  summary.update(period_summary(scales, period));
+  summary.update(period_summary(problem.scales, period));
   if (problem.periodic.with_multipliers) add_oscillation(problem, orbit.monodromy, summary);
-  Summary dry = {{"H0_after_leaving", orbit.dry.start.H0},
-                 {"V0_after_leaving", orbit.dry.start.V0},
-                 {"force_ratio_max", orbit.dry.largest_integral / scales.static_force}};
-  add_oscillation(problem, orbit.dry.monodromy, dry);
-  summary["dry"] = std::move(dry);
+  summary["dry"] = dry_summary(problem, path);
   return summary;
 }
 
@@ -57,16 +69,15 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);
   const ContactPath path = path_after_leaving(problem);
-  const double inertia = problem.scales.inertia(*problem.equivalent_mass);
-  const DryOrbit dry = find_dry_orbit(problem.scales, path, inertia);
-  const double film_shift = stationary_film_shift(problem, grid);
+  const OrbitGuess guess = dry_guess(problem, grid, path);
   MarchOutput output(comm, problem, grid, path, true, "periodic", usual_periods);
   MeshMarch march = make_march(problem, grid, path, output.observer());
   const auto summary_file = problem.output_directory / "summary.json";
   PeriodicOrbit orbit;
   try {
-    orbit = find_periodic_orbit(march, path, dry, film_shift, problem.periodic, [&](const SearchPeriod& p) {
-      petsc_check(PetscPrintf(comm, "period %d: start %.5f %.5f end %.5f %.5f defect %.2e %.2e film %.2e\n", p.number, p.start.H0, p.start.V0, p.end.H0, p.end.V0, p.end.H0-p.start.H0, p.end.V0-p.start.V0, p.film_defect));
+    orbit = find_periodic_orbit(march, path, guess, problem.periodic, [&](const SearchPeriod& period) {
+      petsc_check(PetscPrintf(comm, "mesh period %d: (H0, V0) repeats within %.1e, the films within %.1e\n",
+                              period.number, period.defect, period.film_defect));
     });
   } catch (const SolveError&) {
     Summary summary = march_summary(problem, path, output.statistics());
@@ -76,8 +87,8 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   }
   output.file().attribute("/history", "periodic_from", orbit.begin);
   output.file().attribute("/history", "periodic_to", orbit.begin + path.mesh_period());
-  const PeriodFigures& period = output.statistics().periods().at(orbit.periods_used - 1);
-  Summary summary = orbit_summary(problem, orbit, period);
+  const auto index = static_cast<std::size_t>(std::lround(orbit.begin / path.mesh_period()));
+  Summary summary = orbit_summary(problem, path, orbit, output.statistics().periods().at(index));
   summary["completed"] = true;
   write_summary(comm, summary_file, summary);
 }

@@ -11,8 +11,13 @@ namespace {
 
 constexpr double difference = 1e-5;  // of the motion, for derivatives of the map
 constexpr double shooting_tolerance = 1e-9;
-constexpr double damping_ratios[] = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.0};
-constexpr int settling_periods = 12;  // of the most damped pair
+constexpr double strong_damping = 0.3;
+constexpr double weak_damping = 0.002;   // from here to none at once
+constexpr double widest_ratio = 0.5;     // of one damping to the last
+constexpr double narrowest_ratio = 0.97;
+
+/// Mesh periods in which a damped pair settles on its orbit.
+double settling_periods(double damping_ratio) { return std::ceil(10.0 + 2.0 / damping_ratio); }
 
 /// The map of the motion over one mesh period.
 class DryMap {
@@ -108,18 +113,39 @@ bool shoot(const DryMap& map, Motion& motion) {
 
 }  // namespace
 
-DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia) {
+DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio) {
   DryMap map(scales, path, inertia);
   const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>&) {};
-  map.set_damping_ratio(damping_ratios[0]);
-  DryOrbit orbit;
-  orbit.start = map.march({}, settling_periods, std::numeric_limits<double>::max(), nobody);
-  for (double zeta : damping_ratios) {
+  const auto settle = [&](double zeta, const std::optional<Motion>& from) {
     map.set_damping_ratio(zeta);
-    if (!shoot(map, orbit.start)) {
-      throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(zeta) +
-                       " (continued from higher damping)");
+    return map.march(from, settling_periods(zeta), std::numeric_limits<double>::max(), nobody);
+  };
+  DryOrbit orbit;
+  double damping = std::max(strong_damping, damping_ratio), ratio = widest_ratio;
+  orbit.start = settle(damping, {});
+  bool found = shoot(map, orbit.start);
+  while (found && damping > damping_ratio) {
+    const double next = ratio * damping < std::max(weak_damping, damping_ratio) ? damping_ratio : ratio * damping;
+    Motion trial = orbit.start;
+    map.set_damping_ratio(next);
+    if (shoot(map, trial)) {
+      orbit.start = trial;
+      damping = next;
+      ratio = std::max(widest_ratio, ratio * ratio);
+    } else {
+      ratio = std::sqrt(ratio);
     }
+    if (ratio > narrowest_ratio) {
+      // The branch ends: what the pair settles on with less damping is another one.
+      damping = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
+      orbit.start = settle(damping, orbit.start);
+      found = shoot(map, orbit.start);
+      ratio = widest_ratio;
+    }
+  }
+  if (!found) {
+    throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
+                     ": continued from higher damping down to " + std::to_string(damping));
   }
   orbit.monodromy = map.derivative(orbit.start);
   map.march(orbit.start, 1.0, 0.01 * path.mesh_period(),

@@ -15,6 +15,7 @@ LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact>
       static_force_(static_force),
       weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
       column_(motion_at()),
+      column_solution_(motion_at()),
       work_(field_size()) {}
 
 OwnedVec LubricatedPair::create_state() const {
@@ -53,6 +54,10 @@ Motion LubricatedPair::broadcast(const double* values) const {
   return {motion[0], motion[1]};
 }
 
+Motion LubricatedPair::unweighted(const Motion& rows) const {
+  return {rows.H0 / weight_, rows.V0 / weight_ * static_force_};
+}
+
 // Int Int over all contacts together.
 double LubricatedPair::integral(const double* values) const {
   double sum = 0.0;
@@ -70,13 +75,13 @@ void LubricatedPair::place(double T) {
   for (const PairContact& contact : contacts_) contact.film->set_conditions(path_.conditions(contact.contact, T));
 }
 
-void LubricatedPair::residual(Vec state, Vec rate, Vec rows) {
+void LubricatedPair::residual(Vec state, Vec rate, double shift, Vec rows) {
   const VecReading in(state), rates(rate);
   const VecWriting out(rows);
   const Motion motion = broadcast(in);
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const std::size_t at = k * field_size();
-    contacts_[k].film->residual(in + at, motion.H0, rates + at, out + at);
+    contacts_[k].film->residual(in + at, motion.H0, {rates + at, shift}, out + at);
   }
   const double carried = integral(in);
   if (!has_motion()) return;
@@ -95,12 +100,28 @@ void LubricatedPair::storage(Vec state, Vec stored) {
   if (has_motion()) std::copy_n(in + motion_at(), 2, out + motion_at());
 }
 
-void LubricatedPair::linearise(double shift) {
+void LubricatedPair::linearise(double shift, Elimination elimination) {
   shift_ = shift;
+  elimination_ = elimination;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->linearise(shift);
     contacts_[k].film->film_shift(column_.data() + k * field_size());
+    if (elimination == Elimination::motion_first) continue;
+    contacts_[k].film->precondition(column_.data() + k * field_size(), column_solution_.data() + k * field_size());
   }
+  stiffness_ = elimination == Elimination::exact ? integral(column_solution_.data()) : 0.0;
+}
+
+void LubricatedPair::multiply_storage(Vec change, Vec rows) {
+  const VecReading in(change);
+  const VecWriting out(rows);
+  const Motion motion = broadcast(in);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts_[k].film->multiply_storage(in + k * field_size(), motion.H0, out + k * field_size());
+  }
+  if (!has_motion()) return;
+  out[motion_at()] = weight_ * motion.H0;
+  out[motion_at() + 1] = weight_ / static_force_ * inertia_ * motion.V0;
 }
 
 void LubricatedPair::multiply(Vec change, Vec rows) {
@@ -117,13 +138,21 @@ void LubricatedPair::multiply(Vec change, Vec rows) {
   out[at + 1] = weight_ / static_force_ * (inertia_ * shift_ * motion.V0 - carried);
 }
 
-// Without the contacts' reaction, shift H0 - V0 = r_H and I_n shift V0 = r_V.
 void LubricatedPair::precondition(Vec rows, Vec change) {
+  if (elimination_ == Elimination::exact) {
+    precondition_exactly(rows, change);
+  } else {
+    precondition_motion_first(rows, change);
+  }
+}
+
+// Without the contacts' reaction, shift H0 - V0 = r_H and I_n shift V0 = r_V.
+void LubricatedPair::precondition_motion_first(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
-  const Motion residual = broadcast(in);
-  const double V0 = residual.V0 / weight_ * static_force_ / (inertia_ * shift_);
-  const double H0 = (residual.H0 / weight_ + V0) / shift_;
+  const Motion residual = unweighted(broadcast(in));
+  const double V0 = residual.V0 / (inertia_ * shift_);
+  const double H0 = (residual.H0 + V0) / shift_;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const double* film_rows = in + k * field_size();
     const double* column = column_.data() + k * field_size();
@@ -133,6 +162,23 @@ void LubricatedPair::precondition(Vec rows, Vec change) {
   if (!has_motion()) return;
   out[motion_at()] = H0;
   out[motion_at() + 1] = V0;
+}
+
+// With z = M^-1 r and y = M^-1 dG/dH_0 of the films: v = z - y H0, V0 = shift H0 - r_H, and the equation of motion,
+// I_n shift V0 - Int z + H0 Int y = r_V, gives H0.
+void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
+  const VecReading in(rows);
+  const VecWriting out(change);
+  const Motion residual = unweighted(broadcast(in));
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts_[k].film->precondition(in + k * field_size(), out + k * field_size());
+  }
+  const double H0 = (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out)) /
+                    (inertia_ * shift_ * shift_ + stiffness_);
+  for (std::size_t n = 0; n < motion_at(); ++n) out[n] -= H0 * column_solution_[n];
+  if (!has_motion()) return;
+  out[motion_at()] = H0;
+  out[motion_at() + 1] = shift_ * H0 - residual.H0;
 }
 
 std::vector<ContactRecord> LubricatedPair::records(double T) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 #include "gearfilm/ehl/events.hpp"
 #include "gearfilm/ehl/validity.hpp"
@@ -144,35 +145,66 @@ void MeshMarch::exchange_contacts() {
   if (kept != present || teeth_.size() != kept) observe_present();
 }
 
+std::vector<PairContact> MeshMarch::contacts() const {
+  std::vector<PairContact> contacts;
+  for (const Tooth& tooth : teeth_) contacts.push_back({tooth.contact, tooth.film});
+  return contacts;
+}
+
 PairState MeshMarch::state() const {
   PairState state{motion_, {}};
   for (const Tooth& tooth : teeth_) state.films.push_back(tooth.state);
   return state;
 }
 
-void MeshMarch::set_state(const PairState& state) {
+void MeshMarch::resume(double T, const PairState& state) {
+  T_ = T;
   motion_ = state.motion;
-  for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state = state.films.at(k);
+  const std::vector<int> contacts = path_.contacts_after(T_);
+  if (contacts.size() != state.films.size()) {
+    throw std::logic_error("a march cannot go on from " + std::to_string(state.films.size()) + " films with " +
+                           std::to_string(contacts.size()) + " contacts");
+  }
+  teeth_.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k) teeth_.push_back({contacts[k], free_film(), state.films[k]});
 }
 
 // One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
 // that no jump is no change.
+bool MeshMarch::follow(const Tooth& tooth, double H0, ToothFilm& after) const {
+  const double shift = 1.0 / step_options_.dT;
+  tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
+  std::vector<double> mass(after.pressure.size());
+  tooth.film->storage(after.pressure.data(), motion_.H0, mass.data());
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= after.rate[n] / shift;
+  StationaryNewton newton(*tooth.film, step_options_.newton);
+  FilmSolution moved{after.pressure, H0};
+  if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) return false;
+  after.pressure = std::move(moved.pressure);
+  return true;
+}
+
+// A film that cannot follow at once does so in smaller jumps.
 void MeshMarch::displace(const Motion& motion) {
-  if (motion.H0 != motion_.H0) {
-    const double shift = 1.0 / step_options_.dT;
-    for (Tooth& tooth : teeth_) {
-      const ToothFilm& before = tooth.state;
-      tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
-      std::vector<double> mass(before.pressure.size());
-      tooth.film->storage(before.pressure.data(), motion_.H0, mass.data());
-      for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= before.rate[n] / shift;
-      StationaryNewton newton(*tooth.film, film_options_.newton);
-      FilmSolution moved{before.pressure, motion.H0};
-      if (!newton.solve(LoadCondition::displacement(motion.H0), moved, shift, mass.data())) {
-        throw SolveError(label(tooth.contact) + ": the film does not follow a jump of H0 to " +
-                         std::to_string(motion.H0));
-      }
-      tooth.state.pressure = std::move(moved.pressure);
+  constexpr double smallest_jump = 1e-3;
+  double jump = motion.H0 - motion_.H0;
+  while (motion_.H0 != motion.H0) {
+    const double left = motion.H0 - motion_.H0;
+    const double H0 = std::abs(left) <= std::abs(jump) * (1.0 + 1e-9) ? motion.H0 : motion_.H0 + jump;
+    std::vector<ToothFilm> after;
+    bool all = true;
+    for (const Tooth& tooth : teeth_) {
+      after.push_back(tooth.state);
+      all = all && follow(tooth, H0, after.back());
+    }
+    if (all) {
+      for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state = std::move(after[k]);
+      motion_.H0 = H0;
+    } else if (std::abs(jump) > smallest_jump) {
+      jump *= 0.5;
+    } else {
+      throw SolveError(label(teeth_.front().contact) + ": the film does not follow a jump of H0 to " +
+                       std::to_string(motion.H0));
     }
   }
   motion_ = motion;
@@ -181,9 +213,7 @@ void MeshMarch::displace(const Motion& motion) {
 void MeshMarch::run(double T_end) {
   while (T_ < T_end - 1e-9) {
     const ScopedStage stage("Time steps");
-    std::vector<PairContact> contacts;
-    for (const Tooth& tooth : teeth_) contacts.push_back({tooth.contact, tooth.film});
-    LubricatedPair pair(path_, contacts, inertia_, scales_.static_force);
+    LubricatedPair pair(path_, contacts(), inertia_, scales_.static_force);
     const OwnedVec state = pair.create_state();
     for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
     pair.set_motion(state, motion_);

@@ -12,27 +12,30 @@ namespace {
 constexpr double multiplier_difference =
     2e-3;                               // of the motion: well above the noise of a march, within its linear range
 constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
+constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
+constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
 
 double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
 Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
+Motion moved(const Motion& from, double by, const Motion& step) {
+  return {from.H0 + by * step.H0, from.V0 + by * step.V0};
+}
 
-/// Approximate Jacobian of the defect, map(x) - x, kept good by Broyden's update.
-class DefectJacobian {
+/// Approximate Jacobian of the map, kept good by Broyden's update.
+class MapJacobian {
 public:
-  explicit DefectJacobian(const Monodromy& monodromy) : entries_(monodromy) {
-    entries_[0][0] -= 1.0;
-    entries_[1][1] -= 1.0;
-  }
-  /// -J^-1 defect.
+  explicit MapJacobian(const Monodromy& monodromy) : entries_(monodromy) {}
+
+  const Monodromy& monodromy() const { return entries_; }
+  /// The step by which map(x) - x would vanish.
   Motion newton_step(const Motion& defect) const {
-    const auto& [first, second] = entries_;
-    const double determinant = first[0] * second[1] - first[1] * second[0];
-    Motion step{-(second[1] * defect.H0 - first[1] * defect.V0) / determinant,
-                -(first[0] * defect.V0 - second[0] * defect.H0) / determinant};
-    const double shrink = std::min(1.0, largest_change / length(step));
-    return {shrink * step.H0, shrink * step.V0};
+    const double a = entries_[0][0] - 1.0, b = entries_[0][1], c = entries_[1][0], d = entries_[1][1] - 1.0;
+    const double determinant = a * d - b * c;
+    const Motion step{-(d * defect.H0 - b * defect.V0) / determinant, -(a * defect.V0 - c * defect.H0) / determinant};
+    return moved({}, std::min(1.0, largest_change / length(step)), step);
   }
-  void update(const Motion& step, const Motion& defect_change) {
+  /// The map changed by map_change over a step of its argument.
+  void update(const Motion& step, const Motion& map_change) {
     const double square = step.H0 * step.H0 + step.V0 * step.V0;
     if (square == 0.0) return;
     const auto correct = [&](std::array<double, 2>& row, double change) {
@@ -40,8 +43,8 @@ public:
       row[0] += error * step.H0;
       row[1] += error * step.V0;
     };
-    correct(entries_[0], defect_change.H0);
-    correct(entries_[1], defect_change.V0);
+    correct(entries_[0], map_change.H0);
+    correct(entries_[1], map_change.V0);
   }
 
 private:
@@ -59,69 +62,155 @@ double film_change(const PairState& before, const PairState& after, MPI_Comm com
   return largest;
 }
 
-/// Marches one period.
-PairState one_period(MeshMarch& march, const ContactPath& path) {
-  march.run(march.T() + path.mesh_period());
-  return march.state();
-}
+/// A period that was marched to its end.
+struct Trial {
+  PairState start;
+  PairState end;
+  double begin = 0.0;
+  Motion defect;
+  double film_defect = 0.0;
+};
 
-Monodromy measure_monodromy(MeshMarch& march, const ContactPath& path, const PairState& start, const PairState& end) {
-  Monodromy monodromy{};
-  for (int column = 0; column < 2; ++column) {
-    Motion disturbed = start.motion;
-    (column == 0 ? disturbed.H0 : disturbed.V0) += multiplier_difference;
-    march.set_state(start);
-    march.displace(disturbed);
-    const Motion change = difference(one_period(march, path).motion, end.motion);
-    monodromy[0][column] = change.H0 / multiplier_difference;
-    monodromy[1][column] = change.V0 / multiplier_difference;
+class OrbitSearch {
+public:
+  OrbitSearch(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess, const PeriodicOptions& options,
+              const SearchObserver& observer)
+      : march_(march), path_(path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
+    if (guess.films.empty()) {
+      march_.start(guess.motion);
+    } else {
+      march_.resume(0.0, {guess.motion, guess.films});
+    }
   }
-  return monodromy;
-}
+
+  PeriodicOrbit run() {
+    while (!march_period()) place_next();
+    PeriodicOrbit orbit{last_.start,       last_.begin, length(last_.defect),
+                        last_.film_defect, periods_,    jacobian_.monodromy()};
+    if (options_.with_multipliers) {
+      for (int column = 0; column < 2; ++column) measure(last_, column);
+      orbit.monodromy = jacobian_.monodromy();
+    }
+    return orbit;
+  }
+
+private:
+  bool repeats(const Trial& trial) const {
+    return length(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+  }
+
+  /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
+  /// first.
+  bool march_period() {
+    count_period();
+    Trial trial{march_.state(), {}, march_.T(), {}, 0.0};
+    try {
+      march_.run(trial.begin + path_.mesh_period());
+    } catch (const SolveError& error) {
+      if (!best_) throw;
+      trouble_ = error.what();
+      better_ = false;
+      return false;
+    }
+    trial.end = march_.state();
+    trial.defect = difference(trial.end.motion, trial.start.motion);
+    trial.film_defect = film_change(trial.start, trial.end, march_.comm());
+    if (best_) {
+      jacobian_.update(difference(trial.start.motion, last_.start.motion),
+                       difference(trial.end.motion, last_.end.motion));
+    }
+    const double size = length(trial.defect);
+    better_ = !best_ || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
+    last_ = trial;
+    if (better_) best_ = trial;
+    const bool found = repeats(trial);
+    observer_({periods_, size, trial.film_defect, found});
+    return found;
+  }
+
+  /// Puts the march where the next period is to begin.
+  void place_next() {
+    if (settling_ > 0) {
+      --settling_;
+      return march_on();
+    }
+    shortening_ = better_ ? 1.0 : 0.5 * shortening_;
+    if (better_) measured_ = false;
+    if (shortening_ < shortest_step) {
+      if (measured_) {
+        settling_ = settling_periods;
+        return march_on();
+      }
+      measured_ = true;
+      shortening_ = 1.0;
+      try {
+        for (int column = 0; column < 2; ++column) measure(*best_, column);
+      } catch (const SolveError& error) {
+        if (periods_ > options_.max_periods) throw;
+        trouble_ = error.what();
+      }
+    }
+    march_.resume(next_boundary(), best_->end);
+    march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+  }
+
+  void march_on() {
+    shortening_ = 1.0;
+    measured_ = false;
+    march_.resume(next_boundary(), best_->end);
+  }
+
+  /// One column of the Jacobian, by a period with disturbed motion.
+  void measure(const Trial& base, int column) {
+    count_period();
+    Motion step{};
+    (column == 0 ? step.H0 : step.V0) = multiplier_difference;
+    march_.resume(next_boundary(), base.start);
+    march_.displace(moved(base.start.motion, 1.0, step));
+    march_.run(march_.T() + path_.mesh_period());
+    const Motion change = difference(march_.motion(), base.end.motion);
+    jacobian_.update(step, change);
+  }
+
+  /// The next time at which a contact has just left.
+  double next_boundary() const { return path_.mesh_period() * std::ceil(march_.T() / path_.mesh_period() - 1e-9); }
+
+  void count_period() {
+    if (++periods_ <= options_.max_periods) return;
+    std::ostringstream message;
+    message << "no periodic state after " << options_.max_periods << " mesh periods";
+    if (best_) {
+      message << ": (H0, V0) still changes by " << length(best_->defect) << ", the films by " << best_->film_defect;
+    }
+    if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
+    message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
+    throw SolveError(message.str());
+  }
+
+  MeshMarch& march_;
+  const ContactPath& path_;
+  PeriodicOptions options_;
+  const SearchObserver& observer_;
+  MapJacobian jacobian_;
+  int periods_ = 0;
+  Trial last_;
+  std::optional<Trial> best_;
+  bool better_ = true;       ///< the last trial improved on the best before it
+  bool measured_ = false;    ///< the Jacobian was measured since the last improvement
+  double shortening_ = 1.0;  ///< part of the Newton step taken
+  int settling_ = 0;         ///< periods still to be marched on
+  std::string trouble_;      ///< why the last failed march failed
+};
 
 }  // namespace
 
-PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const DryOrbit& dry, double film_shift,
+OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
+  return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};
+}
+
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
                                   const PeriodicOptions& options, const SearchObserver& observer) {
-  PeriodicOrbit orbit;
-  orbit.dry = dry;
-  march.start(Motion{dry.start.H0 + film_shift, dry.start.V0});
-  DefectJacobian jacobian(dry.monodromy);
-  PairState start = march.state();
-  Motion step{}, last_defect{};
-  double best = HUGE_VAL, damping = 1.0;
-  for (int period = 1; period <= options.max_periods; ++period) {
-    orbit.begin = march.T();
-    const PairState end = one_period(march, path);
-    const Motion defect = difference(end.motion, start.motion);
-    if (period > 1) jacobian.update(step, difference(defect, last_defect));
-    orbit.periods_used = period;
-    orbit.start = start;
-    orbit.defect = length(defect);
-    orbit.film_defect = film_change(start, end, march.comm());
-    observer({period, start.motion, end.motion, orbit.film_defect});
-    if (orbit.defect < options.tolerance && orbit.film_defect < options.film_tolerance) {
-      if (options.with_multipliers) orbit.monodromy = measure_monodromy(march, path, start, end);
-      return orbit;
-    }
-    damping = orbit.defect < best ? 1.0 : 0.5 * damping;
-    best = std::min(best, orbit.defect);
-    step = jacobian.newton_step(defect);
-    if (damping < 0.2) {
-      step = defect;  // the map itself: marching on
-      damping = 1.0;
-    } else {
-      step = {damping * step.H0, damping * step.V0};
-    }
-    last_defect = defect;
-    march.displace({start.motion.H0 + step.H0, start.motion.V0 + step.V0});
-    start = march.state();
-  }
-  std::ostringstream message;
-  message << "no periodic state after " << options.max_periods << " mesh periods: (H0, V0) still changes by "
-          << orbit.defect << ", the films by " << orbit.film_defect
-          << "; allow more periods (periodic_max_periods) or start from a neighbouring speed";
-  throw SolveError(message.str());
+  return OrbitSearch(march, path, guess, options, observer).run();
 }
 
 }  // namespace gearfilm

@@ -42,7 +42,7 @@ void SegmentStepper::create_time_scheme() {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
           own->pair_.place(T);
-          own->pair_.residual(state, rate, rows);
+          own->pair_.residual(state, rate, own->stage_shift_, rows);
           petsc_check(VecCopy(rate, own->rate_));
         });
       },
@@ -54,15 +54,21 @@ void SegmentStepper::create_time_scheme() {
           auto* own = static_cast<SegmentStepper*>(context);
           // The wet mask belongs to the last residual, which a line search may have taken elsewhere.
           own->pair_.place(T);
-          own->pair_.residual(state, rate, own->rows_);
+          own->pair_.residual(state, rate, own->stage_shift_, own->rows_);
           own->pair_.linearise(shift);
           petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
         });
       },
       this));
-  petsc_check(TSSetPreStage(
-      ts_, [](TS ts, PetscReal T) -> PetscErrorCode { return petsc_callback([&] { of(ts).state_time_ = T; }); }));
+  petsc_check(TSSetPreStage(ts_, [](TS ts, PetscReal T) -> PetscErrorCode {
+    return petsc_callback([&] {
+      PetscReal begin = 0.0;
+      petsc_check(TSGetTime(ts, &begin));
+      of(ts).state_time_ = T;
+      of(ts).stage_shift_ = 1.5 / (T - begin);
+    });
+  }));
   petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal, PetscInt, Vec*) -> PetscErrorCode {
     return petsc_callback([&] {
       SNES snes = nullptr;

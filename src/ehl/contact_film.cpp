@@ -56,9 +56,9 @@ void ContactFilm::evaluate(const double* pressure, double H0) {
   evaluated_ = true;
 }
 
-void ContactFilm::residual(const double* pressure, double H0, const double* storage_rate, double* residual) {
+void ContactFilm::residual(const double* pressure, double H0, const Squeeze& squeeze, double* residual) {
   evaluate(pressure, H0);
-  reynolds_residual(grid_, conditions_.entrainment, state_, storage_rate, residual);
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, residual);
 }
 
 void ContactFilm::storage(const double* pressure, double H0, double* storage) {
@@ -76,10 +76,8 @@ void ContactFilm::linearise(double storage_shift) {
   preconditioner_->update(state_, conditions_.entrainment, storage_shift);
 }
 
-void ContactFilm::multiply(const double* change, double change_H0, double* rows) {
-  const ScopedEvent event(Kernel::jacobian_apply);
+void ContactFilm::deform(const double* change, double change_H0) {
   change_.load(change);
-  halo_.exchange(change_);
   deformation_.apply(change_, deformed_);
   ++convolutions_;
   if (change_H0 != 0.0) {
@@ -88,9 +86,27 @@ void ContactFilm::multiply(const double* change, double change_H0, double* rows)
       for (int j = 0; j < grid_.y_count(); ++j) line[j] += change_H0;
     }
   }
+}
+
+void ContactFilm::multiply(const double* change, double change_H0, double* rows) {
+  const ScopedEvent event(Kernel::jacobian_apply);
+  deform(change, change_H0);
+  halo_.exchange(change_);
   halo_.exchange(deformed_);
   apply_stencil(linear_, change_, deformed_, rows_);
   rows_.store(rows);
+}
+
+void ContactFilm::multiply_storage(const double* change, double change_H0, double* rows) {
+  deform(change, change_H0);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* line = rows + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const double mass = state_.density.row(i)[j] * deformed_.row(i)[j] +
+                          state_.density_by_pressure.row(i)[j] * state_.film.row(i)[j] * change_.row(i)[j];
+      line[j] = state_.wet.row(i)[j] * mass;
+    }
+  }
 }
 
 void ContactFilm::film_shift(double* column) const { film_shift_column(linear_, column); }

@@ -63,7 +63,7 @@ void linearise(const Grid& grid, double entrainment, double storage_shift, const
         add_mass(state, weights.wedge * (first ? -1.0 : -2.0), i - 1, j, west, stencil);
         if (!first) add_mass(state, weights.wedge * 0.5, i - 2, j, west_west, stencil);
       } else {
-        stencil.v[centre] = weights.row_scale(state.conductance.row(i)[j]);
+        stencil.v[centre] = state.row_scale.row(i)[j];
       }
       for (int n = 0; n < neighbour_count; ++n) {
         linear.by_pressure[n].row(i)[j] = static_cast<Real>(stencil.v[n]);

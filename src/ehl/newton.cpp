@@ -66,6 +66,24 @@ OwnedMat shell_jacobian(LinearisedSystem& system) {
   return jacobian;
 }
 
+void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
+  petsc_check(KSPSetType(ksp, KSPFGMRES));
+  petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
+  petsc_check(KSPGMRESSetRestart(ksp, std::min(max_iterations, 60)));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "film multigrid"));
+  petsc_check(PCShellSetContext(pc, &system));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LinearisedSystem* own = nullptr;
+      petsc_check(PCShellGetContext(shell, &own));
+      own->precondition(in, out);
+    });
+  }));
+}
+
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
@@ -90,22 +108,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   }
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
-  petsc_check(KSPSetType(ksp, KSPFGMRES));
-  petsc_check(
-      KSPSetTolerances(ksp, options.krylov_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, options.krylov_max_iterations));
-  petsc_check(KSPGMRESSetRestart(ksp, std::min(options.krylov_max_iterations, 60)));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "film multigrid"));
-  petsc_check(PCShellSetContext(pc, &system));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LinearisedSystem* own = nullptr;
-      petsc_check(PCShellGetContext(shell, &own));
-      own->precondition(in, out);
-    });
-  }));
+  configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
 }
 
 }  // namespace gearfilm

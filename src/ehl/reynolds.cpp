@@ -39,10 +39,10 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
 
 }  // namespace
 
-void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const double* storage_rate,
+void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
                        double* residual) {
   const ScopedEvent event(Kernel::residual);
-  const ReynoldsWeights weights(grid, entrainment);
+  const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
   const int rows = grid.y_count();
   std::vector<double> line(rows);
   const int first_row = grid.local_row(0), last_row = grid.local_row(grid.ny() - 1);
@@ -51,22 +51,24 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
     const double* pressure = state.pressure.row(i);
     const double* conductance = state.conductance.row(i);
     double* wet = state.wet.row(i);
+    double* scale = state.row_scale.row(i);
     double* out = residual + static_cast<std::size_t>(i) * rows;
     if (interior) {
       std::fill(line.begin(), line.end(), 0.0);
-      if (storage_rate) std::copy_n(storage_rate + static_cast<std::size_t>(i) * rows, rows, line.begin());
+      if (squeeze.rate) std::copy_n(squeeze.rate + static_cast<std::size_t>(i) * rows, rows, line.begin());
       add_wedge(state, weights, i, line.data());
       add_poiseuille(state, weights, i, line.data());
     }
     for (int j = 0; j < rows; ++j) {
-      const double cavitated = weights.row_scale(conductance[j]) * pressure[j];
+      scale[j] = weights.row_scale(conductance[j]);
+      const double cavitated = scale[j] * pressure[j];
       wet[j] = interior && line[j] < cavitated ? 1.0 : 0.0;
       out[j] = wet[j] != 0.0 ? line[j] : cavitated;
     }
     for (int edge : {first_row, last_row}) {
       if (edge < 0) continue;
       wet[edge] = 0.0;
-      out[edge] = weights.row_scale(conductance[edge]) * pressure[edge];
+      out[edge] = scale[edge] * pressure[edge];
     }
   }
 }

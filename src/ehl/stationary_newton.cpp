@@ -64,7 +64,7 @@ void StationaryNewton::evaluate(Vec state, Vec residual) {
     for (int n = 0; n < size_; ++n) storage_rate_[n] = shift_ * (storage_rate_[n] - storage_[n]);
     rate = storage_rate_.data();
   }
-  film_.residual(in, H0, rate, out);
+  film_.residual(in, H0, {rate, shift_}, out);
   const double carried = integral(in);
   if (has_scalar_) out[size_] = load_row(H0, carried);
 }

@@ -73,7 +73,7 @@ public:
 
   OwnedVec vector(const std::vector<std::vector<double>>& fields, const Motion& motion) const {
     OwnedVec vec = pair->create_state();
-    for (std::size_t k = 0; k < fields.size(); ++k) pair->set_pressure(vec, k, fields[k]);
+    for (std::size_t k = 0; k < fields.size(); ++k) pair->set_field(vec, k, fields[k]);
     pair->set_motion(vec, motion);
     return vec;
   }

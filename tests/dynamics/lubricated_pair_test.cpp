@@ -39,7 +39,7 @@ protected:
     system.pair->storage(at, rate);
     petsc_check(VecAXPY(rate, -1.0, C0));
     petsc_check(VecScale(rate, shift));
-    system.pair->residual(at, rate, rows);
+    system.pair->residual(at, rate, shift, rows);
     return rows;
   }
 
@@ -145,8 +145,8 @@ TEST_F(LubricatedPairAt, films_act_on_each_other_through_the_motion_only) {
   system.pair->linearise(shift);
   const OwnedVec rows = system.pair->create_state();
   system.pair->multiply(direction({1.0, 0.0}, {}), rows);
-  EXPECT_EQ(largest(system.pair->pressure(rows, 1)), 0.0);
-  EXPECT_GT(largest(system.pair->pressure(rows, 0)), 0.0);
+  EXPECT_EQ(largest(system.pair->field(rows, 1)), 0.0);
+  EXPECT_GT(largest(system.pair->field(rows, 0)), 0.0);
   const Motion motion_rows = system.pair->motion(rows);
   EXPECT_EQ(motion_rows.H0, 0.0);
   EXPECT_NE(motion_rows.V0, 0.0);
@@ -162,8 +162,8 @@ TEST_F(LubricatedPairAt, pressures_are_clipped_and_the_motion_is_not) {
   // Cavitated nodes of an accepted state may be negative by round-off.
   std::vector<double> expected = steps.last.pressure[1];
   for (double& pressure : expected) pressure = std::max(pressure, 0.0);
-  EXPECT_EQ(system.pair->pressure(negative, 0).front(), 0.0);
-  EXPECT_EQ(system.pair->pressure(negative, 1), expected);
+  EXPECT_EQ(system.pair->field(negative, 0).front(), 0.0);
+  EXPECT_EQ(system.pair->field(negative, 1), expected);
   EXPECT_EQ(system.pair->motion(negative).H0, -1.0);
   EXPECT_EQ(system.pair->motion(negative).V0, -2.0);
 }
@@ -173,7 +173,7 @@ TEST_F(LubricatedPairAt, a_multigrid_cycle_reduces_the_residual) {
   LubricatedPair& pair = *with_all_levels.pair;
   const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state(),
                  left = pair.create_state();
-  pair.residual(state, rate, rows);
+  pair.residual(state, rate, shift, rows);
   pair.linearise(shift);
   pair.precondition(rows, change);
   pair.multiply(change, left);
@@ -195,7 +195,7 @@ TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
   const double shift = 1.5 / steps.last.dT;
   const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
   const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state();
-  pair.residual(state, rate, rows);
+  pair.residual(state, rate, shift, rows);
   pair.linearise(shift);
   // What a wrong first guess leaves: without any rate.
   NewtonOptions options;

@@ -78,11 +78,11 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   petsc_check(VecScale(rate, 1.5 / steps.last.dT));
   petsc_check(VecAXPY(rate, -2.0 / steps.last.dT, system.vector(steps.last_but_one.stored, steps.last_but_one.motion)));
   petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.stored, steps.before_last.motion)));
-  system.pair->residual(state, rate, rows);
+  system.pair->residual(state, rate, 1.5 / steps.last.dT, rows);
   const ContactFilm& film = system.film(0);
   const FaceFluxes fluxes(steps.march, film);
   const std::vector<double> wet = whole_of(grid, film.state().wet),
-                            rates = [&] { return whole_of(grid, system.pair->pressure(rate, 0)); }();
+                            rates = [&] { return whole_of(grid, system.pair->field(rate, 0)); }();
   double stored = 0.0;
   int wet_nodes = 0;
   for (std::size_t n = 0; n < wet.size(); ++n) {

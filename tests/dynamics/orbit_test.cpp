@@ -46,7 +46,7 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
   const auto& reference = table3::reference().at("dry_periodic");
   const Case problem = table3_case(after_leaving_place());
   const ContactPath path = path_of(problem);
-  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem));
+  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem), 0.0);
   DryMarch march(problem.scales, path, inertia_of(problem), 1.0,
                  [](const StepRecord&, const std::vector<LiveContact>&) {});
   march.start(orbit.start);
@@ -66,10 +66,11 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   const auto& reference = table3::reference().at("film_periodic_129x65_dT_0.026");
   RecordedMarch march(table3_case(after_leaving_place()));
   const Case& problem = march.problem();
-  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem));
+  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
   const double film_shift = table3::reference().at("steady_pitch").at(0).at("H0").get<double>() +
                             problem.scales.hertz.approach / problem.scales.film;
-  const PeriodicOrbit orbit = find_periodic_orbit(march.march(), march.path(), dry, film_shift, problem.periodic);
+  const PeriodicOrbit orbit = find_periodic_orbit(march.march(), march.path(), guess_from(dry, film_shift),
+                                                  problem.periodic, [](const SearchPeriod&) {});
   report("%d mesh periods, defect %.1e, of the film %.1e", orbit.periods_used, orbit.defect, orbit.film_defect);
   EXPECT_LE(orbit.periods_used, 6);
   EXPECT_LT(orbit.defect, 1e-4);

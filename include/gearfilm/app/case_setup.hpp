@@ -12,8 +12,9 @@ GridShape case_grid(const Case& problem);
 void require_inertia(const Case& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
-/// H_0 of the stationary film under the static force at the pitch point, less that of the dry contact.
-double stationary_film_shift(const Case& problem, const Grid& grid);
+/// Where the search for the case's periodic state begins: the dry pair's orbit, damped about as films do, its H_0
+/// shifted by the film.
+OrbitGuess dry_guess(const Case& problem, const Grid& grid, const ContactPath& path);
 /// The path of a march that starts just after a contact has left.
 ContactPath path_after_leaving(const Case& problem);
 

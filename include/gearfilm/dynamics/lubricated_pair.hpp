@@ -6,7 +6,8 @@
 //
 // State: [P_1, ..., P_n, H_0, V_0], the two scalars on the first process. The squeeze term differentiates rho H, not
 // P: the time scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, H_0, V_0] to difference, so mass is conserved.
-// Preconditioner: the motion first (a contact's stiffness is 1e-4 of I_n/dT^2), then one multigrid cycle a contact.
+// Preconditioner: one multigrid cycle a contact, and the motion before it (in time steps: a contact's stiffness is 1e-4
+// of I_n/dT^2) or eliminated exactly (where the shift is small, as in an eigenvalue problem).
 #pragma once
 
 #include <vector>
@@ -41,14 +42,17 @@ public:
   /// Puts every contact where it is at time T.
   void place(double T);
 
-  /// Rows of the system at the present place; rate = d C(state)/dT. Scaled so that norm/sqrt(nodes) is a root mean
-  /// square over the films plus the relative errors of the motion.
-  void residual(Vec state, Vec rate, Vec rows);
+  /// Rows of the system at the present place; rate = d C(state)/dT, about shift times a change of C. Scaled so that
+  /// norm/sqrt(nodes) is a root mean square over the films plus the relative errors of the motion.
+  void residual(Vec state, Vec rate, double shift, Vec rows);
   /// C(state).
   void storage(Vec state, Vec stored);
+  enum class Elimination { motion_first, exact };
   /// Prepares multiply() and precondition() at the state of the last residual(), for d(rate)/d(C) = shift.
-  void linearise(double shift);
+  void linearise(double shift, Elimination elimination = Elimination::motion_first);
   void multiply(Vec change, Vec rows) override;
+  /// The part of multiply() that grows with the shift.
+  void multiply_storage(Vec change, Vec rows);
   void precondition(Vec rows, Vec change) override;
 
   /// Figures of every contact at the last state.
@@ -65,6 +69,10 @@ private:
   std::size_t motion_at() const { return contacts_.size() * field_size(); }
   bool has_motion() const { return grid_.rank() == 0; }
   Motion broadcast(const double* values) const;
+  /// The residuals of the motion's rows without their scales.
+  Motion unweighted(const Motion& rows) const;
+  void precondition_motion_first(Vec rows, Vec change);
+  void precondition_exactly(Vec rows, Vec change);
   double integral(const double* values) const;
 
   const ContactPath& path_;
@@ -74,7 +82,10 @@ private:
   double static_force_;
   double weight_;
   double shift_ = 0.0;
-  std::vector<double> column_;  ///< dG_k/dH_0 of all contacts
+  Elimination elimination_ = Elimination::motion_first;
+  std::vector<double> column_;           ///< dG_k/dH_0 of all contacts
+  std::vector<double> column_solution_;  ///< (dG_k/dP_k)^-1 of it, approximately
+  double stiffness_ = 0.0;               ///< its integral, -dF/dH_0; zero with the motion first
   std::vector<double> work_;
 };
 

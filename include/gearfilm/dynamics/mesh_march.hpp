@@ -40,12 +40,16 @@ public:
   /// Integrates up to T_end.
   void run(double T_end);
 
-  /// The present state; and another one in its place, for as many contacts.
+  /// The present state.
   PairState state() const;
-  void set_state(const PairState& state);
+  /// Goes on from a state at time T, with one film for each contact that exists just after it.
+  void resume(double T, const PairState& state);
   /// Jumps to another motion. The films follow as they would if the jump took no longer than a time step: oil that
   /// cannot flow away in it stays.
   void displace(const Motion& motion);
+
+  /// The contacts that exist now, with their films.
+  std::vector<PairContact> contacts() const;
 
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
@@ -61,6 +65,8 @@ private:
   /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
   Tooth enter(int contact, const std::vector<double>* neighbour);
   void balance_at_rest();
+  /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
+  bool follow(const Tooth& tooth, double H0, ToothFilm& after) const;
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   void observe_present() const;

@@ -1,10 +1,11 @@
 // The periodic state of the lubricated gear pair in a few mesh periods.
 //
 // The film forgets within a fraction of a mesh period, so the map of the state over one period is nearly
-// two-dimensional in (H_0, V_0), and close to that of the dry pair. Newton's method on it: from the dry periodic orbit,
-// its H_0 shifted by the film, with the dry pair's Jacobian, improved by Broyden's update after every period marched.
-// The films themselves are carried on from period to period, and must repeat too.
-// Where a step makes the defect worse, the next is half as long; where that does not help, the pair is marched on.
+// two-dimensional in (H_0, V_0), and close to that of the dry pair. Newton's method on it: from a guess (the dry pair's
+// orbit, its H_0 shifted by the film, or the orbit at a neighbouring speed) with the guess's Jacobian, improved by
+// Broyden's update after every period marched. The films themselves are carried on from period to period, and must
+// repeat too. Where a step makes the defect worse, or its march fails, the next is half as long; where that does not
+// help, the Jacobian is measured by differences; where that does not help either, the pair is marched on.
 #pragma once
 
 #include "gearfilm/dynamics/dry_orbit.hpp"
@@ -19,28 +20,37 @@ struct PeriodicOptions {
   bool with_multipliers = true;  ///< two more periods for the Floquet multipliers
 };
 
+/// Where a search begins, and its Jacobian. Without films they start as stationary ones.
+struct OrbitGuess {
+  Motion motion;
+  Monodromy monodromy{};
+  std::vector<ToothFilm> films;
+};
+
+/// The guess from the dry orbit; film_shift: H_0 of a stationary film less that of the dry contact.
+OrbitGuess guess_from(const DryOrbit& dry, double film_shift);
+
 /// One marched period of the search.
 struct SearchPeriod {
   int number = 0;
-  Motion start;
-  Motion end;
-  double film_defect = 0.0;
+  double defect = 0.0;       ///< largest change of H_0 and V_0 [-]
+  double film_defect = 0.0;  ///< largest change of any P [-]
+  bool accepted = false;     ///< the periodic one: the search ends with it
 };
 using SearchObserver = std::function<void(const SearchPeriod&)>;
 
 struct PeriodicOrbit {
   PairState start;           ///< just after a contact has left
-  double begin = 0.0;        ///< T at which the last period, the periodic one, began
+  double begin = 0.0;        ///< T at which the periodic period began
   double defect = 0.0;       ///< of the motion over that period
   double film_defect = 0.0;  ///< of the films
   int periods_used = 0;      ///< marched to find the orbit
-  DryOrbit dry;
-  Monodromy monodromy{};  ///< of the motion, by differences; zero without multipliers
+  Monodromy monodromy{};     ///< of the motion: measured by differences, or without multipliers Broyden's
 };
 
-/// The march must not have started; path starts (T = 0) just after a contact has left. film_shift: H_0 of a stationary
-/// film less that of the dry contact. Throws SolveError with the defects reached where no orbit is found.
-PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const DryOrbit& dry, double film_shift,
+/// The march must not have started; path starts (T = 0) just after a contact has left. Throws SolveError with the
+/// defects reached where no orbit is found.
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
                                   const PeriodicOptions& options, const SearchObserver& observer);
 
 }  // namespace gearfilm

@@ -13,6 +13,7 @@
 #include "gearfilm/ehl/deformation.hpp"
 #include "gearfilm/ehl/linear_film.hpp"
 #include "gearfilm/ehl/preconditioner.hpp"
+#include "gearfilm/ehl/reynolds.hpp"
 
 namespace gearfilm {
 
@@ -35,9 +36,8 @@ public:
   const ContactConditions& conditions() const { return conditions_; }
   void set_conditions(const ContactConditions& conditions);
 
-  /// G at (pressure, H_0). storage_rate: d(rho H)/dT or null. Film and oil are not computed again when the state is
-  /// the one of the last call.
-  void residual(const double* pressure, double H0, const double* storage_rate, double* residual);
+  /// G at (pressure, H_0). Film and oil are not computed again when the state is the one of the last call.
+  void residual(const double* pressure, double H0, const Squeeze& squeeze, double* residual);
   /// rho H at (pressure, H_0): what the time scheme differentiates.
   void storage(const double* pressure, double H0, double* storage);
 
@@ -45,6 +45,8 @@ public:
   void linearise(double storage_shift);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(const double* change, double change_H0, double* rows);
+  /// The part of multiply() that grows with the storage shift: the change of rho H, zero where cavitated.
+  void multiply_storage(const double* change, double change_H0, double* rows);
   /// dG/dH_0.
   void film_shift(double* column) const;
   /// change = approximately (dG/dP)^-1 residual.
@@ -60,6 +62,8 @@ public:
 
 private:
   void evaluate(const double* pressure, double H0);
+  /// The change of the film, K change + change_H0, into deformed_; change itself into change_.
+  void deform(const double* change, double change_H0);
   bool is_current(const double* pressure, double H0) const;
 
   const Grid& grid_;

@@ -21,13 +21,20 @@ struct FilmState {
         conductance(grid),
         conductance_by_pressure(grid),
         conductance_by_film(grid),
-        wet(grid) {}
+        wet(grid),
+        row_scale(grid) {}
 
   /// All of them, for what treats them alike (injection, gathering).
-  std::array<Field<double>*, 8> fields() {
-    return {
-        &pressure, &film, &density, &density_by_pressure, &conductance, &conductance_by_pressure, &conductance_by_film,
-        &wet};
+  std::array<Field<double>*, 9> fields() {
+    return {&pressure,
+            &film,
+            &density,
+            &density_by_pressure,
+            &conductance,
+            &conductance_by_pressure,
+            &conductance_by_film,
+            &wet,
+            &row_scale};
   }
 
   Field<double> pressure;                 ///< P
@@ -38,6 +45,7 @@ struct FilmState {
   Field<double> conductance_by_pressure;  ///< d xi_R/dP at constant H
   Field<double> conductance_by_film;      ///< d xi_R/dH at constant P
   Field<double> wet;                      ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
+  Field<double> row_scale;                ///< d, the factor of P in the row of a node that is not wet
 };
 
 /// Oil properties of one contact in dimensionless form.

@@ -34,6 +34,9 @@ public:
 /// The Jacobian of a system.
 OwnedMat shell_jacobian(LinearisedSystem& system);
 
+/// FGMRES on the system's Jacobian with the system's preconditioner.
+void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations);
+
 /// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
 /// squares. The system must outlive the SNES.
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);

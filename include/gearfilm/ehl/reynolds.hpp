@@ -6,34 +6,44 @@
 // row); the squeeze term is given, so that any time scheme can supply it.
 //
 // Cavitation is written into the residual as G = min(d P, R) with the node's own scale
-//   d = 2 xi_R (1/h_x^2 + 1/h_y^2) + 0.05 U/h_x :
-// one scale for all nodes makes Newton cycle. Boundary nodes have G = d P.
+//   d = 2 xi_R (1/h_x^2 + 1/h_y^2) + 0.05 (U/h_x + shift) ,      shift = d(squeeze rate)/d(rho H) of the time scheme,
+// about dR/dP of the node alone: one scale for all nodes makes Newton cycle, and one that leaves out the squeeze term
+// calls nodes cavitated that are not, the more of them the shorter the time step. Boundary nodes have G = d P.
 #pragma once
 
 #include "gearfilm/ehl/film_state.hpp"
 
 namespace gearfilm {
 
+/// The squeeze term as a time scheme gives it.
+struct Squeeze {
+  Squeeze(const double* nodal_rate = nullptr, double scheme_shift = 0.0) : rate(nodal_rate), shift(scheme_shift) {}
+
+  const double* rate;  ///< d(rho H)/dT of the own nodes, compact; null for a stationary film
+  double shift;        ///< d(rate)/d(rho H); sets scales only
+};
+
 /// Weights of one node's equation that do not depend on the solution.
 struct ReynoldsWeights {
-  ReynoldsWeights(const Grid& grid, double entrainment)
+  ReynoldsWeights(const Grid& grid, double entrainment, double squeeze_shift = 0.0)
       : inverse_h_x2(1.0 / (grid.h_x() * grid.h_x())),
         inverse_h_y2(1.0 / (grid.h_y() * grid.h_y())),
-        wedge(entrainment / grid.h_x()) {}
+        wedge(entrainment / grid.h_x()),
+        squeeze(squeeze_shift) {}
 
   /// d, the scale of a cavitated node's row.
   double row_scale(double conductance) const {
-    return 2.0 * conductance * (inverse_h_x2 + inverse_h_y2) + 0.05 * wedge;
+    return 2.0 * conductance * (inverse_h_x2 + inverse_h_y2) + 0.05 * (wedge + squeeze);
   }
 
   double inverse_h_x2;
   double inverse_h_y2;
-  double wedge;  ///< U/h_x
+  double wedge;    ///< U/h_x
+  double squeeze;  ///< shift
 };
 
-/// Computes G on the own nodes, compact, and marks state.wet. Needs the ghosts of the state.
-/// storage_rate: d(rho H)/dT, compact, or null for a stationary film.
-void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const double* storage_rate,
+/// Computes G on the own nodes, compact, and sets state.wet and state.row_scale. Needs the ghosts of the state.
+void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
                        double* residual);
 
 }  // namespace gearfilm

@@ -1,0 +1,37 @@
+// Natural modes of the lubricated pair with its geometry held: the films and the motion linearised about rest.
+//
+//   A y + lambda B y = 0 ,   y = (dP_k, dH_0, dV_0) ~ exp(lambda T)
+// with A the linearised stationary system of lubricated_pair.hpp and B the squeeze term and the inertia. SLEPc finds
+// the eigenvalues nearest zero by shift and invert; A^-1 is our own Krylov solver with its multigrid. One conjugate
+// pair is the gear pair swinging on its films: |lambda| its angular frequency, -Re lambda/|lambda| its damping ratio.
+// The others are real or strongly damped, films by themselves.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "gearfilm/dynamics/lubricated_pair.hpp"
+
+namespace gearfilm {
+
+struct FilmModeOptions {
+  int count = 4;                     ///< eigenvalues to compute
+  double tolerance = 1e-8;           ///< relative, of an eigenvalue
+  double krylov_tolerance = 1e-11;   ///< relative, of each solution with A
+  int krylov_max_iterations = 400;
+};
+
+struct FilmMode {
+  std::complex<double> eigenvalue;  ///< lambda [1/t*]
+  double error = 0.0;               ///< SLEPc's relative estimate
+};
+
+/// Modes about a state at rest at the pair's present place, those nearest zero first. Throws SolveError where they do
+/// not converge.
+std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmModeOptions& options);
+
+/// The gear pair's mode: of the oscillating ones that nearest to the linear natural frequency, given as an angular one
+/// [1/t*]. Throws SolveError where none oscillates.
+FilmMode swinging_mode(const std::vector<FilmMode>& modes, double angular_frequency);
+
+}  // namespace gearfilm
