@@ -22,7 +22,8 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position);
+  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position,
+                         problem.geometry);
   const bool lubricated = problem.model != MarchModel::dry;
   MarchOutput output(comm, problem, grid, path, lubricated, "transient", problem.mesh_periods);
   const auto write = [&](bool completed) {

@@ -6,8 +6,10 @@
 
 namespace gearfilm {
 
-ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start)
+ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start,
+                         MeshGeometry geometry)
     : line_(line),
+      geometry_(geometry),
       pinion_speed_(pinion_speed),
       velocity_(line.travel_velocity(pinion_speed) * scales.time),
       start_(start),
@@ -24,7 +26,8 @@ ContactConditions ContactPath::conditions(int contact, double T) const {
           .entrainment = line_.entrainment_velocity(xi, pinion_speed_) / reference_velocity_};
 }
 
-std::vector<int> ContactPath::contacts_after(double T) const {
+std::vector<int> ContactPath::contacts_after(double time) const {
+  const double T = meshing_time(time);
   // The leading contact is the first whose exit still lies ahead.
   int contact = static_cast<int>(std::floor((T - exit_time(0)) / mesh_period())) - 1;
   while (exit_time(contact) <= T + tolerance()) ++contact;
@@ -34,6 +37,7 @@ std::vector<int> ContactPath::contacts_after(double T) const {
 }
 
 double ContactPath::next_event(double T) const {
+  if (geometry_ == MeshGeometry::held) return std::numeric_limits<double>::infinity();
   const std::vector<int> contacts = contacts_after(T);
   const int next = contacts.empty() ? 0 : contacts.back() + 1;
   const double leaving = contacts.empty() ? std::numeric_limits<double>::infinity() : exit_time(contacts.front());

@@ -9,8 +9,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double multiplier_difference =
-    2e-3;                               // of the motion: well above the noise of a march, within its linear range
+constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
 constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
 constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
 constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
@@ -85,13 +84,8 @@ public:
 
   PeriodicOrbit run() {
     while (!march_period()) place_next();
-    PeriodicOrbit orbit{last_.start,       last_.begin, length(last_.defect),
-                        last_.film_defect, periods_,    jacobian_.monodromy()};
-    if (options_.with_multipliers) {
-      for (int column = 0; column < 2; ++column) measure(last_, column);
-      orbit.monodromy = jacobian_.monodromy();
-    }
-    return orbit;
+    return {last_.start, last_.end, beside_, last_.begin, length(last_.defect), last_.film_defect, periods_,
+            jacobian_.monodromy()};
   }
 
 private:
@@ -122,6 +116,7 @@ private:
     const double size = length(trial.defect);
     better_ = !best_ || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
     last_ = trial;
+    if (beside_.films.empty()) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
     observer_({periods_, size, trial.film_defect, found});
@@ -164,7 +159,7 @@ private:
   void measure(const Trial& base, int column) {
     count_period();
     Motion step{};
-    (column == 0 ? step.H0 : step.V0) = multiplier_difference;
+    (column == 0 ? step.H0 : step.V0) = difference_step;
     march_.resume(next_boundary(), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
     march_.run(march_.T() + path_.mesh_period());
@@ -193,6 +188,7 @@ private:
   const SearchObserver& observer_;
   MapJacobian jacobian_;
   int periods_ = 0;
+  PairState beside_;
   Trial last_;
   std::optional<Trial> best_;
   bool better_ = true;       ///< the last trial improved on the best before it

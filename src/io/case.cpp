@@ -194,6 +194,7 @@ std::optional<Motion> read_start_motion(const ParameterValues& values) {
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
   result.model = values.text("model") == "dry" ? MarchModel::dry : MarchModel::dynamic;
+  result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
   result.mesh_periods = values.real("mesh_periods");
   result.start_position = read_start_position(result);
   result.start_motion = read_start_motion(values);

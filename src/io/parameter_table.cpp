@@ -174,6 +174,9 @@ Records march_records() {
   return section("", Scope::gear_pair,
                  {choice("model", {"dynamic", "dry"},
                          "what is marched in time: films and motion coupled, or the motion on dry Hertz contacts"),
+                  choice("geometry", {"moving", "held"},
+                         "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
+                         "moving oil: a free oscillation"),
                   preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
 }
 

@@ -1,7 +1,8 @@
 // Which tooth contacts exist at a dimensionless time T, where, and in which conditions.
 //
 // Contact n sits at xi_n(T) = xi_start + velocity T - n p_b while entry <= xi_n <= exit; contact 0 leads at T = 0,
-// higher numbers follow. Any contact ratio >= 1. Source: section 2 of doi 10.1016/j.triboint.2013.01.017.
+// higher numbers follow. With held geometry the contacts stay where they are at T = 0, while their surfaces go on moving
+// oil: the pair at one position, for its free oscillation. Any contact ratio >= 1. Source: section 2 of doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
 #include <vector>
@@ -12,13 +13,18 @@
 
 namespace gearfilm {
 
+enum class MeshGeometry { moving, held };
+
 class ContactPath {
 public:
   /// pinion_speed [rad/s]; start: position of a contact at T = 0 [m] on the path of contact.
-  ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start);
+  ContactPath(const LineOfAction& line, const Scales& scales, double pinion_speed, double start,
+              MeshGeometry geometry = MeshGeometry::moving);
 
   /// xi of a contact [m].
-  double position(int contact, double T) const { return start_ + velocity_ * T - contact * line_.base_pitch(); }
+  double position(int contact, double T) const {
+    return start_ + velocity_ * meshing_time(T) - contact * line_.base_pitch();
+  }
   double entry_time(int contact) const { return (line_.entry() + contact * line_.base_pitch() - start_) / velocity_; }
   double exit_time(int contact) const { return (line_.exit() + contact * line_.base_pitch() - start_) / velocity_; }
   /// R_x, U of a contact relative to the reference contact.
@@ -26,19 +32,21 @@ public:
 
   /// Contacts just after T, the leading one first. A contact at its exit has left, one at its entry is there.
   std::vector<int> contacts_after(double T) const;
-  /// The next time after T at which a contact enters or leaves.
+  /// The next time after T at which a contact enters or leaves; infinity where none does.
   double next_event(double T) const;
 
   double mesh_period() const { return line_.base_pitch() / velocity_; }
   /// Length travelled along the line of action [m].
-  double distance(double T) const { return velocity_ * T; }
+  double distance(double T) const { return velocity_ * meshing_time(T); }
   const LineOfAction& line() const { return line_; }
 
 private:
   /// Times closer than this are one event.
   double tolerance() const { return 1e-9 * mesh_period(); }
+  double meshing_time(double T) const { return geometry_ == MeshGeometry::held ? 0.0 : T; }
 
   LineOfAction line_;
+  MeshGeometry geometry_;
   double pinion_speed_;
   double velocity_;  ///< d(xi)/dT [m]
   double start_;

@@ -17,7 +17,6 @@ struct PeriodicOptions {
   double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period, largest of both [-]
   double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
   int max_periods = 40;          ///< marched before the search fails
-  bool with_multipliers = true;  ///< two more periods for the Floquet multipliers
 };
 
 /// Where a search begins, and its Jacobian. Without films they start as stationary ones.
@@ -41,11 +40,13 @@ using SearchObserver = std::function<void(const SearchPeriod&)>;
 
 struct PeriodicOrbit {
   PairState start;           ///< just after a contact has left
+  PairState end;             ///< one period later: the same within the defects
+  PairState beside;          ///< a state off the orbit that a march has led to: the end of the first period
   double begin = 0.0;        ///< T at which the periodic period began
   double defect = 0.0;       ///< of the motion over that period
   double film_defect = 0.0;  ///< of the films
-  int periods_used = 0;      ///< marched to find the orbit
-  Monodromy monodromy{};     ///< of the motion: measured by differences, or without multipliers Broyden's
+  int periods_used = 0;      ///< marched to find it
+  Monodromy monodromy{};     ///< of the motion, as the search knew it at its end
 };
 
 /// The march must not have started; path starts (T = 0) just after a contact has left. Throws SolveError with the

@@ -47,6 +47,7 @@ struct Case {
 
   // A march in time; of a gear pair only.
   MarchModel model = MarchModel::dynamic;
+  MeshGeometry geometry = MeshGeometry::moving;
   double mesh_periods = 0.0;
   double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;  ///< absent: at rest
