@@ -18,11 +18,13 @@ struct Command {
   const char* meaning;
 };
 
-constexpr std::array<Command, 5> commands = {{
+constexpr std::array<Command, 7> commands = {{
     {"info", run_info, "derived quantities of a case, no field solve"},
     {"steady", run_steady, "stationary film of one contact"},
     {"transient", run_transient, "the gear pair marched in time"},
     {"periodic", run_periodic, "periodic state by shooting, with Floquet multipliers"},
+    {"eigen", run_eigen, "natural frequencies and damping of the pair, dry and on its films"},
+    {"sweep", run_sweep, "periodic states over a range of speeds, torques or masses"},
     {"bench", run_bench, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 constexpr const char* parameters_command = "parameters";

@@ -9,18 +9,30 @@
 
 namespace gearfilm {
 
-MarchOutput::MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, bool lubricated,
-                         const std::string& command, double expected_periods)
+namespace {
+
+constexpr double search_snapshot_interval = 0.05;  // mesh periods
+constexpr std::size_t peak_count = 8;
+
+double snapshot_interval(const Case& problem, MarchPurpose purpose) {
+  return problem.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
+}
+
+}  // namespace
+
+MarchOutput::MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path,
+                         MarchPurpose purpose, const std::string& command, double expected_periods)
     : problem_(problem),
       path_(path),
-      lubricated_(lubricated),
+      purpose_(purpose),
+      lubricated_(problem.model != MarchModel::dry || purpose == MarchPurpose::search),
       expected_periods_(expected_periods),
       file_(comm, problem.output_directory / "results.h5", ResultsFile::Mode::growing),
-      history_(file_, problem.scales, path, lubricated),
+      history_(file_, problem.scales, path, lubricated_),
       statistics_(path.mesh_period(), problem.scales.static_force),
       progress_(comm) {
   write_identity(file_, problem, command);
-  if (lubricated && problem.snapshot_interval > 0.0) {
+  if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
     snapshots_.emplace(file_, grid, problem.scales, problem.output_directory / "results.xmf");
   }
 }
@@ -32,12 +44,46 @@ StepObserver MarchOutput::observer() {
 void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   history_.append(record);
   statistics_.add(record, lubricated_);
+  signal_.add(record);
   const double period = record.T / path_.mesh_period();
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
-    snapshots_->write(record, contacts);
-    next_snapshot_ += problem_.snapshot_interval;
+    if (purpose_ == MarchPurpose::search) {
+      snapshots_->hold(record, contacts);
+    } else {
+      snapshots_->write(record, contacts);
+    }
+    next_snapshot_ += snapshot_interval(problem_, purpose_);
   }
   report(record, period);
+}
+
+void MarchOutput::end_search_period(const SearchPeriod& period) {
+  std::ostringstream text;
+  text << "mesh period " << period.number << " repeats within " << std::scientific << std::setprecision(1)
+       << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
+  progress_.note(text.str());
+  if (!snapshots_) return;
+  if (period.accepted) {
+    snapshots_->write_held();
+  } else {
+    snapshots_->drop_held();
+  }
+}
+
+Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow window) {
+  const Scales& scales = problem_.scales;
+  const std::vector<SpectralLine> lines = signal_.spectrum(T_begin, T_end, window);
+  std::vector<double> rows;
+  for (const SpectralLine& line : lines) {
+    rows.insert(rows.end(), {line.frequency / scales.time, line.amplitude, scales.film * line.amplitude});
+  }
+  ResultsTable table(file_, "/spectrum", {{"frequency", "Hz"}, {"H0", "-"}, {"h0", "m"}});
+  table.append(rows);
+  Summary peaks = Summary::array();
+  for (const SpectralLine& peak : spectral_peaks(lines, peak_count)) {
+    peaks.push_back({{"frequency", peak.frequency / scales.time}, {"H0", peak.amplitude}});
+  }
+  return peaks;
 }
 
 void MarchOutput::report(const StepRecord& record, double period) {

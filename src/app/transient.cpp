@@ -22,13 +22,17 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position,
-                         problem.geometry);
+  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
   const bool lubricated = problem.model != MarchModel::dry;
-  MarchOutput output(comm, problem, grid, path, lubricated, "transient", problem.mesh_periods);
+  MarchOutput output(comm, problem, grid, path, MarchPurpose::march, "transient", problem.mesh_periods);
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = completed;
+    if (completed && problem.spectrum_periods) {
+      const double end = problem.mesh_periods * path.mesh_period();
+      const double begin = end - *problem.spectrum_periods * path.mesh_period();
+      summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
+    }
     write_summary(comm, problem.output_directory / "summary.json", summary);
   };
   try {

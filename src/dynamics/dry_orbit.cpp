@@ -12,8 +12,8 @@ namespace {
 constexpr double difference = 1e-5;  // of the motion, for derivatives of the map
 constexpr double shooting_tolerance = 1e-9;
 constexpr double strong_damping = 0.3;
-constexpr double weak_damping = 0.002;   // from here to none at once
-constexpr double widest_ratio = 0.5;     // of one damping to the last
+constexpr double weak_damping = 0.002;  // from here to none at once
+constexpr double widest_ratio = 0.5;    // of one damping to the last
 constexpr double narrowest_ratio = 0.97;
 
 /// Mesh periods in which a damped pair settles on its orbit.

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double smallest_disturbance = 1e-5;  // that still has a direction above the noise of a march
 
-/// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as a
-/// root mean square, and on the first process H_0 and V_0.
+/// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
+/// a root mean square, and on the first process H_0 and V_0.
 class PeriodMap {
 public:
   PeriodMap(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit, double size_of_difference)

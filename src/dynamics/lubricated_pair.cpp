@@ -173,8 +173,8 @@ void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->precondition(in + k * field_size(), out + k * field_size());
   }
-  const double H0 = (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out)) /
-                    (inertia_ * shift_ * shift_ + stiffness_);
+  const double H0 =
+      (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out)) / (inertia_ * shift_ * shift_ + stiffness_);
   for (std::size_t n = 0; n < motion_at(); ++n) out[n] -= H0 * column_solution_[n];
   if (!has_motion()) return;
   out[motion_at()] = H0;

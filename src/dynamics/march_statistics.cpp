@@ -47,6 +47,11 @@ void MarchStatistics::add_loss(const StepRecord& record) {
   lost_ = lost;
 }
 
+bool MarchStatistics::contact_lost(double T_begin, double T_end) const {
+  return std::any_of(losses_.begin(), losses_.end(),
+                     [&](const ContactLoss& loss) { return loss.begin <= T_end && loss.end > T_begin; });
+}
+
 void MarchStatistics::add_to_period(const StepRecord& record, bool lubricated) {
   // A step that ends within round-off of the period's end still belongs to it.
   const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(record.T / mesh_period_ - 1e-9) - 1.0));

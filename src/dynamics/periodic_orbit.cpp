@@ -10,9 +10,9 @@ namespace gearfilm {
 namespace {
 
 constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
-constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
-constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
-constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
+constexpr double largest_change = 0.5;    // of H_0 or V_0 in one Newton step
+constexpr double shortest_step = 0.2;     // of a Newton step, before the Jacobian is doubted
+constexpr int settling_periods = 3;       // marched on before Newton's method is tried again
 
 double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
 Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
@@ -75,17 +75,18 @@ public:
   OrbitSearch(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess, const PeriodicOptions& options,
               const SearchObserver& observer)
       : march_(march), path_(path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
-    if (guess.films.empty()) {
-      march_.start(guess.motion);
+    if (guess.neighbour) {
+      march_.resume(0.0, *guess.neighbour);
+      march_.displace(guess.motion);
     } else {
-      march_.resume(0.0, {guess.motion, guess.films});
+      march_.start(guess.motion);
     }
   }
 
   PeriodicOrbit run() {
     while (!march_period()) place_next();
-    return {last_.start, last_.end, beside_, last_.begin, length(last_.defect), last_.film_defect, periods_,
-            jacobian_.monodromy()};
+    return {last_.start,          last_.end,         beside_,  last_.begin,
+            length(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
   }
 
 private:

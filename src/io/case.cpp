@@ -86,6 +86,9 @@ void set_gear_pair(Case& result) {
   result.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
   result.torque = values.real("pinion.torque");
   result.equivalent_mass = read_equivalent_mass(values, *result.line);
+  if (values.has("pinion.inertia")) {
+    result.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
+  }
   result.solids = solids_at_pitch(values, *result.line);
   result.operation = in_file_of(values, [&] {
     return ContactOperation{.load = reference_load(result, result.gears->face_width),
@@ -191,6 +194,11 @@ std::optional<Motion> read_start_motion(const ParameterValues& values) {
   throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
 }
 
+std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
+  if (!values.has(name)) return {};
+  return values.real(name);
+}
+
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
   result.model = values.text("model") == "dry" ? MarchModel::dry : MarchModel::dynamic;
@@ -203,10 +211,20 @@ void set_march(Case& result) {
                   .newton = read_newton_options(values, "time", true)};
   result.periodic = {.tolerance = values.real("periodic.tolerance"),
                      .film_tolerance = values.real("periodic.film_tolerance"),
-                     .max_periods = values.integer("periodic.max_periods"),
-                     .with_multipliers = values.text("periodic.multipliers") == "yes"};
+                     .max_periods = values.integer("periodic.max_periods")};
+  result.with_multipliers = values.text("periodic.multipliers") == "yes";
+  result.sweep = read_sweep(values);
+  result.eigen_modes = values.integer("eigen.modes");
+  result.eigen_of_orbit = values.text("eigen.orbit") == "yes";
+  result.eigen_periods = values.integer("eigen.periods");
   result.step_levels = values.integer("time.levels");
-  result.snapshot_interval = values.real("output.snapshot_interval");
+  result.snapshot_interval = optional_real(values, "output.snapshot_interval");
+  result.spectrum_periods = optional_real(values, "output.spectrum_periods");
+  if (result.spectrum_periods && *result.spectrum_periods > result.mesh_periods) {
+    throw InputError(values.origin("output.spectrum_periods") + ": 'output.spectrum_periods' is " +
+                     format_value(*result.spectrum_periods) + ", more than the " + format_value(result.mesh_periods) +
+                     " mesh periods marched; give at most mesh_periods");
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "gearfilm/dynamics/film_modes.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
@@ -171,13 +172,14 @@ Records steady_records() {
 }
 
 Records march_records() {
-  return section("", Scope::gear_pair,
-                 {choice("model", {"dynamic", "dry"},
-                         "what is marched in time: films and motion coupled, or the motion on dry Hertz contacts"),
-                  choice("geometry", {"moving", "held"},
-                         "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
-                         "moving oil: a free oscillation"),
-                  preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
+  return section(
+      "", Scope::gear_pair,
+      {choice("model", {"dynamic", "dry"},
+              "what is marched in time: films and motion coupled, or the motion on dry Hertz contacts"),
+       choice("geometry", {"moving", "held"},
+              "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
+              "moving oil: a free oscillation"),
+       preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
 }
 
 Records start_records() {
@@ -220,6 +222,34 @@ Records periodic_records() {
                   choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
 }
 
+Records eigen_records() {
+  const FilmModeOptions modes;
+  return section(
+      "eigen", Scope::gear_pair,
+      {preset(modes.count,
+              whole("modes", "", closed(1, 1000), "eigenvalues of the pair on its films, nearest zero first")),
+       choice("orbit", {"no", "yes"}, "multipliers of the periodic state too, with a bound for the films' own"),
+       preset(5, whole("periods", "", closed(3, 100), "mesh periods spent on those multipliers"))});
+}
+
+Records sweep_records() {
+  const std::string of_list = "from sweep.values";
+  return section(
+      "sweep", Scope::gear_pair,
+      {choice("over", {"speed", "torque", "equivalent_mass"},
+              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m] or gear.equivalent_mass [kg]"),
+       optional(of_list, number("from", "", "", {}, "smallest value, in the unit of what is varied")),
+       optional(of_list, number("to", "", "", {}, "largest value")),
+       preset(31, whole("points", "", closed(2, 100000),
+                        "how many values from the smallest to the largest, equally spaced")),
+       optional("from sweep.from to sweep.to", word("values", "list of the values instead, '8000, 9000, 12500'")),
+       choice("direction", {"both", "up", "down"}, "in which order each point follows its neighbour"),
+       preset(0, whole("chain_points", "", at_least(0),
+                       "points that follow one another before a new start from the dry orbit; 0: all of a direction")),
+       preset(0, whole("groups", "", at_least(0),
+                       "groups of processes that work on different chains; 0: as many as there are chains"))});
+}
+
 Records solver_records() {
   const SolverOptions standard;
   Parameter precision = choice("precision", {"single", "double"}, "arithmetic of the multigrid preconditioner");
@@ -244,10 +274,13 @@ Records solver_records() {
 }
 
 Records output_records() {
-  return section("output", Scope::any,
-                 {optional("output/ and case.name", word("dir", "directory that receives the results")),
-                  preset(0.0, number("snapshot_interval", "", "-", at_least(0),
-                                     "mesh periods between stored fields of a march; 0: none"))});
+  return section(
+      "output", Scope::any,
+      {optional("output/ and case.name", word("dir", "directory that receives the results")),
+       optional("none in a march, 0.05 in a periodic state",
+                number("snapshot_interval", "", "-", at_least(0), "mesh periods between stored fields; 0: none")),
+       optional("no spectrum", number("spectrum_periods", "", "-", above(0),
+                                      "mesh periods at the end of a march whose spectrum of H0 is computed"))});
 }
 
 }  // namespace
@@ -255,10 +288,10 @@ Records output_records() {
 const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
-    for (Records& records :
-         std::vector<Records>{case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(),
-                              lubricant_records(), grid_records(), steady_records(), march_records(), start_records(),
-                              time_records(), periodic_records(), solver_records(), output_records()})
+    for (Records& records : std::vector<Records>{
+             case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(), lubricant_records(),
+             grid_records(), steady_records(), march_records(), start_records(), time_records(), periodic_records(),
+             eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

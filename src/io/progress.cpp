@@ -38,6 +38,12 @@ Progress::~Progress() {
   if (line_open_) std::printf("\n");
 }
 
+void Progress::note(const std::string& text) {
+  if (!prints_) return;
+  std::printf(terminal_ ? "\r\033[K%s\n" : "%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
 void Progress::report(double fraction, const std::string& text) {
   if (!prints_ || fraction <= 0.0) return;
   const double now = MPI_Wtime();

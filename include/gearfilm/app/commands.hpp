@@ -14,6 +14,10 @@ void run_steady(MPI_Comm comm, const Case& problem);
 void run_transient(MPI_Comm comm, const Case& problem);
 /// The periodic state of the lubricated pair.
 void run_periodic(MPI_Comm comm, const Case& problem);
+/// Natural frequencies of the dry pair and of the pair on its films.
+void run_eigen(MPI_Comm comm, const Case& problem);
+/// Periodic states over a range of speeds, torques or masses.
+void run_sweep(MPI_Comm comm, const Case& problem);
 /// The standard set of speed measurements.
 void run_bench(MPI_Comm comm, const Case& problem);
 

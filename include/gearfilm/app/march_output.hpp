@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "gearfilm/dynamics/march_statistics.hpp"
+#include "gearfilm/dynamics/spectrum.hpp"
 #include "gearfilm/io/case.hpp"
 #include "gearfilm/io/history.hpp"
 #include "gearfilm/io/progress.hpp"
@@ -12,15 +13,24 @@
 
 namespace gearfilm {
 
+/// What a march is for: itself, with fields written as it goes; or a search, of which only the last period's fields are
+/// wanted.
+enum class MarchPurpose { march, search };
+
 class MarchOutput {
 public:
   /// Creates results.h5 in the case's output folder. expected_periods: the whole of the work, for the time left.
-  MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, bool lubricated,
+  MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, MarchPurpose purpose,
               const std::string& command, double expected_periods);
 
   void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
   /// As an observer of a march; this must outlive it.
   StepObserver observer();
+
+  /// A period of a search is over: its fields are written where it is the wanted one, else dropped.
+  void end_search_period(const SearchPeriod& period);
+  /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
+  Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
 
   const MarchStatistics& statistics() const { return statistics_; }
   ResultsFile& file() { return file_; }
@@ -30,12 +40,14 @@ private:
 
   const Case& problem_;
   const ContactPath& path_;
+  MarchPurpose purpose_;
   bool lubricated_;
   double expected_periods_;
   ResultsFile file_;
   History history_;
   std::optional<Snapshots> snapshots_;
   MarchStatistics statistics_;
+  MotionSignal signal_;
   Progress progress_;
   double next_snapshot_ = 0.0;
 };

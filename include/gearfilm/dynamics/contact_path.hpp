@@ -1,8 +1,9 @@
 // Which tooth contacts exist at a dimensionless time T, where, and in which conditions.
 //
 // Contact n sits at xi_n(T) = xi_start + velocity T - n p_b while entry <= xi_n <= exit; contact 0 leads at T = 0,
-// higher numbers follow. With held geometry the contacts stay where they are at T = 0, while their surfaces go on moving
-// oil: the pair at one position, for its free oscillation. Any contact ratio >= 1. Source: section 2 of doi 10.1016/j.triboint.2013.01.017.
+// higher numbers follow. With held geometry the contacts stay where they are at T = 0, while their surfaces go on
+// moving oil: the pair at one position, for its free oscillation. Any contact ratio >= 1. Source: section 2 of
+// doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
 #include <vector>

@@ -15,9 +15,9 @@
 namespace gearfilm {
 
 struct FilmModeOptions {
-  int count = 4;                     ///< eigenvalues to compute
-  double tolerance = 1e-8;           ///< relative, of an eigenvalue
-  double krylov_tolerance = 1e-11;   ///< relative, of each solution with A
+  int count = 4;                    ///< eigenvalues to compute
+  double tolerance = 1e-8;          ///< relative, of an eigenvalue
+  double krylov_tolerance = 1e-11;  ///< relative, of each solution with A
   int krylov_max_iterations = 400;
 };
 

@@ -3,8 +3,8 @@
 //
 // Matrix-free: the map is applied to a disturbance by marching one period from the disturbed state, and SLEPc's Arnoldi
 // method needs a handful of such periods: two for the two multipliers of the gear pair, since the search for the orbit
-// leaves a disturbance that the films have followed; the more, the better. Those of the films by themselves lie below the
-// noise of the differences: the remaining Ritz values bound them from above.
+// leaves a disturbance that the films have followed; the more, the better. Those of the films by themselves lie below
+// the noise of the differences: the remaining Ritz values bound them from above.
 #pragma once
 
 #include <array>

@@ -57,6 +57,8 @@ public:
   const std::vector<PeriodFigures>& periods() const { return periods_; }
   const std::vector<MeshEvent>& events() const { return events_; }
   const std::vector<ContactLoss>& losses() const { return losses_; }
+  /// Whether contact was lost at any time in between.
+  bool contact_lost(double T_begin, double T_end) const;
 
 private:
   void add_events(const StepRecord& record);

@@ -19,11 +19,12 @@ struct PeriodicOptions {
   int max_periods = 40;          ///< marched before the search fails
 };
 
-/// Where a search begins, and its Jacobian. Without films they start as stationary ones.
+/// Where a search begins, and its Jacobian. With a neighbour, films and all, the films follow from there to the motion;
+/// without one they start as stationary ones.
 struct OrbitGuess {
   Motion motion;
   Monodromy monodromy{};
-  std::vector<ToothFilm> films;
+  std::optional<PairState> neighbour;
 };
 
 /// The guess from the dry orbit; film_shift: H_0 of a stationary film less that of the dry contact.

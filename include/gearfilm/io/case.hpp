@@ -8,12 +8,14 @@
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
+#include "gearfilm/dynamics/dry_modes.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
 #include "gearfilm/io/parameter_values.hpp"
+#include "gearfilm/io/sweep_options.hpp"
 
 namespace gearfilm {
 
@@ -30,6 +32,7 @@ struct Case {
   double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
   double torque = 0.0;                    ///< T_g1 on the pinion [N m]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
+  std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
 
   // The reference contact: the pitch point of a gear pair, or the bare contact.
   ContactSolids solids;
@@ -52,9 +55,15 @@ struct Case {
   double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;  ///< absent: at rest
   StepOptions steps;
-  int step_levels = 0;             ///< multigrid levels in time steps; 0: chosen by the grid
-  PeriodicOptions periodic;        ///< search for the periodic state
-  double snapshot_interval = 0.0;  ///< mesh periods between stored fields; 0: none
+  int step_levels = 0;           ///< multigrid levels in time steps; 0: chosen by the grid
+  PeriodicOptions periodic;      ///< search for the periodic state
+  bool with_multipliers = true;  ///< Floquet multipliers with it, by two more mesh periods
+  SweepOptions sweep;
+  int eigen_modes = 0;                      ///< eigenvalues of the pair on its films to compute
+  bool eigen_of_orbit = false;              ///< multipliers of the periodic state too
+  int eigen_periods = 0;                    ///< mesh periods for them
+  std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
+  std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken
 
   std::filesystem::path output_directory;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results

@@ -17,6 +17,8 @@ public:
   /// Reports that `fraction` of the work is done, with a text; adds the time left. Most calls print nothing: on a
   /// terminal at most five times a second, otherwise at every twentieth of the work.
   void report(double fraction, const std::string& text);
+  /// A line of its own.
+  void note(const std::string& text);
 
 private:
   bool prints_;

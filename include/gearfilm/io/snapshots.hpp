@@ -17,12 +17,37 @@ public:
 
   void write(const StepRecord& record, const std::vector<LiveContact>& contacts);
 
+  /// For fields of which only later is known whether they are wanted: keeps them in memory, then writes or drops all.
+  void hold(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void write_held();
+  void drop_held() { held_.clear(); }
+
 private:
+  struct ContactFields {
+    int contact = 0;
+    double position = 0.0;  ///< [m]
+    const Field<double>* pressure = nullptr;
+    const Field<double>* film = nullptr;
+  };
+  struct HeldContact {
+    int contact;
+    double position;
+    Field<double> pressure;
+    Field<double> film;
+  };
+  struct Held {
+    double T = 0.0;
+    std::vector<HeldContact> contacts;
+  };
+
+  void write(double T, const std::vector<ContactFields>& contacts);
+
   ResultsFile& file_;
   const Grid& grid_;
   Scales scales_;
   std::filesystem::path xdmf_;
   std::vector<TimedFields> written_;
+  std::vector<Held> held_;
 };
 
 }  // namespace gearfilm

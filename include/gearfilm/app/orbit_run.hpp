@@ -1,0 +1,40 @@
+// One periodic state of a case, found and described: what `gearfilm periodic` does once and `gearfilm sweep` often.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <optional>
+
+#include "gearfilm/dynamics/march_statistics.hpp"
+#include "gearfilm/dynamics/periodic_orbit.hpp"
+#include "gearfilm/dynamics/spectrum.hpp"
+#include "gearfilm/io/case.hpp"
+#include "gearfilm/io/summary.hpp"
+
+namespace gearfilm {
+
+struct OrbitRun {
+  PeriodicOrbit orbit;
+  PeriodFigures figures;               ///< of the periodic period
+  bool contact_lost = false;           ///< in it
+  SignalDeviation transmission_error;  ///< of H_0 over it
+  std::optional<std::array<std::complex<double>, 2>> multipliers;
+};
+
+/// Watches a search: every accepted step, and every marched period. Nothing is reported once the orbit is found.
+struct OrbitObservers {
+  StepObserver on_step;
+  SearchObserver on_period;
+};
+
+/// Throws SolveError where no orbit is found.
+OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& path, const OrbitGuess& guess,
+                   const OrbitObservers& observers);
+
+/// Its figures in SI.
+Summary orbit_summary(const Case& problem, const OrbitRun& run);
+
+/// Multipliers, and the free oscillation they mean, added to a summary.
+void add_multipliers(const Case& problem, const std::array<std::complex<double>, 2>& pair, Summary& summary);
+
+}  // namespace gearfilm

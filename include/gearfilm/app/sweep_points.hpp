@@ -1,0 +1,40 @@
+// The points of a sweep on disk: one small JSON file each, written when the point is done, so that an interrupted sweep
+// goes on where it stopped.
+//
+//   sweep.json                the parameters of the sweep; another sweep must not mix its points with these
+//   points/up_0003.json       the fourth point of the way up: its results, or the error that ended it
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "gearfilm/io/case.hpp"
+#include "gearfilm/io/summary.hpp"
+
+namespace gearfilm {
+
+enum class SweepDirection { up, down };
+
+/// index counts the values of the sweep in ascending order, whatever the direction.
+struct SweepPoint {
+  SweepDirection direction = SweepDirection::up;
+  std::size_t index = 0;
+};
+
+class SweepPoints {
+public:
+  /// Collective. Throws InputError where the folder holds points of another sweep.
+  SweepPoints(MPI_Comm comm, const Case& problem);
+
+  std::filesystem::path file(const SweepPoint& point) const;
+  /// What is known of a point, read by every process for itself; nothing where it is still to be computed.
+  std::optional<Summary> read(const SweepPoint& point) const;
+  /// Collective on a group of processes.
+  void write(MPI_Comm group, const SweepPoint& point, const Summary& result) const;
+
+private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,113 @@
+// `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/app/case_setup.hpp"
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/dynamics/dry_modes.hpp"
+#include "gearfilm/dynamics/film_modes.hpp"
+#include "gearfilm/dynamics/floquet.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/io/output_directory.hpp"
+
+namespace gearfilm {
+namespace {
+
+Summary dry_pair_summary(const Case& problem) {
+  const std::array<double, 2> base_radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
+  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  const GearInertias inertias = problem.inertias.value_or(disc_inertias(base_radii, *problem.equivalent_mass));
+  const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
+  return {{"k_el", k_el},
+          {"m_ge", *problem.equivalent_mass},
+          {"inertia_pinion", inertias.pinion},
+          {"inertia_wheel", inertias.wheel},
+          {"f_n", swinging.frequency},
+          {"mode_shape", swinging.shape},
+          {"rigid_frequency", rigid.frequency},
+          {"rigid_mode_shape", rigid.shape}};
+}
+
+/// The pair at rest on its films at the chosen position, linearised.
+Summary film_summary(const Case& problem, const Grid& grid, double angular_frequency) {
+  const Scales& scales = problem.scales;
+  const ContactPath path(*problem.line, scales, problem.pinion_speed, problem.steady_position, MeshGeometry::held);
+  MeshMarch march = make_march(problem, grid, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  march.start({});
+  // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
+  std::vector<std::unique_ptr<ContactFilm>> films;
+  std::vector<PairContact> contacts;
+  for (const PairContact& contact : march.contacts()) {
+    films.push_back(std::make_unique<ContactFilm>(grid, scales, problem.solver.multigrid));
+    contacts.push_back({contact.contact, films.back().get()});
+  }
+  LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales.static_force);
+  const PairState at_rest = march.state();
+  const OwnedVec state = pair.create_state();
+  for (std::size_t k = 0; k < contacts.size(); ++k) pair.set_field(state, k, at_rest.films[k].pressure);
+  pair.set_motion(state, at_rest.motion);
+  const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.eigen_modes});
+  const std::complex<double> lambda = swinging_mode(modes, angular_frequency).eigenvalue;
+  Summary summary = {{"position", problem.steady_position},
+                     {"contacts", contacts.size()},
+                     {"H0", at_rest.motion.H0},
+                     {"film_frequency", lambda.imag() / (2.0 * std::numbers::pi * scales.time)},
+                     {"film_damping_ratio", -lambda.real() / std::abs(lambda)}};
+  summary["film_eigenvalues"] = Summary::array();
+  for (const FilmMode& mode : modes) {
+    summary["film_eigenvalues"].push_back({mode.eigenvalue.real() / scales.time, mode.eigenvalue.imag() / scales.time});
+  }
+  return summary;
+}
+
+/// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
+/// films by themselves.
+Summary orbit_multipliers(const Case& problem, const Grid& grid) {
+  const ContactPath path = path_after_leaving(problem);
+  MeshMarch march = make_march(problem, grid, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const PeriodicOrbit orbit =
+      find_periodic_orbit(march, path, dry_guess(problem, grid, path), problem.periodic, [](const SearchPeriod&) {});
+  const FloquetMultipliers found = floquet_multipliers(march, path, orbit, {.periods = problem.eigen_periods});
+  Summary summary = {{"periods_used", orbit.periods_used}};
+  add_multipliers(problem, found.gear_pair, summary);
+  if (found.film_bound) summary["film_multiplier_bound"] = *found.film_bound;
+  return summary;
+}
+
+void print_result(MPI_Comm comm, const Summary& summary) {
+  const auto real = [&](const char* name) { return summary[name].get<double>(); };
+  petsc_check(PetscPrintf(comm, "dry pair: k_el %.5g N/m, m_ge %.5g kg, f_n %.2f Hz, mode shape %.4f : %.4f\n",
+                          real("k_el"), real("m_ge"), real("f_n"), summary["mode_shape"][0].get<double>(),
+                          summary["mode_shape"][1].get<double>()));
+  petsc_check(PetscPrintf(comm, "on its films at xi = %g mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
+                          1e3 * real("position"), summary["contacts"].get<int>(), real("film_frequency"),
+                          real("film_damping_ratio")));
+  if (!summary.contains("orbit")) return;
+  const Summary& orbit = summary["orbit"];
+  petsc_check(PetscPrintf(comm, "periodic state: multipliers %.5f %+.5fi of modulus %.5f",
+                          orbit["floquet"][0][0].get<double>(), orbit["floquet"][0][1].get<double>(),
+                          orbit["floquet_modulus"].get<double>()));
+  if (orbit.contains("film_multiplier_bound")) {
+    petsc_check(PetscPrintf(comm, ", those of the films below %.1e", orbit["film_multiplier_bound"].get<double>()));
+  }
+  petsc_check(PetscPrintf(comm, "\n"));
+}
+
+}  // namespace
+
+void run_eigen(MPI_Comm comm, const Case& problem) {
+  require_inertia(problem);
+  const Grid grid(comm, case_grid(problem));
+  prepare_output_directory(comm, problem.output_directory);
+  remove_earlier_results(comm, problem.output_directory);
+  Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}};
+  summary.update(dry_pair_summary(problem));
+  const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
+  summary.update(film_summary(problem, grid, dry_rate));
+  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, grid);
+  write_summary(comm, problem.output_directory / "summary.json", summary);
+  print_result(comm, summary);
+}
+
+}  // namespace gearfilm

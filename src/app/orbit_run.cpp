@@ -1,0 +1,68 @@
+#include "gearfilm/app/orbit_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/app/case_setup.hpp"
+#include "gearfilm/app/march_output.hpp"
+#include "gearfilm/dynamics/floquet.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+
+namespace gearfilm {
+
+OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& path, const OrbitGuess& guess,
+                   const OrbitObservers& observers) {
+  MarchStatistics statistics(path.mesh_period(), problem.scales.static_force);
+  MotionSignal signal;
+  bool searching = true;
+  MeshMarch march =
+      make_march(problem, grid, path, [&](const StepRecord& record, const std::vector<LiveContact>& live) {
+        if (!searching) return;
+        statistics.add(record, true);
+        signal.add(record);
+        observers.on_step(record, live);
+      });
+  OrbitRun run;
+  run.orbit = find_periodic_orbit(march, path, guess, problem.periodic, observers.on_period);
+  searching = false;
+  const double begin = run.orbit.begin, end = begin + path.mesh_period();
+  run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / path.mesh_period())));
+  run.contact_lost = statistics.contact_lost(begin, end);
+  run.transmission_error = signal.deviation(begin, end);
+  if (problem.with_multipliers) run.multipliers = floquet_multipliers(march, path, run.orbit, {}).gear_pair;
+  return run;
+}
+
+void add_multipliers(const Case& problem, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
+  const double f_m = mesh_frequency(*problem.gears, problem.pinion_speed);
+  const double f_n = natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
+                                       *problem.equivalent_mass);
+  const FreeOscillation oscillation = free_oscillation(pair, f_m, f_n);
+  summary["floquet"] = Summary::array();
+  for (const std::complex<double>& multiplier : pair) {
+    summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
+  }
+  const double modulus = std::max(std::abs(pair[0]), std::abs(pair[1]));
+  summary["floquet_modulus"] = modulus;
+  summary["stable"] = modulus < 1.0;
+  summary["free_frequency"] = oscillation.frequency;
+  summary["damping_ratio"] = oscillation.damping_ratio;
+}
+
+Summary orbit_summary(const Case& problem, const OrbitRun& run) {
+  const Scales& scales = problem.scales;
+  Summary summary;
+  summary["periods_used"] = run.orbit.periods_used;
+  summary["defect"] = run.orbit.defect;
+  summary["film_defect"] = run.orbit.film_defect;
+  summary["H0_after_leaving"] = run.orbit.start.motion.H0;
+  summary["V0_after_leaving"] = run.orbit.start.motion.V0;
+  summary.update(period_summary(scales, run.figures));
+  summary["contact_lost"] = run.contact_lost;
+  summary["transmission_error_peak_to_peak"] = scales.film * run.transmission_error.peak_to_peak;
+  summary["transmission_error_rms"] = scales.film * run.transmission_error.root_mean_square;
+  if (run.multipliers) add_multipliers(problem, *run.multipliers, summary);
+  return summary;
+}
+
+}  // namespace gearfilm

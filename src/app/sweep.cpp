@@ -1,0 +1,276 @@
+// `gearfilm sweep`: periodic states over a range of speeds, torques or masses, each from its neighbour's.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "gearfilm/app/case_setup.hpp"
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/sweep_points.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/results_table.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Points of one direction that follow one another; a chain is the work of one group of processes.
+using Chain = std::vector<SweepPoint>;
+
+const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
+
+std::vector<SweepPoint> points_of(const SweepOptions& sweep) {
+  std::vector<SweepPoint> points;
+  const std::size_t count = sweep.values.size();
+  for (std::size_t n = 0; sweep.up && n < count; ++n) points.push_back({SweepDirection::up, n});
+  for (std::size_t n = count; sweep.down && n > 0; --n) points.push_back({SweepDirection::down, n - 1});
+  return points;
+}
+
+// The cut does not depend on the number of processes, so that the results do not either.
+std::vector<Chain> chains_of(const SweepOptions& sweep) {
+  const std::size_t longest = sweep.chain_points > 0 ? sweep.chain_points : sweep.values.size();
+  std::vector<Chain> chains;
+  for (const SweepPoint& point : points_of(sweep)) {
+    const bool turns = chains.empty() || chains.back().back().direction != point.direction;
+    if (turns || chains.back().size() == longest) chains.emplace_back();
+    chains.back().push_back(point);
+  }
+  return chains;
+}
+
+/// The case at one value of the sweep.
+Case case_at(const Case& problem, double value) {
+  ParameterValues values = problem.parameters;
+  values.set(problem.sweep.parameter, format_value(value), "value of the sweep");
+  return make_case(values);
+}
+
+/// A point that was found, as the beginning of the next.
+struct Neighbour {
+  double value = 0.0;
+  OrbitGuess guess;
+};
+
+OrbitGuess guess_of(const OrbitRun& run) { return {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}; }
+
+/// The same from a point on disk, which has no films.
+OrbitGuess guess_of(const Summary& point) {
+  const Summary& map = point["monodromy"];
+  return {{point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()},
+          {{{map[0][0].get<double>(), map[0][1].get<double>()}, {map[1][0].get<double>(), map[1][1].get<double>()}}},
+          {}};
+}
+
+class ChainRun {
+public:
+  ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points)
+      : group_(group), problem_(problem), points_(points) {}
+
+  void run(const Chain& chain) {
+    last_.reset();
+    before_.reset();
+    for (const SweepPoint& point : chain) {
+      const double value = problem_.sweep.values[point.index];
+      std::optional<Summary> result = points_.read(point);
+      if (result) {
+        keep(value, result->contains("error") ? std::nullopt : std::optional(guess_of(*result)));
+      } else {
+        result = compute(point, value);
+        points_.write(group_, point, *result);
+      }
+      report(*result);
+    }
+  }
+
+private:
+  void keep(double value, std::optional<OrbitGuess> guess) {
+    before_ = guess ? last_ : std::nullopt;
+    last_ = guess ? std::optional(Neighbour{value, std::move(*guess)}) : std::nullopt;
+  }
+
+  /// From the neighbour, its motion extrapolated where there are two.
+  OrbitGuess from_neighbour(double value) const {
+    OrbitGuess guess = last_->guess;
+    if (before_) {
+      const double part = (value - last_->value) / (last_->value - before_->value);
+      guess.motion.H0 += part * (last_->guess.motion.H0 - before_->guess.motion.H0);
+      guess.motion.V0 += part * (last_->guess.motion.V0 - before_->guess.motion.V0);
+    }
+    return guess;
+  }
+
+  Summary compute(const SweepPoint& point, double value) {
+    const Case here = case_at(problem_, value);
+    Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
+    result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
+    result["torque"] = here.torque;
+    result["m_ge"] = *here.equivalent_mass;
+    result["I_n"] = here.scales.inertia(*here.equivalent_mass);
+    result["f_m"] = mesh_frequency(*here.gears, here.pinion_speed);
+    result["f_n"] =
+        natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
+    try {
+      const OrbitRun run = search(here, value, result);
+      result.update(orbit_summary(here, run));
+      result["monodromy"] = run.orbit.monodromy;
+      keep(value, guess_of(run));
+    } catch (const SolveError& error) {
+      result["error"] = error.what();
+      keep(value, {});
+    }
+    return result;
+  }
+
+  /// From the neighbour, and where that fails from the dry orbit.
+  OrbitRun search(const Case& here, double value, Summary& result) const {
+    const Grid grid(group_, case_grid(here));
+    const ContactPath path = path_after_leaving(here);
+    const OrbitObservers nobody = {[](const StepRecord&, const std::vector<LiveContact>&) {},
+                                   [](const SearchPeriod&) {}};
+    if (last_) {
+      result["start"] = "neighbour";
+      try {
+        return run_orbit(here, grid, path, from_neighbour(value), nobody);
+      } catch (const SolveError& error) {
+        result["neighbour_error"] = error.what();
+      }
+    }
+    result["start"] = "dry orbit";
+    return run_orbit(here, grid, path, dry_guess(here, grid, path), nobody);
+  }
+
+  void report(const Summary& point) const {
+    std::ostringstream text;
+    text << point["direction"].get<std::string>() << " " << point["value"].get<double>() << " " << problem_.sweep.unit
+         << ": ";
+    if (point.contains("error")) {
+      text << "failed: " << point["error"].get<std::string>();
+    } else {
+      text << "force ratio " << point["force_ratio_max"].get<double>() << ", smallest film "
+           << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>() << " mesh periods";
+      if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
+      if (point["contact_lost"].get<bool>()) text << ", contact is lost";
+    }
+    petsc_check(PetscPrintf(group_, "%s\n", text.str().c_str()));
+  }
+
+  MPI_Comm group_;
+  const Case& problem_;
+  const SweepPoints& points_;
+  std::optional<Neighbour> last_, before_;
+};
+
+/// Deals the chains out to groups of processes, as equal as can be.
+void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points) {
+  const std::vector<Chain> chains = chains_of(problem.sweep);
+  int size = 1, rank = 0;
+  MPI_Comm_size(comm, &size);
+  MPI_Comm_rank(comm, &rank);
+  const int wanted = problem.sweep.groups > 0 ? problem.sweep.groups : static_cast<int>(chains.size());
+  const int groups = std::min({wanted, static_cast<int>(chains.size()), size});
+  const int own = static_cast<int>(static_cast<long>(rank) * groups / size);
+  MPI_Comm group = MPI_COMM_NULL;
+  MPI_Comm_split(comm, own, rank, &group);
+  for (std::size_t n = own; n < chains.size(); n += groups) ChainRun(group, problem, points).run(chains[n]);
+  MPI_Comm_free(&group);
+  MPI_Barrier(comm);
+}
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+double number(const Summary& point, const char* name) {
+  const auto found = point.find(name);
+  if (found == point.end()) return absent;
+  return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
+}
+
+/// One row a point; what a failed point lacks is not a number.
+void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
+  const std::vector<TableColumn> figures = {{"speed_rpm", "rpm"},
+                                            {"torque", "N m"},
+                                            {"m_ge", "kg"},
+                                            {"I_n", "-"},
+                                            {"f_m", "Hz"},
+                                            {"f_n", "Hz"},
+                                            {"force_ratio_max", "-"},
+                                            {"total_force_ratio_min", "-"},
+                                            {"h_min", "m"},
+                                            {"p_max", "Pa"},
+                                            {"transmission_error_peak_to_peak", "m"},
+                                            {"transmission_error_rms", "m"},
+                                            {"H0_after_leaving", "-"},
+                                            {"V0_after_leaving", "-"},
+                                            {"contact_lost", "-"},
+                                            {"floquet_modulus", "-"},
+                                            {"stable", "-"},
+                                            {"free_frequency", "Hz"},
+                                            {"damping_ratio", "-"},
+                                            {"periods_used", "-"},
+                                            {"defect", "-"},
+                                            {"film_defect", "-"}};
+  std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
+  columns.insert(columns.end(), figures.begin(), figures.end());
+  for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})
+    columns.push_back({part, "-"});
+  std::vector<double> rows;
+  for (const Summary& point : results) {
+    rows.push_back(point["direction"] == "up" ? 1.0 : 0.0);
+    rows.push_back(point.contains("error") ? 0.0 : 1.0);
+    for (const TableColumn& column : figures) rows.push_back(number(point, column.name.c_str()));
+    for (int n = 0; n < 4; ++n) {
+      rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
+    }
+  }
+  ResultsFile file(comm, problem.output_directory / "results.h5", ResultsFile::Mode::whole);
+  write_identity(file, problem, "sweep");
+  {
+    ResultsTable table(file, "/sweep", columns);
+    table.append(rows);
+  }
+  file.finish();
+}
+
+}  // namespace
+
+void run_sweep(MPI_Comm comm, const Case& problem) {
+  require_inertia(problem);
+  if (problem.sweep.values.empty()) {
+    throw InputError("the case '" + problem.name +
+                     "' says nothing about its sweep; give sweep.from and sweep.to, or sweep.values");
+  }
+  if (problem.sweep.parameter == "gear.equivalent_mass" && problem.inertias) {
+    throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
+  }
+  for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
+  prepare_output_directory(comm, problem.output_directory);
+  const SweepPoints points(comm, problem);
+  remove_earlier_results(comm, problem.output_directory);
+  run_chains(comm, problem, points);
+
+  Summary results = Summary::array();
+  int failures = 0;
+  for (const SweepPoint& point : points_of(problem.sweep)) {
+    results.push_back(points.read(point).value());
+    failures += results.back().contains("error");
+  }
+  write_table(comm, problem, results);
+  const auto count = results.size();
+  Summary summary = {{"case", problem.name},
+                     {"nx", problem.nx},
+                     {"ny", problem.ny},
+                     {"dT", problem.steps.dT},
+                     {"over", problem.sweep.parameter},
+                     {"points_found", count - failures},
+                     {"points_failed", failures}};
+  summary["points"] = std::move(results);
+  write_summary(comm, problem.output_directory / "summary.json", summary);
+  petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
+  if (failures == static_cast<int>(count))
+    throw SolveError("no point of the sweep has a periodic state; see summary.json");
+}
+
+}  // namespace gearfilm
