@@ -5,29 +5,12 @@
 
 Exit status 1, with one line, where the results are missing or not those of `gearfilm steady`.
 """
-import argparse
-import pathlib
-import sys
 from typing import NamedTuple
 
-try:
-    import h5py
-    import matplotlib
-    import numpy
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-except ImportError as missing:
-    sys.exit(f"plot_film: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
+from plotting import BLUE, VERMILLION, Foreign, command_line, numpy, open_results, pyplot, write_figure
 
-# Distinguishable with every kind of colour vision: colours of Okabe and Ito, colour map cividis.
-PRESSURE_COLOUR = "#0072B2"
-FILM_COLOUR = "#D55E00"
-COLOUR_MAP = "cividis"
+COLOUR_MAP = "cividis"  # distinguishable with every kind of colour vision, as the colours are
 THICKEST_SHOWN = 1.5  # times the central film
-
-
-class PlotError(Exception):
-    """Something that keeps the figure from being made; the text is for the user."""
 
 
 class Film(NamedTuple):
@@ -41,21 +24,14 @@ class Film(NamedTuple):
 
 
 def read_film(path):
-    if not path.exists():
-        raise PlotError(f"{path} does not exist; run gearfilm steady first")
-    try:
-        with h5py.File(path) as results:
-            contact = results["contact0"]
-            film = Film(x=1e3 * contact["x"][:], y=1e3 * contact["y"][:], pressure=1e-9 * contact["P"][:],
-                        thickness=1e6 * contact["H"][:],
-                        half_axes=(1e3 * contact.attrs["a"], 1e3 * contact.attrs["b"]),
-                        hertz_pressure=1e-9 * contact.attrs["p_hertz"])
-    except OSError:
-        raise PlotError(f"{path} is not an HDF5 file that can be read") from None
-    except KeyError:
-        raise PlotError(f"{path} is not a result of gearfilm steady: contact0 with x, y, P, H is missing") from None
-    if film.pressure.shape != (film.x.size, film.y.size) or film.thickness.shape != film.pressure.shape:
-        raise PlotError(f"{path} is not a result of gearfilm steady: P, H do not fit x, y")
+    with open_results(path, "steady", "contact0 with x, y, P, H is missing") as results:
+        contact = results["contact0"]
+        film = Film(x=1e3 * contact["x"][:], y=1e3 * contact["y"][:], pressure=1e-9 * contact["P"][:],
+                    thickness=1e6 * contact["H"][:],
+                    half_axes=(1e3 * contact.attrs["a"], 1e3 * contact.attrs["b"]),
+                    hertz_pressure=1e-9 * contact.attrs["p_hertz"])
+        if film.pressure.shape != (film.x.size, film.y.size) or film.thickness.shape != film.pressure.shape:
+            raise Foreign("P, H do not fit x, y")
     return film
 
 
@@ -79,12 +55,12 @@ def draw_sections(pressure_axes, film_axes, film, centre):
     i, j = centre
     a = film.half_axes[0]
     dry = film.hertz_pressure * numpy.sqrt(numpy.maximum(1 - (film.x / a) ** 2, 0))
-    pressure_axes.plot(film.x, film.pressure[:, j], color=PRESSURE_COLOUR, label="lubricated")
+    pressure_axes.plot(film.x, film.pressure[:, j], color=BLUE, label="lubricated")
     pressure_axes.plot(film.x, dry, color="black", linestyle="--", linewidth=1, label="Hertz, reference")
     pressure_axes.set_ylabel("p [GPa]")
     pressure_axes.set_title("pressure along y = 0", fontsize=9)
     pressure_axes.legend(frameon=False, fontsize=8, loc="upper left")
-    film_axes.plot(film.x, film.thickness[:, j], color=FILM_COLOUR)
+    film_axes.plot(film.x, film.thickness[:, j], color=VERMILLION)
     film_axes.set_ylim(0, 2.5 * film.thickness[i, j])
     film_axes.set_ylabel("h [µm]")
     film_axes.set_title("film along y = 0", fontsize=9)
@@ -104,19 +80,8 @@ def draw(film):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("folder", type=pathlib.Path, help="output folder of gearfilm steady")
-    parser.add_argument("--name", default="film", help="name of the figure's files, without ending")
-    arguments = parser.parse_args()
-    try:
-        figure = draw(read_film(arguments.folder / "results.h5"))
-        for ending in ("png", "pdf"):
-            figure.savefig(arguments.folder / f"{arguments.name}.{ending}", dpi=150)
-    except PlotError as error:
-        sys.exit(f"plot_film: {error}")
-    except OSError as error:
-        sys.exit(f"plot_film: cannot write the figure: {error}")
-    print(f"figure: {arguments.folder / arguments.name}.png and .pdf")
+    arguments = command_line(__doc__, "steady", "film").parse_args()
+    write_figure(arguments, lambda: draw(read_film(arguments.folder / "results.h5")))
 
 
 if __name__ == "__main__":

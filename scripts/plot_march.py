@@ -5,28 +5,13 @@
 
 Exit status 1, with one line, where the results are missing or not those of `gearfilm transient` or `periodic`.
 """
-import argparse
-import pathlib
-import sys
 from typing import NamedTuple
 
-try:
-    import h5py
-    import matplotlib
-    import numpy
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-except ImportError as missing:
-    sys.exit(f"plot_march: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
+from plotting import (BLUE, DARK, GREEN, PALE, VERMILLION, command_line, numpy, open_results, pyplot, read_table,
+                      write_figure)
 
-# Distinguishable with every kind of colour vision: colours of Okabe and Ito. Teeth take turns.
-TOOTH_COLOURS = ["#0072B2", "#D55E00", "#009E73"]
-DARK = "#333333"
+TOOTH_COLOURS = [BLUE, VERMILLION, GREEN]  # teeth take turns
 WIDE_RANGE = 5  # of film thickness: beyond it, when contact is lost, the axis is logarithmic
-
-
-class PlotError(Exception):
-    """Something that keeps the figure from being made; the text is for the user."""
 
 
 class March(NamedTuple):
@@ -36,18 +21,9 @@ class March(NamedTuple):
 
 
 def read_march(path):
-    if not path.exists():
-        raise PlotError(f"{path} does not exist; run gearfilm transient first")
-    try:
-        with h5py.File(path) as results:
-            march = March(results["history/steps"][:], results["history/contacts"][:])
-    except OSError:
-        raise PlotError(f"{path} is not an HDF5 file that can be read") from None
-    except KeyError:
-        raise PlotError(f"{path} is not a result of gearfilm transient: it has no history") from None
-    if not {"distance", "H0", "force_total"} <= set(march.steps.dtype.names or ()):
-        raise PlotError(f"{path} is not a result of gearfilm transient: columns of the history are missing")
-    return march
+    with open_results(path, "transient", "it has no history") as results:
+        return March(read_table(results, "history/steps", ["distance", "H0", "force_total"]),
+                     read_table(results, "history/contacts", ["step", "contact", "force", "p_max"]))
 
 
 def draw_teeth(axes, march, column, scale, **style):
@@ -59,7 +35,7 @@ def draw_teeth(axes, march, column, scale, **style):
                   color=TOOTH_COLOURS[tooth % len(TOOTH_COLOURS)], linewidth=1.2, **style)
 
 
-def draw(march, paths):
+def draw(march):
     lubricated = "h_min" in march.contacts.dtype.names
     figure, rows = pyplot.subplots(4 if lubricated else 3, 1, sharex=True, figsize=(8, 8 if lubricated else 6.5),
                                    constrained_layout=True)
@@ -79,23 +55,14 @@ def draw(march, paths):
         rows[3].set_ylabel("film [µm]\n(dashed: smallest)")
     rows[-1].set_xlabel("length travelled along the line of action [mm]")
     for axes in rows:
-        axes.grid(color="#DDDDDD", linewidth=0.6)
+        axes.grid(color=PALE, linewidth=0.6)
         axes.margins(x=0)
-    for path in paths:
-        figure.savefig(path, dpi=150)
-        print(f"figure: {path}")
+    return figure
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("folder", type=pathlib.Path, help="folder with results.h5 of gearfilm transient")
-    parser.add_argument("--name", default="march", help="file name of the figure, without ending")
-    arguments = parser.parse_args()
-    try:
-        march = read_march(arguments.folder / "results.h5")
-    except PlotError as error:
-        sys.exit(f"plot_march: {error}")
-    draw(march, [arguments.folder / f"{arguments.name}.{ending}" for ending in ("png", "pdf")])
+    arguments = command_line(__doc__, "transient", "march").parse_args()
+    write_figure(arguments, lambda: draw(read_march(arguments.folder / "results.h5")))
 
 
 if __name__ == "__main__":

@@ -116,7 +116,7 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   });
   double unit = convolution_time(size.nx, size.ny);
   MPI_Bcast(&unit, 1, MPI_DOUBLE, 0, comm);
-  march.start(dry_guess(resized, grid, path).motion);
+  march.start(dry_guess(resized, grid, damped_dry_orbit(resized, path)).motion);
   const double start = MPI_Wtime();
   march.run(path.mesh_period());
   const double seconds = MPI_Wtime() - start;

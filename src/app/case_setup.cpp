@@ -22,9 +22,11 @@ MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& p
                    std::move(observer));
 }
 
-OrbitGuess dry_guess(const Case& problem, const Grid& grid, const ContactPath& path) {
-  const double inertia = problem.scales.inertia(*problem.equivalent_mass);
-  const DryOrbit dry = find_dry_orbit(problem.scales, path, inertia, usual_film_damping);
+DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {
+  return find_dry_orbit(problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), usual_film_damping);
+}
+
+OrbitGuess dry_guess(const Case& problem, const Grid& grid, const DryOrbit& dry) {
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);
   const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);

@@ -67,7 +67,8 @@ Summary orbit_multipliers(const Case& problem, const Grid& grid) {
   const ContactPath path = path_after_leaving(problem);
   MeshMarch march = make_march(problem, grid, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
   const PeriodicOrbit orbit =
-      find_periodic_orbit(march, path, dry_guess(problem, grid, path), problem.periodic, [](const SearchPeriod&) {});
+      find_periodic_orbit(march, path, dry_guess(problem, grid, damped_dry_orbit(problem, path)), problem.periodic,
+                          [](const SearchPeriod&) {});
   const FloquetMultipliers found = floquet_multipliers(march, path, orbit, {.periods = problem.eigen_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};
   add_multipliers(problem, found.gear_pair, summary);

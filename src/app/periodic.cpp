@@ -34,7 +34,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   remove_earlier_results(comm, problem.output_directory);
   const auto summary_file = problem.output_directory / "summary.json";
   const ContactPath path = path_after_leaving(problem);
-  const OrbitGuess guess = dry_guess(problem, grid, path);
+  const OrbitGuess guess = dry_guess(problem, grid, damped_dry_orbit(problem, path));
   MarchOutput output(comm, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
   OrbitRun run;
   try {

@@ -17,6 +17,8 @@
 namespace gearfilm {
 namespace {
 
+constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
+
 /// Points of one direction that follow one another; a chain is the work of one group of processes.
 using Chain = std::vector<SweepPoint>;
 
@@ -53,16 +55,25 @@ Case case_at(const Case& problem, double value) {
 struct Neighbour {
   double value = 0.0;
   OrbitGuess guess;
+  std::optional<DryOrbit> dry;  ///< the damped dry pair's orbit beside it
 };
 
-OrbitGuess guess_of(const OrbitRun& run) { return {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}; }
+Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
+
+Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
 /// The same from a point on disk, which has no films.
-OrbitGuess guess_of(const Summary& point) {
+Neighbour read_neighbour(const Summary& point) {
   const Summary& map = point["monodromy"];
-  return {{point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()},
-          {{{map[0][0].get<double>(), map[0][1].get<double>()}, {map[1][0].get<double>(), map[1][1].get<double>()}}},
-          {}};
+  Neighbour neighbour{point["value"].get<double>(), {}, {}};
+  neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 2; ++column) {
+      neighbour.guess.monodromy[row][column] = map[row][column].get<double>();
+    }
+  }
+  if (point.contains("dry_motion")) neighbour.dry.emplace().start = motion_of(point["dry_motion"]);
+  return neighbour;
 }
 
 class ChainRun {
@@ -77,7 +88,7 @@ public:
       const double value = problem_.sweep.values[point.index];
       std::optional<Summary> result = points_.read(point);
       if (result) {
-        keep(value, result->contains("error") ? std::nullopt : std::optional(guess_of(*result)));
+        keep(result->contains("error") ? std::nullopt : std::optional(read_neighbour(*result)));
       } else {
         result = compute(point, value);
         points_.write(group_, point, *result);
@@ -87,20 +98,9 @@ public:
   }
 
 private:
-  void keep(double value, std::optional<OrbitGuess> guess) {
-    before_ = guess ? last_ : std::nullopt;
-    last_ = guess ? std::optional(Neighbour{value, std::move(*guess)}) : std::nullopt;
-  }
-
-  /// From the neighbour, its motion extrapolated where there are two.
-  OrbitGuess from_neighbour(double value) const {
-    OrbitGuess guess = last_->guess;
-    if (before_) {
-      const double part = (value - last_->value) / (last_->value - before_->value);
-      guess.motion.H0 += part * (last_->guess.motion.H0 - before_->guess.motion.H0);
-      guess.motion.V0 += part * (last_->guess.motion.V0 - before_->guess.motion.V0);
-    }
-    return guess;
+  void keep(std::optional<Neighbour> found) {
+    before_ = found ? std::move(last_) : std::nullopt;
+    last_ = std::move(found);
   }
 
   Summary compute(const SweepPoint& point, double value) {
@@ -114,33 +114,66 @@ private:
     result["f_n"] =
         natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
     try {
-      const OrbitRun run = search(here, value, result);
+      std::optional<DryOrbit> dry;
+      const OrbitRun run = search(here, value, dry, result);
       result.update(orbit_summary(here, run));
       result["monodromy"] = run.orbit.monodromy;
-      keep(value, guess_of(run));
+      if (dry) result["dry_motion"] = motion_json(dry->start);
+      keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
     } catch (const SolveError& error) {
       result["error"] = error.what();
-      keep(value, {});
+      keep({});
     }
     return result;
   }
 
-  /// From the neighbour, and where that fails from the dry orbit.
-  OrbitRun search(const Case& here, double value, Summary& result) const {
+  /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
+  OrbitRun search(const Case& here, double value, std::optional<DryOrbit>& dry, Summary& result) const {
     const Grid grid(group_, case_grid(here));
     const ContactPath path = path_after_leaving(here);
-    const OrbitObservers nobody = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                   [](const SearchPeriod&) {}};
+    result["search"] = Summary::array();
+    const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
+                                   [&](const SearchPeriod& period) {
+                                     result["search"].push_back({period.defect, period.film_defect});
+                                   }};
     if (last_) {
       result["start"] = "neighbour";
+      Case brief = here;
+      brief.periodic.max_periods = std::min(here.periodic.max_periods, periods_from_neighbour);
       try {
-        return run_orbit(here, grid, path, from_neighbour(value), nobody);
+        return run_orbit(brief, grid, path, from_neighbour(here, path, value, dry), observers);
       } catch (const SolveError& error) {
         result["neighbour_error"] = error.what();
       }
     }
     result["start"] = "dry orbit";
-    return run_orbit(here, grid, path, dry_guess(here, grid, path), nobody);
+    dry = damped_dry_orbit(here, path);
+    return run_orbit(here, grid, path, dry_guess(here, grid, *dry), observers);
+  }
+
+  /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit
+  /// cannot be followed, extrapolated from the last two points.
+  OrbitGuess from_neighbour(const Case& here, const ContactPath& path, double value,
+                            std::optional<DryOrbit>& dry) const {
+    constexpr double near = 0.3;  // of the motion; farther away is another branch
+    OrbitGuess guess = last_->guess;
+    if (last_->dry) {
+      const Motion before = last_->dry->start;
+      dry = follow_dry_orbit(here.scales, path, here.scales.inertia(*here.equivalent_mass), usual_film_damping, before);
+      if (dry && std::hypot(dry->start.H0 - before.H0, dry->start.V0 - before.V0) < near) {
+        guess.motion.H0 += dry->start.H0 - before.H0;
+        guess.motion.V0 += dry->start.V0 - before.V0;
+        guess.monodromy = dry->monodromy;
+        return guess;
+      }
+      dry.reset();
+    }
+    if (before_) {
+      const double part = (value - last_->value) / (last_->value - before_->value);
+      guess.motion.H0 += part * (last_->guess.motion.H0 - before_->guess.motion.H0);
+      guess.motion.V0 += part * (last_->guess.motion.V0 - before_->guess.motion.V0);
+    }
+    return guess;
   }
 
   void report(const Summary& point) const {

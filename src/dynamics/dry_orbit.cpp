@@ -111,6 +111,18 @@ bool shoot(const DryMap& map, Motion& motion) {
   return true;
 }
 
+DryOrbit describe(const DryMap& map, const ContactPath& path, const Motion& start) {
+  DryOrbit orbit;
+  orbit.start = start;
+  orbit.monodromy = map.derivative(start);
+  map.march(start, 1.0, 0.01 * path.mesh_period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    for (const ContactRecord& contact : record.contacts) {
+      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
+    }
+  });
+  return orbit;
+}
+
 }  // namespace
 
 DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio) {
@@ -120,16 +132,16 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     map.set_damping_ratio(zeta);
     return map.march(from, settling_periods(zeta), std::numeric_limits<double>::max(), nobody);
   };
-  DryOrbit orbit;
+  Motion start;
   double damping = std::max(strong_damping, damping_ratio), ratio = widest_ratio;
-  orbit.start = settle(damping, {});
-  bool found = shoot(map, orbit.start);
+  start = settle(damping, {});
+  bool found = shoot(map, start);
   while (found && damping > damping_ratio) {
     const double next = ratio * damping < std::max(weak_damping, damping_ratio) ? damping_ratio : ratio * damping;
-    Motion trial = orbit.start;
+    Motion trial = start;
     map.set_damping_ratio(next);
     if (shoot(map, trial)) {
-      orbit.start = trial;
+      start = trial;
       damping = next;
       ratio = std::max(widest_ratio, ratio * ratio);
     } else {
@@ -138,8 +150,8 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     if (ratio > narrowest_ratio) {
       // The branch ends: what the pair settles on with less damping is another one.
       damping = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
-      orbit.start = settle(damping, orbit.start);
-      found = shoot(map, orbit.start);
+      start = settle(damping, start);
+      found = shoot(map, start);
       ratio = widest_ratio;
     }
   }
@@ -147,14 +159,16 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
                      ": continued from higher damping down to " + std::to_string(damping));
   }
-  orbit.monodromy = map.derivative(orbit.start);
-  map.march(orbit.start, 1.0, 0.01 * path.mesh_period(),
-            [&](const StepRecord& record, const std::vector<LiveContact>&) {
-              for (const ContactRecord& contact : record.contacts) {
-                orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
-              }
-            });
-  return orbit;
+  return describe(map, path, start);
+}
+
+std::optional<DryOrbit> follow_dry_orbit(const Scales& scales, const ContactPath& path, double inertia,
+                                         double damping_ratio, const Motion& near) {
+  DryMap map(scales, path, inertia);
+  map.set_damping_ratio(damping_ratio);
+  Motion start = near;
+  if (!shoot(map, start)) return {};
+  return describe(map, path, start);
 }
 
 }  // namespace gearfilm

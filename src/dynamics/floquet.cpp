@@ -10,7 +10,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_disturbance = 1e-5;  // that still has a direction above the noise of a march
+constexpr double smallest_disturbance = 1e-3;  // that has a direction well above the noise of a march
 
 /// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
 /// a root mean square, and on the first process H_0 and V_0.
@@ -30,11 +30,11 @@ public:
 
   /// What distinguishes a state from the orbit's end.
   void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
-  /// A disturbance of H_0 that the films have followed.
+  /// What a displacement of H_0 has become after one period, which the films have followed.
   void displacement(Vec vec) {
     march_.resume(next_boundary(), start_);
     march_.displace({start_.motion.H0 + difference_, start_.motion.V0});
-    difference_of(march_.state(), start_, vec);
+    difference_of(map(march_.state()), end_, vec);
   }
 
   void multiply(Vec disturbance, Vec mapped) {

@@ -110,7 +110,8 @@ private:
     trial.end = march_.state();
     trial.defect = difference(trial.end.motion, trial.start.motion);
     trial.film_defect = film_change(trial.start, trial.end, march_.comm());
-    if (best_) {
+    // The films of the first period are not those of a march: its end says little about the map of the motion alone.
+    if (trials_++ > 1) {
       jacobian_.update(difference(trial.start.motion, last_.start.motion),
                        difference(trial.end.motion, last_.end.motion));
     }
@@ -189,6 +190,7 @@ private:
   const SearchObserver& observer_;
   MapJacobian jacobian_;
   int periods_ = 0;
+  int trials_ = 0;  ///< periods marched to their end
   PairState beside_;
   Trial last_;
   std::optional<Trial> best_;

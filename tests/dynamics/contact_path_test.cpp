@@ -188,5 +188,19 @@ INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,
                            return name;
                          });
 
+TEST(HeldGeometry, contacts_stay_and_no_event_comes) {
+  const Case problem = table3_case();
+  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, 4e-3, MeshGeometry::held);
+  const ContactPath moving(*problem.line, problem.scales, problem.pinion_speed, 4e-3);
+  for (double T : {0.0, 3.0, 1e4}) {
+    EXPECT_EQ(path.contacts_after(T), moving.contacts_after(0.0));
+    EXPECT_DOUBLE_EQ(path.position(1, T), moving.position(1, 0.0));
+    EXPECT_EQ(path.conditions(0, T), moving.conditions(0, 0.0));
+    EXPECT_TRUE(std::isinf(path.next_event(T)));
+    EXPECT_EQ(path.distance(T), 0.0);
+  }
+  EXPECT_DOUBLE_EQ(path.mesh_period(), moving.mesh_period());
+}
+
 }  // namespace
 }  // namespace gearfilm

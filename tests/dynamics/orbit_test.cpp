@@ -1,4 +1,5 @@
 // Periodic orbits of the dry and of the lubricated pair, and what their multipliers say.
+#include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "pair_case.hpp"
@@ -62,17 +63,64 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
   EXPECT_NEAR(std::abs(multipliers(orbit.monodromy)[0]), 1.0, 1e-5);
 }
 
+TEST(DryOrbit, damping_leads_over_the_end_of_a_branch) {
+  // At 10500 rpm the orbit of the strongly damped pair ends in a fold; the lightly damped one loses contact.
+  const Case problem = table3_case(with(after_leaving_place(), {{"pinion.speed_rpm", "10500"}}));
+  const ContactPath path = path_of(problem);
+  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem), 0.05);
+  EXPECT_GT(orbit.largest_integral / problem.scales.static_force, 2.0);
+  EXPECT_LT(std::abs(multipliers(orbit.monodromy)[0]), 1.0);
+}
+
+PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
+  return find_periodic_orbit(
+      march.march(), march.path(), guess, march.problem().periodic, [](const SearchPeriod& period) {
+        report("mesh period %d: defect %.1e, of the films %.1e", period.number, period.defect, period.film_defect);
+      });
+}
+
+OrbitGuess dry_guess_of(const RecordedMarch& march) {
+  const Case& problem = march.problem();
+  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
+  // The film's share of H_0 at 15000 rpm serves at every speed: the search takes the rest.
+  return guess_from(dry, table3::reference().at("steady_pitch").at(0).at("H0").get<double>() +
+                             problem.scales.hertz.approach / problem.scales.film);
+}
+
+Settings coarse_orbit() {
+  return {{"grid.nx", "65"}, {"grid.ny", "33"}, {"time.dt", "0.05"}, {"start.place", "after_leaving"}};
+}
+
+TEST(Orbit, a_bad_guess_recovers) {
+  RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  OrbitGuess guess = dry_guess_of(march);
+  guess.motion.H0 += 0.15;
+  guess.monodromy = {{{0.5, 0.0}, {0.0, 0.5}}};  // nothing like the map
+  const PeriodicOrbit orbit = search(march, guess);
+  RecordedMarch straight(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  const PeriodicOrbit expected = search(straight, dry_guess_of(straight));
+  EXPECT_NEAR(orbit.start.motion.H0, expected.start.motion.H0, 2e-3);
+  EXPECT_NEAR(orbit.start.motion.V0, expected.start.motion.V0, 2e-3);
+  // From its own end the orbit is found at once, with the films of the neighbour.
+  RecordedMarch again(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  EXPECT_EQ(search(again, {expected.end.motion, expected.monodromy, expected.end}).periods_used, 1);
+}
+
+TEST(Orbit, too_few_periods_are_an_error_that_names_the_defect) {
+  RecordedMarch march(table3_case(with(coarse_orbit(), {{"periodic.max_periods", "1"}})));
+  try {
+    (void)search(march, dry_guess_of(march));
+    FAIL() << "found in one period";
+  } catch (const SolveError& error) {
+    EXPECT_NE(std::string(error.what()).find("still changes by"), std::string::npos) << error.what();
+  }
+}
+
 TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   const auto& reference = table3::reference().at("film_periodic_129x65_dT_0.026");
   RecordedMarch march(table3_case(after_leaving_place()));
-  const Case& problem = march.problem();
-  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
-  const double film_shift = table3::reference().at("steady_pitch").at(0).at("H0").get<double>() +
-                            problem.scales.hertz.approach / problem.scales.film;
-  const PeriodicOrbit orbit = find_periodic_orbit(march.march(), march.path(), guess_from(dry, film_shift),
-                                                  problem.periodic, [](const SearchPeriod&) {});
-  report("%d mesh periods, defect %.1e, of the film %.1e", orbit.periods_used, orbit.defect, orbit.film_defect);
-  EXPECT_LE(orbit.periods_used, 6);
+  const PeriodicOrbit orbit = search(march, dry_guess_of(march));
+  EXPECT_LE(orbit.periods_used, 4);  // two more for the multipliers
   EXPECT_LT(orbit.defect, 1e-4);
   EXPECT_LT(orbit.film_defect, 1e-3);
   const auto expect = [&](const char* name, double computed) {
@@ -81,9 +129,49 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   };
   expect("H0_after_leaving", orbit.start.motion.H0);
   expect("V0_after_leaving", orbit.start.motion.V0);
-  expect("floquet_modulus", std::abs(multipliers(orbit.monodromy)[0]));
-  expect("free_frequency", free_frequency_of(problem, orbit.monodromy));
+  const Case& problem = march.problem();
+  const FloquetMultipliers few = floquet_multipliers(march.march(), march.path(), orbit, {});
+  const FreeOscillation oscillation = free_oscillation(
+      few.gear_pair, mesh_frequency(*problem.gears, problem.pinion_speed), natural_frequency_of(problem));
+  expect("floquet_modulus", std::abs(few.gear_pair[0]));
+  expect("free_frequency", oscillation.frequency);
+  // More periods change little, and show how small the films' own multipliers are.
+  const FloquetMultipliers more = floquet_multipliers(march.march(), march.path(), orbit, {.periods = 4});
+  EXPECT_NEAR(std::abs(more.gear_pair[0]), std::abs(few.gear_pair[0]), 0.005);
+  report("films' own below %.1e", more.film_bound.value());
+  EXPECT_LT(more.film_bound.value(), 0.02);
 }
+
+/// Speeds with an adequate domain, and how many mesh periods their orbit may take.
+struct Speed {
+  const char* rpm;
+  int periods;
+  bool loses_contact;
+};
+
+class SlowOrbitAt : public testing::TestWithParam<Speed> {};
+
+TEST_P(SlowOrbitAt, is_found) {
+  const Settings wide = {{"pinion.speed_rpm", GetParam().rpm},
+                         {"grid.ny", "81"},
+                         {"grid.y_half", "1.5"},
+                         {"grid.x_min", "-2.25"},
+                         {"grid.x_max", "1.6"}};
+  RecordedMarch march(table3_case(with(after_leaving_place(), wide)));
+  const PeriodicOrbit orbit = search(march, dry_guess_of(march));
+  EXPECT_LE(orbit.periods_used, GetParam().periods);
+  EXPECT_LT(orbit.defect, 1e-4);
+  EXPECT_LT(orbit.film_defect, 1e-3);
+  const double end = orbit.begin + march.path().mesh_period();
+  EXPECT_EQ(statistics_of(march).contact_lost(orbit.begin + 1e-6, end), GetParam().loses_contact);
+  const FloquetMultipliers found = floquet_multipliers(march.march(), march.path(), orbit, {});
+  report("%s rpm: modulus %.4f", GetParam().rpm, std::abs(found.gear_pair[0]));
+  EXPECT_LT(std::abs(found.gear_pair[0]), 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Speeds, SlowOrbitAt,
+                         testing::Values(Speed{"8000", 4, false}, Speed{"12500", 6, true}, Speed{"20000", 4, false}),
+                         [](const auto& tested) { return "at_" + std::string(tested.param.rpm) + "_rpm"; });
 
 }  // namespace
 }  // namespace gearfilm

@@ -179,6 +179,7 @@ TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
   const double h_x = grid_.h_x(), h_y = grid_.h_y(), xi = 0.3;
   EXPECT_DOUBLE_EQ(weights.row_scale(xi),
                    2.0 * xi * (1.0 / (h_x * h_x) + 1.0 / (h_y * h_y)) + 0.05 * entrainment / h_x);
+  EXPECT_DOUBLE_EQ(ReynoldsWeights(grid_, entrainment, 40.0).row_scale(xi) - weights.row_scale(xi), 0.05 * 40.0);
   // On the boundary and at cavitated nodes the row is d P, with the node's own d.
   const auto residual = residual_of(
       grid_, state_, [](double x, double y) { return -pressure_at(x, y).value; },

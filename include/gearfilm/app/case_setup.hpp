@@ -12,9 +12,10 @@ GridShape case_grid(const Case& problem);
 void require_inertia(const Case& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
-/// Where the search for the case's periodic state begins: the dry pair's orbit, damped about as films do, its H_0
-/// shifted by the film.
-OrbitGuess dry_guess(const Case& problem, const Grid& grid, const ContactPath& path);
+/// The dry pair's orbit, damped about as films do.
+DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path);
+/// Where the search for the case's periodic state begins: that orbit, its H_0 shifted by the film.
+OrbitGuess dry_guess(const Case& problem, const Grid& grid, const DryOrbit& dry);
 /// The path of a march that starts just after a contact has left.
 ContactPath path_after_leaving(const Case& problem);
 

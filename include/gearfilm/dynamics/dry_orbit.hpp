@@ -24,4 +24,9 @@ struct DryOrbit {
 /// lowers the damping, each orbit starting from the last. Throws SolveError where no orbit is found.
 DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio);
 
+/// The orbit next to a motion near it (that of a neighbouring speed, say). Nothing where the shooting does not
+/// converge.
+std::optional<DryOrbit> follow_dry_orbit(const Scales& scales, const ContactPath& path, double inertia,
+                                         double damping_ratio, const Motion& near);
+
 }  // namespace gearfilm

@@ -2,9 +2,10 @@
 // pressures, H_0, V_0) over one mesh period, linearised.
 //
 // Matrix-free: the map is applied to a disturbance by marching one period from the disturbed state, and SLEPc's Arnoldi
-// method needs a handful of such periods: two for the two multipliers of the gear pair, since the search for the orbit
-// leaves a disturbance that the films have followed; the more, the better. Those of the films by themselves lie below
-// the noise of the differences: the remaining Ritz values bound them from above.
+// method needs a handful of such periods: two for the two multipliers of the gear pair from a disturbance that the
+// films have followed. The search for the orbit leaves one; where it began too near for that, one more period makes
+// one. Those of the films by themselves lie below the noise of the differences: the remaining Ritz values bound them
+// from above.
 #pragma once
 
 #include <array>

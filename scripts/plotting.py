@@ -1,0 +1,95 @@
+"""What the plot scripts have in common: their command line, the results they read, their colours, the written figure.
+
+A figure is drawn from FOLDER/results.h5 and written beside it, as PNG and PDF. Exit status 1, with one line, where that
+cannot be done. The scripts import numpy and pyplot from here, so that a missing package is said in one place.
+"""
+import argparse
+import contextlib
+import pathlib
+import sys
+
+SCRIPT = pathlib.Path(sys.argv[0]).stem
+
+try:
+    import h5py
+    import matplotlib
+    import numpy
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+except ImportError as missing:
+    sys.exit(f"{SCRIPT}: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
+
+# Distinguishable with every kind of colour vision: colours of Okabe and Ito.
+BLUE = "#0072B2"
+VERMILLION = "#D55E00"
+GREEN = "#009E73"
+DARK = "#333333"
+GREY = "#999999"  # of marked lines
+PALE = "#DDDDDD"  # of grids
+
+
+class PlotError(Exception):
+    """Something that keeps the figure from being made; the text is for the user."""
+
+
+class Foreign(Exception):
+    """What results lack, or have instead, when they are not those of the wanted command."""
+
+
+@contextlib.contextmanager
+def open_results(path, command, lack):
+    """The results of `gearfilm <command>`; `lack` is what to say of them when a group or dataset is missing."""
+    if not path.exists():
+        raise PlotError(f"{path} does not exist; run gearfilm {command} first")
+    foreign = f"{path} is not a result of gearfilm {command}"
+    try:
+        with h5py.File(path) as results:
+            yield results
+    except OSError:
+        raise PlotError(f"{path} is not an HDF5 file that can be read") from None
+    except KeyError:
+        raise PlotError(f"{foreign}: {lack}") from None
+    except Foreign as found:
+        raise PlotError(f"{foreign}: {found}") from None
+
+
+def read_table(results, name, columns):
+    """The rows of a table of the results, of which these columns are used."""
+    table = results[name][...]
+    if not set(columns) <= set(table.dtype.names or ()):
+        raise Foreign(f"columns of the {name.split('/')[0]} are missing")
+    return table
+
+
+def read_text(attribute):
+    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+
+
+def add_legend(axes, handles, labels, base=1.0):
+    """A legend above the axes, where it hides nothing, with every label once; base: where it begins, in axes' heights."""
+    entries = dict(zip(labels, handles))
+    axes.legend(entries.values(), entries.keys(), loc="lower center", bbox_to_anchor=(0.5, base),
+                ncol=min(len(entries), 5), frameon=False, fontsize=8)
+
+
+def command_line(documentation, command, name):
+    """Parser of FOLDER and --name; the first line of the script's documentation describes it."""
+    parser = argparse.ArgumentParser(description=documentation.split("\n", 1)[0])
+    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {command}")
+    parser.add_argument("--name", default=name, help="file name of the figure, without ending")
+    return parser
+
+
+def write_figure(arguments, draw):
+    """Writes the figure that draw() returns to the folder of the arguments."""
+    paths = [arguments.folder / f"{arguments.name}.{ending}" for ending in ("png", "pdf")]
+    try:
+        figure = draw()
+        for path in paths:
+            figure.savefig(path, dpi=150)
+    except PlotError as error:
+        sys.exit(f"{SCRIPT}: {error}")
+    except OSError as error:
+        sys.exit(f"{SCRIPT}: cannot write the figure: {error}")
+    for path in paths:
+        print(f"figure: {path}")

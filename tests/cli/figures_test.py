@@ -1,0 +1,237 @@
+"""The plot scripts from outside, on small results made up here: figures, exit statuses and messages."""
+import json
+import math
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy
+
+from program import SECONDS, SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from plot_orbit import read_orbit  # noqa: E402
+
+MESH_PERIOD = 7.5      # dimensionless
+TIME_SCALE = 2e-5      # s
+STEPS_PER_PERIOD = 20
+ENTRY_STEP = 14        # of a mesh period, which begins when a contact leaves
+STATIC_FORCE = 1000.0  # N
+COMMANDS_OF = {"film": ["steady"],
+               "march": ["transient", "periodic"],
+               "orbit": ["transient", "periodic"],
+               "sweep": ["sweep"]}
+
+
+def table(columns, rows):
+    """Rows as gearfilm writes them: a table of named columns, of whole numbers where all values are."""
+    kinds = ["i4" if all(isinstance(row[n], int) for row in rows) else "f8" for n in range(len(columns))]
+    return numpy.array([tuple(row) for row in rows], dtype=list(zip(columns, kinds)))
+
+
+class Motion:
+    """A periodic motion of two contacts in turn, as rows of the tables of a history."""
+
+    def __init__(self, periods, held=False):
+        self.held = held
+        self.steps, self.contacts = [], []
+        present = [0]
+        self.add(0, 0.0, present)
+        for n in range(1, periods * STEPS_PER_PERIOD + 1):
+            self.add(n, MESH_PERIOD / STEPS_PER_PERIOD, present)
+            if held or n % STEPS_PER_PERIOD not in (0, ENTRY_STEP):
+                continue
+            present = present[1:] if n % STEPS_PER_PERIOD == 0 else [*present, present[-1] + 1]
+            self.add(n, 0.0, present)
+
+    def add(self, n, dT, present):
+        phase = 2 * math.pi * n / STEPS_PER_PERIOD
+        T, step = n * MESH_PERIOD / STEPS_PER_PERIOD, len(self.steps)
+        force = STATIC_FORCE * (1 + 0.2 * math.cos(phase))
+        self.steps.append((step, T, TIME_SCALE * T, dT, 1e-3 * T, -1 + 0.5 * math.cos(phase), -0.4 * math.sin(phase),
+                           len(present) * force, len(present)))
+        for contact in present:
+            xi = 0.0 if self.held else 6e-3 * (n / STEPS_PER_PERIOD - contact - 0.35)
+            self.contacts.append((step, contact, T, xi, force, 2e9, 2e-6, 1.8e-6))
+
+    def total_force_ratio_max(self, begin=0.0):
+        return max(row[7] for row in self.steps if row[3] > 0 and row[1] > begin) / STATIC_FORCE
+
+
+class Figures(ProgramTest):
+    def plot(self, name, *options):
+        command = [sys.executable, "-B", str(SOURCE / f"scripts/plot_{name}.py"), str(self.folder), *options]
+        return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+    def assert_drawn(self, name, *options, figure=None):
+        run = self.plot(name, *options)
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+        for ending, beginning in (("png", b"\x89PNG"), ("pdf", b"%PDF")):
+            path = self.folder / f"{figure or name}.{ending}"
+            self.assertIn(f"figure: {path}\n", run.stdout)
+            self.assertTrue(path.read_bytes().startswith(beginning), path)
+            path.unlink()
+
+    def assert_refused(self, name, *words):
+        before = self.content()
+        run = self.plot(name)
+        self.assertEqual((run.returncode, run.stdout), (1, ""), run)
+        self.assertEqual(run.stderr.count("\n"), 1, run)
+        self.assertTrue(run.stderr.startswith(f"plot_{name}: "), run)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertEqual(self.content(), before, run)
+
+    def new_results(self, command, **parameters):
+        results = h5py.File(self.folder / "results.h5", "w")
+        self.addCleanup(results.close)
+        results.attrs["command"] = numpy.bytes_(command)
+        results.create_group("parameters").attrs.update(
+            {name.replace("__", "."): numpy.bytes_(value) for name, value in parameters.items()})
+        return results
+
+    def write_summary(self, **values):
+        (self.folder / "summary.json").write_text(json.dumps(values), encoding="utf-8")
+
+    def write_film(self):
+        with self.new_results("steady") as results:
+            contact = results.create_group("contact0")
+            contact.attrs.update({"a": 5e-4, "b": 2e-3, "p_hertz": 1e9})
+            x, y = contact["x"], contact["y"] = numpy.linspace(-1e-3, 6e-4, 17), numpy.linspace(-2.2e-3, 2.2e-3, 9)
+            distance = (x[:, None] / 5e-4) ** 2 + (y[None, :] / 2e-3) ** 2
+            contact["P"] = 1e9 * numpy.sqrt(numpy.maximum(1 - distance, 0))
+            contact["H"] = 1e-6 * (1 + numpy.maximum(distance - 1, 0))
+
+    def write_history(self, command, held=False, spectrum=False, found=True):
+        motion = Motion(periods=4, held=held)
+        begin = 3 * MESH_PERIOD
+        with self.new_results(command) as results:
+            results["history/steps"] = table(
+                ["step", "T", "t", "dT", "distance", "H0", "V0", "force_total", "contacts"], motion.steps)
+            results["history/contacts"] = table(
+                ["step", "contact", "T", "xi", "force", "p_max", "h_central", "h_min"], motion.contacts)
+            if command == "periodic" and found:
+                results["history"].attrs.update({"periodic_from": begin, "periodic_to": begin + MESH_PERIOD})
+            if spectrum:
+                f_m = 1 / (TIME_SCALE * MESH_PERIOD)
+                results["spectrum"] = table(["frequency", "H0", "h0"], [
+                    (n * f_m, 0.5 * 0.1 ** n, 1e-6 * 0.1 ** n) for n in range(10)])
+        if command == "periodic":
+            self.write_summary(total_force_ratio_max=motion.total_force_ratio_max(begin), free_frequency=5200.0)
+        else:
+            self.write_summary(total_force_ratio_max=motion.total_force_ratio_max(),
+                               mesh_period=TIME_SCALE * MESH_PERIOD,
+                               spectrum_peaks=[{"frequency": 6000.0, "H0": 0.1}, {"frequency": 70e3, "H0": 0.01}])
+
+    def write_sweep(self, over="speed", multipliers=True):
+        absent = math.nan
+        columns = ["up", "found", "speed_rpm", "torque", "I_n", "f_m", "f_n", "force_ratio_max", "h_min",
+                   "transmission_error_peak_to_peak", "contact_lost", "floquet_modulus", "stable"]
+        rows = []
+        for up in (1, 0):
+            for n in range(5):
+                figures = [1.5 + 0.1 * n + 0.2 * up, 1e-6 * n, 1e-5 * n, 1.0 * (n == 3),
+                           *((0.9 + 0.03 * n, 1.0 * (n < 4)) if multipliers else (absent, absent))]
+                found = not (up and n == 2)
+                rows.append([up, int(found), 8000.0 + 1000 * n, 400.0 + n, 20.0 + n, 4e3 + 500.0 * n, 5200.0,
+                             *(figures if found else len(figures) * [absent])])
+        with self.new_results("sweep", sweep__over=over) as results:
+            results["sweep"] = table(columns, rows)
+
+    def write_results(self, command):
+        if command == "steady":
+            self.write_film()
+        elif command == "sweep":
+            self.write_sweep()
+        else:
+            self.write_history(command)
+
+    def test_every_script_draws_the_results_of_its_commands_and_refuses_others(self):
+        for command in ("steady", "transient", "periodic", "sweep"):
+            self.write_results(command)
+            for name, own in COMMANDS_OF.items():
+                with self.subTest(command=command, script=name):
+                    if command in own:
+                        self.assert_drawn(name)
+                    else:
+                        self.assert_refused(name, "results.h5 is not a result of gearfilm", own[0])
+
+    def test_missing_results(self):
+        for name, own in COMMANDS_OF.items():
+            self.assert_refused(name, "results.h5 does not exist; run gearfilm", own[0])
+
+    def test_file_that_is_not_hdf5(self):
+        (self.folder / "results.h5").write_text("no table", encoding="utf-8")
+        for name in COMMANDS_OF:
+            self.assert_refused(name, "results.h5 is not an HDF5 file")
+
+    def test_missing_columns(self):
+        for name, dataset in (("march", "history/contacts"), ("orbit", "history/steps"), ("sweep", "sweep")):
+            with self.subTest(script=name):
+                self.write_results(COMMANDS_OF[name][0])
+                with h5py.File(self.folder / "results.h5", "a") as results:
+                    first_column = results[dataset][:][[results[dataset].dtype.names[0]]]
+                    del results[dataset]
+                    results[dataset] = first_column
+                self.assert_refused(name, "columns", "are missing")
+
+    def test_figure_has_the_wanted_name(self):
+        self.write_results("transient")
+        self.assert_drawn("orbit", "--name", "last", figure="last")
+
+    def test_folder_that_cannot_be_written_to(self):
+        self.write_results("sweep")
+        (self.folder / "sweep.png").mkdir()
+        self.assert_refused("sweep", "cannot write the figure")
+
+    def test_orbit_with_spectrum_and_of_several_periods(self):
+        for command in ("transient", "periodic"):
+            self.write_history(command, spectrum=True)
+            self.assert_drawn("orbit", "--periods", "3")
+
+    def test_orbit_of_held_contacts(self):
+        self.write_history("transient", held=True)
+        self.assert_drawn("orbit")
+
+    def test_orbit_is_one_period_from_the_leaving_of_a_contact_to_the_next(self):
+        for command in ("transient", "periodic"):
+            with self.subTest(command=command):
+                self.write_history(command)
+                orbit = read_orbit(self.folder, periods=1)
+                self.assertEqual((orbit.steps["T"][0], orbit.steps["T"][-1]), (3 * MESH_PERIOD, 4 * MESH_PERIOD))
+                self.assertEqual((orbit.steps["contacts"][0], orbit.steps["contacts"][-1]), (1, 2))
+                self.assertEqual(sorted(orbit.change[orbit.change != 0]), [-1, 1])
+                self.assertEqual(set(orbit.contacts["contact"]), {3, 4})
+                self.assertAlmostEqual(orbit.static_force / STATIC_FORCE, 1, delta=1e-12)
+                self.assertAlmostEqual(orbit.mesh_frequency * 1e3 * TIME_SCALE * MESH_PERIOD, 1, delta=1e-12)
+
+    def test_search_that_found_no_orbit(self):
+        self.write_history("periodic", found=False)
+        self.assert_refused("orbit", "found no periodic state")
+
+    def test_orbit_needs_the_summary(self):
+        self.write_results("transient")
+        self.write_summary()
+        self.assert_refused("orbit", "summary.json", "mesh_period")
+        (self.folder / "summary.json").write_text("{", encoding="utf-8")
+        self.assert_refused("orbit", "summary.json")
+        (self.folder / "summary.json").unlink()
+        self.assert_refused("orbit", "summary.json")
+
+    def test_sweeps_over_all_quantities(self):
+        for over in ("speed", "torque", "equivalent_mass"):
+            self.write_sweep(over, multipliers=over == "torque")
+            self.assert_drawn("sweep")
+
+    def test_sweep_whose_points_all_failed(self):
+        self.write_sweep()
+        with h5py.File(self.folder / "results.h5", "a") as results:
+            points = results["sweep"][:]
+            points["found"] = 0
+            results["sweep"][:] = points
+        self.assert_refused("sweep", "no periodic state")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,170 @@
+// Natural modes: the dry pair's, and those of the pair on its films against a march that rings down.
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/dynamics/dry_modes.hpp"
+#include "gearfilm/dynamics/film_modes.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
+  const Case problem = table3_case();
+  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  const std::array<double, 2> radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
+  const GearInertias inertias = disc_inertias(radii, *problem.equivalent_mass);
+  const auto [rigid, swinging] = dry_modes(k_el, radii, inertias);
+  const auto& reference = table3::reference().at("derived").at("f_n");
+  EXPECT_NEAR(swinging.frequency, reference.at("value"), 1e-3 * reference.at("value").get<double>());
+  EXPECT_NEAR(swinging.frequency, natural_frequency(k_el, *problem.equivalent_mass), 1e-9 * swinging.frequency);
+  EXPECT_LT(rigid.frequency, 1e-6 * swinging.frequency);
+  // Geared together: R_b1 phi_1 = R_b2 phi_2.
+  EXPECT_NEAR(radii[0] * rigid.shape[0], radii[1] * rigid.shape[1], 1e-9 * radii[0]);
+  // The contact's force turns both: I_1 phi_1/R_b1 = -I_2 phi_2/R_b2.
+  EXPECT_NEAR(inertias.pinion * swinging.shape[0] / radii[0], -inertias.wheel * swinging.shape[1] / radii[1],
+              1e-9 * inertias.pinion / radii[0]);
+}
+
+TEST(DryModes, very_different_inertias) {
+  const std::array<double, 2> radii = {0.04, 0.4};
+  const GearInertias inertias = {1e-4, 1e3};
+  const double k = 3e8, mass = 1.0 / (radii[0] * radii[0] / inertias.pinion + radii[1] * radii[1] / inertias.wheel);
+  const auto [rigid, swinging] = dry_modes(k, radii, inertias);
+  EXPECT_NEAR(swinging.frequency, natural_frequency(k, mass), 1e-9 * swinging.frequency);
+  EXPECT_LT(rigid.frequency, 1e-6 * swinging.frequency);
+}
+
+TEST(DryModes, disc_inertias_have_the_mass) {
+  const std::array<double, 2> radii = {0.04, 0.06};
+  const GearInertias inertias = disc_inertias(radii, 0.37);
+  EXPECT_NEAR(1.0 / (radii[0] * radii[0] / inertias.pinion + radii[1] * radii[1] / inertias.wheel), 0.37, 1e-15);
+  EXPECT_NEAR(inertias.wheel / inertias.pinion, std::pow(1.5, 4), 1e-12);
+}
+
+/// The pair at rest on its films, on a coarse grid, linearised with all levels of the preconditioner.
+class PairAtRest {
+public:
+  explicit PairAtRest(const Settings& settings)
+      : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}}, settings))),
+        grid_(PETSC_COMM_WORLD, shape_of(problem_)),
+        path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, MeshGeometry::held),
+        march_(grid_, problem_.scales, path_, inertia_of(problem_), problem_.solver, problem_.steps,
+               [](const StepRecord&, const std::vector<LiveContact>&) {}) {
+    march_.start({});
+    pair_ =
+        std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales.static_force);
+    state_ = pair_->create_state();
+    const PairState at_rest = march_.state();
+    for (std::size_t k = 0; k < at_rest.films.size(); ++k) pair_->set_field(state_, k, at_rest.films[k].pressure);
+    pair_->set_motion(state_, at_rest.motion);
+  }
+
+  const Case& problem() const { return problem_; }
+  const Grid& grid() const { return grid_; }
+  const ContactPath& path() const { return path_; }
+  LubricatedPair& pair() { return *pair_; }
+  Vec state() { return state_; }
+  double H0() const { return march_.motion().H0; }
+  double natural_rate() const {
+    return 2.0 * std::numbers::pi * problem_.scales.time *
+           natural_frequency(contact_stiffness(problem_.scales.operation.load, problem_.scales.hertz),
+                             *problem_.equivalent_mass);
+  }
+
+private:
+  Case problem_;
+  Grid grid_;
+  ContactPath path_;
+  MeshMarch march_;
+  std::unique_ptr<LubricatedPair> pair_;
+  OwnedVec state_;
+};
+
+// The operator at a shift is A + shift B.
+TEST(FilmPencil, multiply_grows_linearly_with_the_shift) {
+  PairAtRest rest({});
+  LubricatedPair& pair = rest.pair();
+  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state(),
+                 still = pair.create_state(), stored = pair.create_state();
+  petsc_check(VecSet(rate, 0.0));
+  petsc_check(VecCopy(rest.state(), change));
+  pair.residual(rest.state(), rate, 0.0, rows);
+  pair.linearise(0.0);
+  pair.multiply(change, still);
+  pair.multiply_storage(change, stored);
+  constexpr double shift = 7.0;
+  pair.linearise(shift);
+  pair.multiply(change, rows);
+  PetscReal size = 0.0, off = 0.0;
+  petsc_check(VecNorm(rows, NORM_INFINITY, &size));
+  petsc_check(VecAXPY(rows, -1.0, still));
+  petsc_check(VecAXPY(rows, -shift, stored));
+  petsc_check(VecNorm(rows, NORM_INFINITY, &off));
+  EXPECT_LT(off, 1e-12 * size);
+}
+
+/// lambda of x ~ exp(lambda T) from a free oscillation: least squares of x_(n+1) = a x_n + b x_(n-1) + c on uniform
+/// samples, whose characteristic roots are exp(lambda step).
+std::complex<double> fitted_eigenvalue(const std::vector<double>& x, double step) {
+  double normal[3][4] = {};
+  for (std::size_t n = 1; n + 1 < x.size(); ++n) {
+    const double row[4] = {x[n], x[n - 1], 1.0, x[n + 1]};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 4; ++j) normal[i][j] += row[i] * row[j];
+    }
+  }
+  for (int pivot = 0; pivot < 3; ++pivot) {
+    for (int i = 0; i < 3; ++i) {
+      if (i == pivot) continue;
+      const double factor = normal[i][pivot] / normal[pivot][pivot];
+      for (int j = pivot; j < 4; ++j) normal[i][j] -= factor * normal[pivot][j];
+    }
+  }
+  const double a = normal[0][3] / normal[0][0], b = normal[1][3] / normal[1][1];
+  const std::complex<double> root = 0.5 * a + std::sqrt(std::complex<double>(0.25 * a * a + b));
+  return std::log(root) / step;
+}
+
+// Geometry held at the pitch point, H_0 released a little off balance.
+TEST(FilmModes, agree_with_a_march_that_rings_down) {
+  PairAtRest rest({});
+  const FilmMode mode = swinging_mode(film_modes(rest.pair(), rest.state(), {}), rest.natural_rate());
+  const Case& problem = rest.problem();
+  std::vector<double> samples;
+  StepOptions steps = problem.steps;
+  steps.dT = 0.05;
+  MeshMarch march(rest.grid(), problem.scales, rest.path(), inertia_of(problem), problem.solver, steps,
+                  [&](const StepRecord& record, const std::vector<LiveContact>&) {
+                    if (record.T > 2.0) samples.push_back(record.motion.H0);  // the films have followed
+                  });
+  march.start(Motion{rest.H0() + 2e-3, 0.0});
+  march.run(25.0);
+  // Every eighth: neighbours hardly differ.
+  constexpr int stride = 8;
+  std::vector<double> sparse;
+  for (std::size_t n = 0; n < samples.size(); n += stride) sparse.push_back(samples[n] - rest.H0());
+  const std::complex<double> rung = fitted_eigenvalue(sparse, stride * steps.dT);
+  report("eigenvalue %.6f %+.6fi, ring-down %.6f %+.6fi", mode.eigenvalue.real(), mode.eigenvalue.imag(), rung.real(),
+         rung.imag());
+  EXPECT_NEAR(mode.eigenvalue.imag(), std::abs(rung.imag()), 0.01 * std::abs(rung.imag()));
+  EXPECT_NEAR(mode.eigenvalue.real(), rung.real(), 0.1 * std::abs(rung.real()));
+  EXPECT_LT(mode.eigenvalue.real(), 0.0);
+}
+
+TEST(FilmModes, two_contacts_swing_faster) {
+  PairAtRest one({}), two({{"start.place", "position"}, {"start.position", "4e-3"}});
+  ASSERT_EQ(two.pair().contacts().size(), 2u);
+  const FilmMode single = swinging_mode(film_modes(one.pair(), one.state(), {}), one.natural_rate());
+  const FilmMode both = swinging_mode(film_modes(two.pair(), two.state(), {}), two.natural_rate());
+  // Two Hertz contacts with half the force each: stiffer by 2 (1/2)^(1/3), so faster by its root, 1.26.
+  EXPECT_NEAR(both.eigenvalue.imag() / single.eigenvalue.imag(), std::sqrt(2.0 * std::cbrt(0.5)), 0.05);
+}
+
+TEST(FilmModes, none_that_oscillates_is_an_error) {
+  EXPECT_THROW((void)swinging_mode({{{-1.0, 0.0}, 0.0}, {{-0.1, -0.6}, 0.0}}, 0.6), SolveError);
+}
+
+}  // namespace
+}  // namespace gearfilm
