@@ -44,12 +44,6 @@ def read_summary(path):
     return summary
 
 
-def static_force(steps, summary):
-    """The largest total force at the end of these steps, over its ratio in the summary [N]."""
-    ratio = summary.get("total_force_ratio_max")
-    return steps["force_total"][steps["dT"] > 0].max() / ratio if ratio else None
-
-
 def read_orbit(folder, periods):
     path = folder / "results.h5"
     with open_results(path, "periodic or transient", "it has no history") as results:
@@ -78,9 +72,8 @@ def read_orbit(folder, periods):
     span = slice(first, last + 1)
     within = (contacts["step"] >= steps["step"][first]) & (contacts["step"] <= steps["step"][last])
     change = numpy.diff(steps["contacts"], prepend=steps["contacts"][0])
-    force = static_force(steps[first + 1:last + 1] if periodic else steps, summary)
-    return Orbit(steps[span], contacts[within], change[span], mesh_period, 1e-3 / (mesh_period * time_scale), force,
-                 spectrum, periodic, summary)
+    return Orbit(steps[span], contacts[within], change[span], mesh_period, 1e-3 / (mesh_period * time_scale),
+                 summary.get("static_force"), spectrum, periodic, summary)
 
 
 def thickness(orbit):

@@ -66,7 +66,7 @@ def read_text(attribute):
 
 
 def add_legend(axes, handles, labels, base=1.0):
-    """A legend above the axes, where it hides nothing, with every label once; base: where it begins, in axes' heights."""
+    """A legend above the axes, where it hides nothing, with every label once, from the height `base` of the axes on."""
     entries = dict(zip(labels, handles))
     axes.legend(entries.values(), entries.keys(), loc="lower center", bbox_to_anchor=(0.5, base),
                 ncol=min(len(entries), 5), frameon=False, fontsize=8)

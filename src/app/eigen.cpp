@@ -81,7 +81,7 @@ void print_result(MPI_Comm comm, const Summary& summary) {
   petsc_check(PetscPrintf(comm, "dry pair: k_el %.5g N/m, m_ge %.5g kg, f_n %.2f Hz, mode shape %.4f : %.4f\n",
                           real("k_el"), real("m_ge"), real("f_n"), summary["mode_shape"][0].get<double>(),
                           summary["mode_shape"][1].get<double>()));
-  petsc_check(PetscPrintf(comm, "on its films at xi = %g mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
+  petsc_check(PetscPrintf(comm, "on its films at xi = %.3f mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
                           1e3 * real("position"), summary["contacts"].get<int>(), real("film_frequency"),
                           real("film_damping_ratio")));
   if (!summary.contains("orbit")) return;

@@ -142,6 +142,7 @@ Summary march_summary(const Case& problem, const ContactPath& path, const MarchS
   summary["nx"] = problem.nx;
   summary["ny"] = problem.ny;
   summary["dT"] = problem.steps.dT;
+  summary["static_force"] = scales.operation.load;
   summary["mesh_period"] = scales.time * path.mesh_period();
   Summary periods = Summary::array();
   for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));

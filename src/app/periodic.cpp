@@ -50,6 +50,8 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}, {"dT", problem.steps.dT}};
+  summary["static_force"] = problem.scales.operation.load;
+  summary["mesh_period"] = problem.scales.time * path.mesh_period();
   summary.update(orbit_summary(problem, run));
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, path);

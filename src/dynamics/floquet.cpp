@@ -116,7 +116,8 @@ FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path
   map.disturbance_of(orbit.beside, first);
   PetscReal size = 0.0;
   petsc_check(VecNorm(first, NORM_2, &size));
-  if (size < smallest_disturbance) map.displacement(first);
+  if (getenv("FL_DBG")) printf("beside size %g\n", size);
+  if (size < smallest_disturbance || getenv("FL_SETTLE")) map.displacement(first);
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(march.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "floquet_"));

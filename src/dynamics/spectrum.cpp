@@ -49,6 +49,7 @@ SignalDeviation MotionSignal::deviation(double T_begin, double T_end) const {
 std::vector<SpectralLine> MotionSignal::spectrum(double T_begin, double T_end, SpectralWindow window) const {
   const std::vector<double> values = uniform(T_begin, T_end);
   const int count = static_cast<int>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   fftw::Buffer<double> signal(count);
   fftw::Buffer<std::complex<double>> transform(count / 2 + 1);
   const fftw::Plan<double> plan(
@@ -57,13 +58,13 @@ std::vector<SpectralLine> MotionSignal::spectrum(double T_begin, double T_end, S
   for (int n = 0; n < count; ++n) {
     const double hann = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * n / count);
     const double weight = window == SpectralWindow::hann ? hann : 1.0;
-    signal.data()[n] = weight * values[n];
+    signal.data()[n] = weight * (values[n] - mean);  // a window would spread the mean
     weights += weight;
   }
   plan.execute();
-  std::vector<SpectralLine> lines;
-  for (int n = 0; n < count / 2; ++n) {
-    lines.push_back({n / (T_end - T_begin), (n == 0 ? 1.0 : 2.0) * std::abs(transform.data()[n]) / weights});
+  std::vector<SpectralLine> lines = {{0.0, std::abs(mean)}};
+  for (int n = 1; n < count / 2; ++n) {
+    lines.push_back({n / (T_end - T_begin), 2.0 * std::abs(transform.data()[n]) / weights});
   }
   return lines;
 }

@@ -212,21 +212,24 @@ class Eigen(VibrationTest):
     def test_pair_swings_at_its_natural_frequencies_on_1_and_2_processes(self):
         alone, shared = (self.eigen(processes=processes) for processes in (1, 2))
         for summary in (alone, shared):
-            # Table 3 of the paper, and the mode in which the gears turn against each other: what the tooth force gives to
-            # one it takes from the other, I_1 phi_1/R_b1 = -I_2 phi_2/R_b2. Both turn with the mesh in the rigid mode.
+            # Table 3 of the paper, and the mode in which the gears turn against each other: what the tooth force gives
+            # to one it takes from the other, I_1 phi_1/R_b1 = -I_2 phi_2/R_b2. In the rigid mode they turn as geared.
             self.assertAlmostEqual(summary["f_n"] / 5138.8, 1, delta=1e-3)
             self.assertLess(summary["rigid_frequency"], 1e-3 * summary["f_n"])
             self.run_well("info", BARBIERI)
             derived = summary_in(self.folder / "output/barbieri2013")
-            pinion, wheel = (summary[f"inertia_{gear}"] / derived[f"base_radius_{gear}"] for gear in ("pinion", "wheel"))
+            pinion, wheel = (summary[f"inertia_{gear}"] / derived[f"base_radius_{gear}"]
+                             for gear in ("pinion", "wheel"))
             swinging, rigid = summary["mode_shape"], summary["rigid_mode_shape"]
             self.assertAlmostEqual(pinion * swinging[0] / (wheel * swinging[1]), -1, delta=1e-9)
             self.assertAlmostEqual(rigid[1] / rigid[0] / (28 / 43), 1, delta=1e-9)
             self.assertEqual(summary["contacts"], 1)
-            self.assertEqual(len(summary["film_eigenvalues"]), 4)
         for name in ("film_frequency", "film_damping_ratio"):
             self.assertGreater(alone[name], 0)
             self.assertAlmostEqual(shared[name] / alone[name], 1, delta=SAME, msg=name)
+        # As many as eigen.modes asks for, however many SLEPc has found beyond them.
+        for summary in (alone, shared):
+            self.assertEqual(len(summary["film_eigenvalues"]), 4)
 
     def test_inertias_in_the_place_of_the_mass(self):
         inertias = {"pinion": 1e-3, "wheel": 4e-3}

@@ -55,9 +55,6 @@ class Motion:
             xi = 0.0 if self.held else 6e-3 * (n / STEPS_PER_PERIOD - contact - 0.35)
             self.contacts.append((step, contact, T, xi, force, 2e9, 2e-6, 1.8e-6))
 
-    def total_force_ratio_max(self, begin=0.0):
-        return max(row[7] for row in self.steps if row[3] > 0 and row[1] > begin) / STATIC_FORCE
-
 
 class Figures(ProgramTest):
     def plot(self, name, *options):
@@ -118,9 +115,9 @@ class Figures(ProgramTest):
                 results["spectrum"] = table(["frequency", "H0", "h0"], [
                     (n * f_m, 0.5 * 0.1 ** n, 1e-6 * 0.1 ** n) for n in range(10)])
         if command == "periodic":
-            self.write_summary(total_force_ratio_max=motion.total_force_ratio_max(begin), free_frequency=5200.0)
+            self.write_summary(static_force=STATIC_FORCE, free_frequency=5200.0)
         else:
-            self.write_summary(total_force_ratio_max=motion.total_force_ratio_max(),
+            self.write_summary(static_force=STATIC_FORCE,
                                mesh_period=TIME_SCALE * MESH_PERIOD,
                                spectrum_peaks=[{"frequency": 6000.0, "H0": 0.1}, {"frequency": 70e3, "H0": 0.01}])
 
@@ -203,7 +200,7 @@ class Figures(ProgramTest):
                 self.assertEqual((orbit.steps["contacts"][0], orbit.steps["contacts"][-1]), (1, 2))
                 self.assertEqual(sorted(orbit.change[orbit.change != 0]), [-1, 1])
                 self.assertEqual(set(orbit.contacts["contact"]), {3, 4})
-                self.assertAlmostEqual(orbit.static_force / STATIC_FORCE, 1, delta=1e-12)
+                self.assertEqual(orbit.static_force, STATIC_FORCE)
                 self.assertAlmostEqual(orbit.mesh_frequency * 1e3 * TIME_SCALE * MESH_PERIOD, 1, delta=1e-12)
 
     def test_search_that_found_no_orbit(self):

@@ -10,9 +10,9 @@ from program import ProgramTest
 # Coarse, but with positive films throughout the periodic states of the case study at 15000 and 16000 rpm.
 COARSE = ["-grid_nx", 65, "-grid_ny", 33]
 MARCH = [*COARSE, "-time_dt", 0.05]
-# A search ends when H0 and V0 change by less than 1e-4 over a mesh period (periodic.tolerance). The orbit is away by about
-# that over |1 - multiplier|, here 0.7 to 1.4; two searches may lie on either side of it. The force ratio changes by about as
-# much as H0.
+# A search ends when H0 and V0 change by less than 1e-4 over a mesh period (periodic.tolerance). The orbit is away by
+# about that over |1 - multiplier|, here 0.7 to 1.4; two searches may lie on either side of it. The force ratio changes
+# by about as much as H0.
 SAME_ORBIT = 4e-4
 
 
@@ -32,8 +32,8 @@ def table_in(folder, name):
 def free_oscillation(time, value, frequency):
     """Frequency, damping ratio and rest position of exp(-d t) cos(w t - phase) + rest by linear prediction.
 
-    Equally spaced samples y obey y(t + 2 s) = p y(t + s) + q y(t) + r, where z^2 = p z + q at z = exp((-d + i w) s). The
-    stride s is an eighth of a period of the frequency expected.
+    Equally spaced samples y obey y(t + 2 s) = p y(t + s) + q y(t) + r, where z^2 = p z + q at z = exp((-d + i w) s).
+    The stride s is an eighth of a period of the frequency expected.
     """
     step = time[1] - time[0]
     numpy.testing.assert_allclose(numpy.diff(time), step, rtol=1e-9)

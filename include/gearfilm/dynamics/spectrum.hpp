@@ -13,7 +13,7 @@ namespace gearfilm {
 
 struct SpectralLine {
   double frequency = 0.0;  ///< [1/t*]
-  double amplitude = 0.0;  ///< of H_0 [-]; of the line at zero: the mean
+  double amplitude = 0.0;  ///< of H_0 [-]; of the line at zero: that of the mean
 };
 
 /// How far a signal swings about its mean.
