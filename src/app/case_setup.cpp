@@ -1,5 +1,6 @@
 #include "gearfilm/app/case_setup.hpp"
 
+#include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -15,6 +16,15 @@ void require_inertia(const Case& problem) {
                    "wheel.inertia, of a gear pair");
 }
 
+void require_moving_films(const Case& problem, const std::string& command) {
+  const auto refuse = [&](const std::string& name, const std::string& needed) {
+    throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
+                     ", but " + command + " is for lubricated contacts that travel; set it to " + needed);
+  };
+  if (problem.model == MarchModel::dry) refuse("model", "dynamic");
+  if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
+}
+
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
   SolverOptions films = problem.solver;
   films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
@@ -28,8 +38,9 @@ DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {
 
 OrbitGuess dry_guess(const Case& problem, const Grid& grid, const DryOrbit& dry) {
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);
-  const StationaryResult at_pitch =
-      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+  const StationaryResult at_pitch = located("contact at the pitch point", [&] {
+    return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+  });
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.hertz.approach / problem.scales.film);
 }
 

@@ -52,7 +52,8 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
     } else {
       snapshots_->write(record, contacts);
     }
-    next_snapshot_ += snapshot_interval(problem_, purpose_);
+    const double interval = snapshot_interval(problem_, purpose_);
+    next_snapshot_ = interval * (std::floor(period / interval + 1e-9) + 1.0);
   }
   report(record, period);
 }
@@ -64,7 +65,7 @@ void MarchOutput::end_search_period(const SearchPeriod& period) {
   progress_.note(text.str());
   if (!snapshots_) return;
   if (period.accepted) {
-    snapshots_->write_held();
+    snapshots_->write_held(period.begin);
   } else {
     snapshots_->drop_held();
   }

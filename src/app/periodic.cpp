@@ -19,6 +19,7 @@ Summary dry_summary(const Case& problem, const ContactPath& path) {
                        {"V0_after_leaving", dry.start.V0},
                        {"force_ratio_max", dry.largest_integral / problem.scales.static_force}};
     add_multipliers(problem, multipliers(dry.monodromy), summary);
+    for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping
     return summary;
   } catch (const SolveError&) {
     return nullptr;
@@ -29,6 +30,7 @@ Summary dry_summary(const Case& problem, const ContactPath& path) {
 
 void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
+  require_moving_films(problem, "periodic");
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);

@@ -133,9 +133,9 @@ private:
     const ContactPath path = path_after_leaving(here);
     result["search"] = Summary::array();
     const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                   [&](const SearchPeriod& period) {
-                                     result["search"].push_back({period.defect, period.film_defect});
-                                   }};
+                                      [&](const SearchPeriod& period) {
+                                        result["search"].push_back({period.defect, period.film_defect});
+                                      }};
     if (last_) {
       result["start"] = "neighbour";
       Case brief = here;
@@ -197,18 +197,36 @@ private:
   std::optional<Neighbour> last_, before_;
 };
 
-/// Deals the chains out to groups of processes, as equal as can be.
-void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points) {
+/// Groups of processes, as equal as can be, to which chains are dealt out.
+int group_count(MPI_Comm comm, const Case& problem) {
+  int size = 1;
+  MPI_Comm_size(comm, &size);
+  const int chains = static_cast<int>(chains_of(problem.sweep).size());
+  const int groups = std::min({problem.sweep.groups > 0 ? problem.sweep.groups : chains, chains, size});
+  const int largest = (size + groups - 1) / groups;
+  if (largest > problem.ny) {
+    throw InputError("a group of the sweep would have " + std::to_string(largest) + " processes for the " +
+                     std::to_string(problem.ny) +
+                     " rows of a grid; use fewer processes, or shorter chains "
+                     "(sweep_chain_points) for more groups");
+  }
+  return groups;
+}
+
+void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups) {
   const std::vector<Chain> chains = chains_of(problem.sweep);
   int size = 1, rank = 0;
   MPI_Comm_size(comm, &size);
   MPI_Comm_rank(comm, &rank);
-  const int wanted = problem.sweep.groups > 0 ? problem.sweep.groups : static_cast<int>(chains.size());
-  const int groups = std::min({wanted, static_cast<int>(chains.size()), size});
   const int own = static_cast<int>(static_cast<long>(rank) * groups / size);
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Comm_split(comm, own, rank, &group);
-  for (std::size_t n = own; n < chains.size(); n += groups) ChainRun(group, problem, points).run(chains[n]);
+  try {
+    for (std::size_t n = own; n < chains.size(); n += groups) ChainRun(group, problem, points).run(chains[n]);
+  } catch (const std::exception& error) {
+    // What is not recorded as a point's failure has struck this group alone; the others would wait for it for ever.
+    throw std::runtime_error(std::string("in one group of the sweep: ") + error.what());
+  }
   MPI_Comm_free(&group);
   MPI_Barrier(comm);
 }
@@ -271,6 +289,7 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
 
 void run_sweep(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
+  require_moving_films(problem, "sweep");
   if (problem.sweep.values.empty()) {
     throw InputError("the case '" + problem.name +
                      "' says nothing about its sweep; give sweep.from and sweep.to, or sweep.values");
@@ -279,10 +298,11 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
   for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
+  const int groups = group_count(comm, problem);
   prepare_output_directory(comm, problem.output_directory);
   const SweepPoints points(comm, problem);
   remove_earlier_results(comm, problem.output_directory);
-  run_chains(comm, problem, points);
+  run_chains(comm, problem, points, groups);
 
   Summary results = Summary::array();
   int failures = 0;
@@ -303,7 +323,8 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   write_summary(comm, problem.output_directory / "summary.json", summary);
   petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
   if (failures == static_cast<int>(count))
-    throw SolveError("no point of the sweep has a periodic state; see summary.json");
+    throw SolveError("no point of the sweep has a periodic state; see the errors in " +
+                     (problem.output_directory / "summary.json").string());
 }
 
 }  // namespace gearfilm

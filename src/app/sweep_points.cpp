@@ -66,7 +66,8 @@ std::optional<Summary> SweepPoints::read(const SweepPoint& point) const {
   std::ifstream stream(file(point));
   if (!stream) return {};
   Summary result = Summary::parse(stream, nullptr, false);
-  if (!result.is_object()) return {};
+  // Anything else is not a point that was written whole.
+  if (!result.is_object() || !(result.contains("error") || result.contains("monodromy"))) return {};
   return result;
 }
 

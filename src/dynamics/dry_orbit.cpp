@@ -149,7 +149,10 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     }
     if (ratio > narrowest_ratio) {
       // The branch ends: what the pair settles on with less damping is another one.
-      damping = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
+      const double less = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
+      found = less < damping;
+      if (!found) break;
+      damping = less;
       start = settle(damping, start);
       found = shoot(map, start);
       ratio = widest_ratio;

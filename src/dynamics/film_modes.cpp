@@ -100,12 +100,15 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
   petsc_check(EPSGetConverged(eps, &found));
   if (found == 0) throw SolveError("the natural modes of the lubricated pair did not converge");
   std::vector<FilmMode> modes;
-  for (PetscInt n = 0; n < found; ++n) {
+  // SLEPc may have found more than asked for; a conjugate pair is not torn.
+  const auto torn = [&] { return !modes.empty() && modes.back().eigenvalue.imag() > 0.0; };
+  for (PetscInt n = 0; n < found && (n < options.count || torn()); ++n) {
     PetscScalar real = 0.0, imaginary = 0.0;
     PetscReal error = 0.0;
     petsc_check(EPSGetEigenvalue(eps, n, &real, &imaginary));
     petsc_check(EPSGetErrorEstimate(eps, n, &error));
-    modes.push_back({{-real, -imaginary}, error});  // SLEPc solves A y = mu B y: mu = -lambda
+    // SLEPc solves A y = mu B y: mu = -lambda, and of a pair the one with Im lambda > 0 comes first.
+    modes.push_back({{-real, imaginary == 0.0 ? 0.0 : imaginary}, error});
   }
   return modes;
 }
@@ -117,7 +120,9 @@ FilmMode swinging_mode(const std::vector<FilmMode>& modes, double angular_freque
     if (mode.eigenvalue.imag() <= 0.0) continue;
     if (!nearest || distance(mode) < distance(*nearest)) nearest = &mode;
   }
-  if (!nearest) throw SolveError("none of the " + std::to_string(modes.size()) + " modes found oscillates");
+  if (!nearest)
+    throw SolveError("none of the " + std::to_string(modes.size()) +
+                     " modes found oscillates; ask for more (eigen_modes)");
   return *nearest;
 }
 

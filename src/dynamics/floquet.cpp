@@ -10,7 +10,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_disturbance = 1e-3;  // that has a direction well above the noise of a march
+constexpr double smallest_disturbance = 5e-3;  // that has a direction well above the noise of a march
 
 /// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
 /// a root mean square, and on the first process H_0 and V_0.
@@ -116,8 +116,7 @@ FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path
   map.disturbance_of(orbit.beside, first);
   PetscReal size = 0.0;
   petsc_check(VecNorm(first, NORM_2, &size));
-  if (getenv("FL_DBG")) printf("beside size %g\n", size);
-  if (size < smallest_disturbance || getenv("FL_SETTLE")) map.displacement(first);
+  if (size < smallest_disturbance) map.displacement(first);
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(march.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "floquet_"));

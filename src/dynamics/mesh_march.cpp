@@ -124,6 +124,7 @@ void MeshMarch::observe_present() const {
   record.T = T_;
   record.motion = motion_;
   for (const Tooth& tooth : teeth_) {
+    tooth.film->evaluate(tooth.state.pressure.data(), motion_.H0);
     record.contacts.push_back({tooth.contact, path_.position(tooth.contact, T_), tooth.film->figures()});
   }
   observe(record);
@@ -208,6 +209,7 @@ void MeshMarch::displace(const Motion& motion) {
     }
   }
   motion_ = motion;
+  observe_present();
 }
 
 void MeshMarch::run(double T_end) {

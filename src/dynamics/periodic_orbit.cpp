@@ -121,34 +121,38 @@ private:
     if (beside_.films.empty()) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
-    observer_({periods_, size, trial.film_defect, found});
+    observer_({periods_, trial.begin, size, trial.film_defect, found});
     return found;
   }
 
   /// Puts the march where the next period is to begin.
   void place_next() {
-    if (settling_ > 0) {
+    if (settling_ > 0 && better_) {
       --settling_;
       return march_on();
     }
+    settling_ = 0;
     shortening_ = better_ ? 1.0 : 0.5 * shortening_;
     if (better_) measured_ = false;
-    if (shortening_ < shortest_step) {
-      if (measured_) {
-        settling_ = settling_periods;
-        return march_on();
-      }
-      measured_ = true;
-      shortening_ = 1.0;
+    for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
       try {
-        for (int column = 0; column < 2; ++column) measure(*best_, column);
+        if (shortening_ < shortest_step) measure_jacobian();
+        march_.resume(next_boundary(), best_->end);
+        march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+        return;
       } catch (const SolveError& error) {
         if (periods_ > options_.max_periods) throw;
         trouble_ = error.what();
       }
     }
-    march_.resume(next_boundary(), best_->end);
-    march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+    settling_ = settling_periods - 1;
+    march_on();
+  }
+
+  void measure_jacobian() {
+    measured_ = true;
+    shortening_ = 1.0;
+    for (int column = 0; column < 2; ++column) measure(*best_, column);
   }
 
   void march_on() {

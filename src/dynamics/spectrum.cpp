@@ -49,18 +49,21 @@ SignalDeviation MotionSignal::deviation(double T_begin, double T_end) const {
 std::vector<SpectralLine> MotionSignal::spectrum(double T_begin, double T_end, SpectralWindow window) const {
   const std::vector<double> values = uniform(T_begin, T_end);
   const int count = static_cast<int>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  const auto weight = [&](int n) {
+    return window == SpectralWindow::hann ? 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * n / count) : 1.0;
+  };
+  // A window would spread the mean over the neighbouring lines: the weighted mean goes first.
+  double weights = 0.0, mean = 0.0;
+  for (int n = 0; n < count; ++n) {
+    weights += weight(n);
+    mean += weight(n) * values[n];
+  }
+  mean /= weights;
   fftw::Buffer<double> signal(count);
   fftw::Buffer<std::complex<double>> transform(count / 2 + 1);
   const fftw::Plan<double> plan(
       fftw_plan_dft_r2c_1d(count, signal.data(), reinterpret_cast<fftw_complex*>(transform.data()), FFTW_ESTIMATE));
-  double weights = 0.0;
-  for (int n = 0; n < count; ++n) {
-    const double hann = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * n / count);
-    const double weight = window == SpectralWindow::hann ? hann : 1.0;
-    signal.data()[n] = weight * (values[n] - mean);  // a window would spread the mean
-    weights += weight;
-  }
+  for (int n = 0; n < count; ++n) signal.data()[n] = weight(n) * (values[n] - mean);
   plan.execute();
   std::vector<SpectralLine> lines = {{0.0, std::abs(mean)}};
   for (int n = 1; n < count / 2; ++n) {

@@ -20,8 +20,9 @@ constexpr auto object_prefixes = std::to_array<std::string_view>(
      "mat_",  "matmatmult_", "mfn_", "mg_",  "nep_",  "npc_", "pc_",  "pep_",        "redundant_", "rg_", "sf_",
      "snes_", "st_",         "sub_", "svd_", "tao_",  "ts_",  "vec_", "vecscatter_", "viewer_"});
 // The same for this program's own solvers, by their prefixes.
-constexpr auto solver_prefixes =
-    std::to_array<std::string_view>({"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_"});
+constexpr auto solver_prefixes = std::to_array<std::string_view>(
+    {"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_", "dry_snes_", "dry_ksp_",
+     "dry_eps_", "modes_eps_", "modes_ksp_", "modes_st_", "floquet_eps_"});
 // What PETSc reads at its start or when it ends, whatever the program does.
 constexpr auto general_prefixes = std::to_array<std::string_view>(
     {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",

@@ -29,11 +29,12 @@ private:
 };
 
 constexpr hsize_t rows_per_chunk = 256;
+constexpr double seconds_between_flushes = 0.5;
 
 }  // namespace
 
 ResultsTable::ResultsTable(ResultsFile& file, const std::string& path, const std::vector<TableColumn>& columns)
-    : file_(file.hdf5_file()), width_(columns.size()), writes_(file.rank() == 0) {
+    : file_(file.hdf5_file()), width_(columns.size()), writes_(file.rank() == 0), comm_(file.comm()) {
   memory_type_ = valid(H5Tcreate(H5T_COMPOUND, width_ * sizeof(double)), "create a table type");
   std::size_t file_width = 0;
   for (const TableColumn& column : columns) file_width += column.integer ? sizeof(int) : sizeof(double);
@@ -76,7 +77,12 @@ void ResultsTable::append(const std::vector<double>& rows) {
     succeed(H5Sselect_none(memory_space), "select rows");
   }
   succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, rows.data()), "write rows");
+  // A flush waits for the disk, as long as a small time step takes; the first process decides for all.
+  int due = MPI_Wtime() - last_flush_ > seconds_between_flushes;
+  MPI_Bcast(&due, 1, MPI_INT, 0, comm_);
+  if (!due) return;
   succeed(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush a table");
+  last_flush_ = MPI_Wtime();
 }
 
 }  // namespace gearfilm

@@ -28,8 +28,9 @@ void Snapshots::hold(const StepRecord& record, const std::vector<LiveContact>& c
   held_.push_back(std::move(held));
 }
 
-void Snapshots::write_held() {
+void Snapshots::write_held(double T_after) {
   for (const Held& held : held_) {
+    if (held.T <= T_after) continue;
     std::vector<ContactFields> fields;
     for (const HeldContact& contact : held.contacts) {
       fields.push_back({contact.contact, contact.position, &contact.pressure, &contact.film});

@@ -10,6 +10,9 @@ namespace gearfilm {
 GridShape case_grid(const Case& problem);
 /// Throws InputError unless the case is a gear pair with inertia.
 void require_inertia(const Case& problem);
+/// Throws InputError for a case whose march is of dry contacts, or of contacts that are held, where a command needs
+/// lubricated ones that travel.
+void require_moving_films(const Case& problem, const std::string& command);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
 /// The dry pair's orbit, damped about as films do.

@@ -18,7 +18,7 @@ namespace gearfilm {
 
 struct FloquetOptions {
   int periods = 2;           ///< marched; at least 2, and 3 for a bound on the films' own
-  double difference = 2e-3;  ///< size of a disturbance: of the motion, and of the pressures as a root mean square
+  double difference = 1e-3;  ///< size of a disturbance: of the motion, and of the pressures as a root mean square
 };
 
 struct FloquetMultipliers {

@@ -33,6 +33,7 @@ OrbitGuess guess_from(const DryOrbit& dry, double film_shift);
 /// One marched period of the search.
 struct SearchPeriod {
   int number = 0;
+  double begin = 0.0;        ///< T
   double defect = 0.0;       ///< largest change of H_0 and V_0 [-]
   double film_defect = 0.0;  ///< largest change of any P [-]
   bool accepted = false;     ///< the periodic one: the search ends with it

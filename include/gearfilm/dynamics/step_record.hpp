@@ -42,7 +42,7 @@ struct LiveContact {
   const ContactFilm* film = nullptr;  ///< null in the dry model
 };
 
-/// Receives every accepted step, and the state after every entering or leaving (dT = 0 there).
+/// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).
 using StepObserver = std::function<void(const StepRecord&, const std::vector<LiveContact>&)>;
 
 }  // namespace gearfilm

@@ -36,6 +36,8 @@ public:
   const ContactConditions& conditions() const { return conditions_; }
   void set_conditions(const ContactConditions& conditions);
 
+  /// Film and oil at (pressure, H_0), which figures() and the fields then describe.
+  void evaluate(const double* pressure, double H0);
   /// G at (pressure, H_0). Film and oil are not computed again when the state is the one of the last call.
   void residual(const double* pressure, double H0, const Squeeze& squeeze, double* residual);
   /// rho H at (pressure, H_0): what the time scheme differentiates.
@@ -61,7 +63,6 @@ public:
   long convolutions() const { return convolutions_; }
 
 private:
-  void evaluate(const double* pressure, double H0);
   /// The change of the film, K change + change_H0, into deformed_; change itself into change_.
   void deform(const double* change, double change_H0);
   bool is_current(const double* pressure, double H0) const;

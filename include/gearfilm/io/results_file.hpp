@@ -43,6 +43,7 @@ public:
 
   hid_t hdf5_file();
   int rank() const { return rank_; }
+  MPI_Comm comm() const { return comm_; }
 
 private:
   using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;

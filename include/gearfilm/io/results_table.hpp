@@ -1,7 +1,7 @@
 // A table in results.h5 that grows row by row and survives a killed run.
 //
 // One compound dataset a table, so that h5py, pandas and MATLAB see named columns; the attribute "units" lists
-// "column unit" lines. Rows are written by the first process and flushed at once.
+// "column unit" lines. Rows are written by the first process and flushed soon.
 #pragma once
 
 #include <hdf5.h>
@@ -27,7 +27,7 @@ public:
   ResultsTable(const ResultsTable&) = delete;
   ResultsTable& operator=(const ResultsTable&) = delete;
 
-  /// Appends whole rows (values row after row, one a column) and flushes the file. Collective.
+  /// Appends whole rows (values row after row, one a column). Collective. Flushes the file at most twice a second.
   void append(const std::vector<double>& rows);
 
 private:
@@ -37,6 +37,8 @@ private:
   std::size_t width_;
   hsize_t length_ = 0;
   bool writes_;  ///< this process writes the rows
+  MPI_Comm comm_;
+  double last_flush_ = 0.0;
 };
 
 }  // namespace gearfilm

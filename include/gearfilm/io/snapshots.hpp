@@ -17,9 +17,10 @@ public:
 
   void write(const StepRecord& record, const std::vector<LiveContact>& contacts);
 
-  /// For fields of which only later is known whether they are wanted: keeps them in memory, then writes or drops all.
+  /// For fields of which only later is known whether they are wanted: keeps them in memory, then writes those after a
+  /// time and drops the others.
   void hold(const StepRecord& record, const std::vector<LiveContact>& contacts);
-  void write_held();
+  void write_held(double T_after);
   void drop_held() { held_.clear(); }
 
 private:
