@@ -170,8 +170,12 @@ private:
     }
     if (before_) {
       const double part = (value - last_->value) / (last_->value - before_->value);
-      guess.motion.H0 += part * (last_->guess.motion.H0 - before_->guess.motion.H0);
-      guess.motion.V0 += part * (last_->guess.motion.V0 - before_->guess.motion.V0);
+      const Motion step{part * (last_->guess.motion.H0 - before_->guess.motion.H0),
+                        part * (last_->guess.motion.V0 - before_->guess.motion.V0)};
+      if (std::hypot(step.H0, step.V0) < near) {
+        guess.motion.H0 += step.H0;
+        guess.motion.V0 += step.V0;
+      }
     }
     return guess;
   }
@@ -205,10 +209,9 @@ int group_count(MPI_Comm comm, const Case& problem) {
   const int groups = std::min({problem.sweep.groups > 0 ? problem.sweep.groups : chains, chains, size});
   const int largest = (size + groups - 1) / groups;
   if (largest > problem.ny) {
-    throw InputError("a group of the sweep would have " + std::to_string(largest) + " processes for the " +
-                     std::to_string(problem.ny) +
-                     " rows of a grid; use fewer processes, or shorter chains "
-                     "(sweep_chain_points) for more groups");
+    throw InputError("a group of the sweep would have " + std::to_string(largest) +
+                     " processes for a grid of ny = " + std::to_string(problem.ny) +
+                     " rows; use fewer processes, or shorter chains (sweep_chain_points) for more groups");
   }
   return groups;
 }

@@ -178,11 +178,14 @@ bool MeshMarch::follow(const Tooth& tooth, double H0, ToothFilm& after) const {
   std::vector<double> mass(after.pressure.size());
   tooth.film->storage(after.pressure.data(), motion_.H0, mass.data());
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= after.rate[n] / shift;
-  StationaryNewton newton(*tooth.film, step_options_.newton);
-  FilmSolution moved{after.pressure, H0};
-  if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) return false;
-  after.pressure = std::move(moved.pressure);
-  return true;
+  for (const NewtonOptions& options : {step_options_.newton, film_options_.newton}) {
+    StationaryNewton newton(*tooth.film, options);
+    FilmSolution moved{after.pressure, H0};
+    if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) continue;
+    after.pressure = std::move(moved.pressure);
+    return true;
+  }
+  return false;
 }
 
 // A film that cannot follow at once does so in smaller jumps.

@@ -110,13 +110,14 @@ private:
     trial.end = march_.state();
     trial.defect = difference(trial.end.motion, trial.start.motion);
     trial.film_defect = film_change(trial.start, trial.end, march_.comm());
-    // The films of the first period are not those of a march: its end says little about the map of the motion alone.
-    if (trials_++ > 1) {
+    // The films of the first period were not made by a march: it says little about the map of the motion alone.
+    const bool first_true = ++trials_ == 2;
+    if (trials_ > 2) {
       jacobian_.update(difference(trial.start.motion, last_.start.motion),
                        difference(trial.end.motion, last_.end.motion));
     }
     const double size = length(trial.defect);
-    better_ = !best_ || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
+    better_ = !best_ || first_true || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
     last_ = trial;
     if (beside_.films.empty()) beside_ = trial.end;
     if (better_) best_ = trial;
