@@ -67,11 +67,13 @@ def read_orbit(folder, periods):
         begin, end = max(0.0, T[-1] - periods * mesh_period), T[-1]
     else:
         raise PlotError(f"{folder / 'summary.json'} has no mesh_period")
-    first = numpy.searchsorted(T, begin + SAME_TIME * mesh_period) - 1
+    first = max(0, numpy.searchsorted(T, begin + SAME_TIME * mesh_period) - 1)
     last = numpy.searchsorted(T, end - SAME_TIME * mesh_period)
     span = slice(first, last + 1)
     within = (contacts["step"] >= steps["step"][first]) & (contacts["step"] <= steps["step"][last])
-    change = numpy.diff(steps["contacts"], prepend=steps["contacts"][0])
+    # Several rows may have one time: contacts change against the last row of the time before.
+    row_before = numpy.searchsorted(T, T) - 1
+    change = numpy.where(row_before < 0, 0, steps["contacts"] - steps["contacts"][row_before])
     return Orbit(steps[span], contacts[within], change[span], mesh_period, 1e-3 / (mesh_period * time_scale),
                  summary.get("static_force"), spectrum, periodic, summary)
 

@@ -18,6 +18,10 @@ namespace gearfilm {
 namespace {
 
 constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
+constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
+constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
+
+double distance(const Motion& a, const Motion& b) { return std::hypot(a.H0 - b.H0, a.V0 - b.V0); }
 
 /// Points of one direction that follow one another; a chain is the work of one group of processes.
 using Chain = std::vector<SweepPoint>;
@@ -101,6 +105,7 @@ private:
   void keep(std::optional<Neighbour> found) {
     before_ = found ? std::move(last_) : std::nullopt;
     last_ = std::move(found);
+    if (last_ && last_->dry) film_shift_ = last_->guess.motion.H0 - last_->dry->start.H0;
   }
 
   Summary compute(const SweepPoint& point, double value) {
@@ -118,6 +123,7 @@ private:
       const OrbitRun run = search(here, value, dry, result);
       result.update(orbit_summary(here, run));
       result["monodromy"] = run.orbit.monodromy;
+      if (!dry) dry = dry_beside(here, run.orbit.start.motion);
       if (dry) result["dry_motion"] = motion_json(dry->start);
       keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
     } catch (const SolveError& error) {
@@ -125,6 +131,15 @@ private:
       keep({});
     }
     return result;
+  }
+
+  /// The dry orbit next to a lubricated one, if there is any.
+  std::optional<DryOrbit> dry_beside(const Case& here, const Motion& motion) const {
+    const Motion near{motion.H0 - film_shift_, motion.V0};
+    std::optional<DryOrbit> dry = follow_dry_orbit(
+        here.scales, path_after_leaving(here), here.scales.inertia(*here.equivalent_mass), usual_film_damping, near);
+    if (dry && distance(dry->start, near) > beside) dry.reset();
+    return dry;
   }
 
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
@@ -155,12 +170,11 @@ private:
   /// cannot be followed, extrapolated from the last two points.
   OrbitGuess from_neighbour(const Case& here, const ContactPath& path, double value,
                             std::optional<DryOrbit>& dry) const {
-    constexpr double near = 0.3;  // of the motion; farther away is another branch
     OrbitGuess guess = last_->guess;
     if (last_->dry) {
       const Motion before = last_->dry->start;
       dry = follow_dry_orbit(here.scales, path, here.scales.inertia(*here.equivalent_mass), usual_film_damping, before);
-      if (dry && std::hypot(dry->start.H0 - before.H0, dry->start.V0 - before.V0) < near) {
+      if (dry && distance(dry->start, before) < same_branch) {
         guess.motion.H0 += dry->start.H0 - before.H0;
         guess.motion.V0 += dry->start.V0 - before.V0;
         guess.monodromy = dry->monodromy;
@@ -172,7 +186,7 @@ private:
       const double part = (value - last_->value) / (last_->value - before_->value);
       const Motion step{part * (last_->guess.motion.H0 - before_->guess.motion.H0),
                         part * (last_->guess.motion.V0 - before_->guess.motion.V0)};
-      if (std::hypot(step.H0, step.V0) < near) {
+      if (distance(step, {}) < beside) {
         guess.motion.H0 += step.H0;
         guess.motion.V0 += step.V0;
       }
@@ -199,6 +213,7 @@ private:
   const Case& problem_;
   const SweepPoints& points_;
   std::optional<Neighbour> last_, before_;
+  double film_shift_ = 0.0;  ///< H_0 of the last lubricated orbit less that of the dry one beside it
 };
 
 /// Groups of processes, as equal as can be, to which chains are dealt out.
