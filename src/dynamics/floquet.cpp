@@ -11,6 +11,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double smallest_disturbance = 5e-3;  // that has a direction well above the noise of a march
+constexpr double largest_disturbance = 5e-2;   // that the linearised map still describes
 
 /// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
 /// a root mean square, and on the first process H_0 and V_0.
@@ -113,10 +114,12 @@ FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path
   const OwnedMat operation = shell_of(map);
   OwnedVec first;
   petsc_check(MatCreateVecs(operation, first.put(), nullptr));
-  map.disturbance_of(orbit.beside, first);
   PetscReal size = 0.0;
-  petsc_check(VecNorm(first, NORM_2, &size));
-  if (size < smallest_disturbance) map.displacement(first);
+  if (orbit.beside) {
+    map.disturbance_of(*orbit.beside, first);
+    petsc_check(VecNorm(first, NORM_2, &size));
+  }
+  if (size < smallest_disturbance || size > largest_disturbance) map.displacement(first);
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(march.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "floquet_"));

@@ -10,6 +10,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
+constexpr double worth_keeping = 5e-3;    // defect of a period whose end serves as a disturbance of the orbit
 constexpr double largest_change = 0.5;    // of H_0 or V_0 in one Newton step
 constexpr double shortest_step = 0.2;     // of a Newton step, before the Jacobian is doubted
 constexpr int settling_periods = 3;       // marched on before Newton's method is tried again
@@ -119,7 +120,7 @@ private:
     const double size = length(trial.defect);
     better_ = !best_ || first_true || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
     last_ = trial;
-    if (beside_.films.empty()) beside_ = trial.end;
+    if (size > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
     observer_({periods_, trial.begin, size, trial.film_defect, found});
@@ -196,7 +197,7 @@ private:
   MapJacobian jacobian_;
   int periods_ = 0;
   int trials_ = 0;  ///< periods marched to their end
-  PairState beside_;
+  std::optional<PairState> beside_;
   Trial last_;
   std::optional<Trial> best_;
   bool better_ = true;       ///< the last trial improved on the best before it

@@ -41,14 +41,14 @@ struct SearchPeriod {
 using SearchObserver = std::function<void(const SearchPeriod&)>;
 
 struct PeriodicOrbit {
-  PairState start;           ///< just after a contact has left
-  PairState end;             ///< one period later: the same within the defects
-  PairState beside;          ///< a state off the orbit that a march has led to: the end of the first period
-  double begin = 0.0;        ///< T at which the periodic period began
-  double defect = 0.0;       ///< of the motion over that period
-  double film_defect = 0.0;  ///< of the films
-  int periods_used = 0;      ///< marched to find it
-  Monodromy monodromy{};     ///< of the motion, as the search knew it at its end
+  PairState start;                  ///< just after a contact has left
+  PairState end;                    ///< one period later: the same within the defects
+  std::optional<PairState> beside;  ///< a state some way off the orbit that a march has led to, if there was any
+  double begin = 0.0;               ///< T at which the periodic period began
+  double defect = 0.0;              ///< of the motion over that period
+  double film_defect = 0.0;         ///< of the films
+  int periods_used = 0;             ///< marched to find it
+  Monodromy monodromy{};            ///< of the motion, as the search knew it at its end
 };
 
 /// The march must not have started; path starts (T = 0) just after a contact has left. Throws SolveError with the
