@@ -10,7 +10,7 @@ GridShape case_grid(const Case& problem) {
 }
 
 void require_inertia(const Case& problem) {
-  if (problem.line && problem.equivalent_mass) return;
+  if (problem.line && (problem.equivalent_mass || problem.model == MarchModel::quasistatic)) return;
   throw InputError("the case '" + problem.name +
                    "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
                    "wheel.inertia, of a gear pair");
@@ -19,17 +19,18 @@ void require_inertia(const Case& problem) {
 void require_moving_films(const Case& problem, const std::string& command) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
     throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
-                     ", but " + command + " is for lubricated contacts that travel; set it to " + needed);
+                     ", but " + command + " is for all lubricated contacts, which travel; set it to " + needed);
   };
-  if (problem.model == MarchModel::dry) refuse("model", "dynamic");
+  if (problem.model != MarchModel::dynamic) refuse("model", "dynamic");
   if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
   SolverOptions films = problem.solver;
   films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
-  return MeshMarch(grid, problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), films, problem.steps,
-                   std::move(observer));
+  const bool inert = problem.model != MarchModel::quasistatic;
+  return MeshMarch(grid, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, films,
+                   problem.steps, std::move(observer), problem.prescribed_load);
 }
 
 DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {

@@ -139,7 +139,7 @@ Summary period_summary(const Scales& scales, const PeriodFigures& period) {
 
 Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics) {
   const Scales& scales = problem.scales;
-  Summary summary = {{"case", problem.name}, {"model", problem.model == MarchModel::dry ? "dry" : "dynamic"}};
+  Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
   summary["nx"] = problem.nx;
   summary["ny"] = problem.ny;
   summary["dT"] = problem.steps.dT;

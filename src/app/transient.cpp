@@ -9,10 +9,15 @@
 namespace gearfilm {
 namespace {
 
+/// The end of the march: that of the line of action where one contact is followed along it.
+double end_of(const Case& problem, const ContactPath& path) {
+  return problem.prescribed_load ? path.exit_time(0) : problem.mesh_periods * path.mesh_period();
+}
+
 template <class March>
 void drive(March&& march, const Case& problem, const ContactPath& path) {
   march.start(problem.start_motion);
-  march.run(problem.mesh_periods * path.mesh_period());
+  march.run(end_of(problem, path));
 }
 
 }  // namespace
@@ -24,12 +29,13 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   remove_earlier_results(comm, problem.output_directory);
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
   const bool lubricated = problem.model != MarchModel::dry;
-  MarchOutput output(comm, problem, grid, path, MarchPurpose::march, "transient", problem.mesh_periods);
+  MarchOutput output(comm, problem, grid, path, MarchPurpose::march, "transient",
+                     end_of(problem, path) / path.mesh_period());
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = completed;
     if (completed && problem.spectrum_periods) {
-      const double end = problem.mesh_periods * path.mesh_period();
+      const double end = end_of(problem, path);
       const double begin = end - *problem.spectrum_periods * path.mesh_period();
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }

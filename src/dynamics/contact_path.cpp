@@ -15,6 +15,7 @@ ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double 
       start_(start),
       reference_radius_(scales.solids.radius_x),
       reference_velocity_(scales.operation.entrainment_velocity) {
+  if (geometry_ == MeshGeometry::single) return;
   // Number 0 is the leading contact; one at its exit has left.
   while (exit_time(-1) > tolerance()) start_ += line_.base_pitch();
   while (exit_time(0) <= tolerance()) start_ -= line_.base_pitch();
@@ -28,6 +29,9 @@ ContactConditions ContactPath::conditions(int contact, double T) const {
 
 std::vector<int> ContactPath::contacts_after(double time) const {
   const double T = meshing_time(time);
+  if (geometry_ == MeshGeometry::single) {
+    return exit_time(0) > T + tolerance() ? std::vector<int>{0} : std::vector<int>{};
+  }
   // The leading contact is the first whose exit still lies ahead.
   int contact = static_cast<int>(std::floor((T - exit_time(0)) / mesh_period())) - 1;
   while (exit_time(contact) <= T + tolerance()) ++contact;
@@ -38,6 +42,7 @@ std::vector<int> ContactPath::contacts_after(double time) const {
 
 double ContactPath::next_event(double T) const {
   if (geometry_ == MeshGeometry::held) return std::numeric_limits<double>::infinity();
+  if (geometry_ == MeshGeometry::single) return exit_time(0);
   const std::vector<int> contacts = contacts_after(T);
   const int next = contacts.empty() ? 0 : contacts.back() + 1;
   const double leaving = contacts.empty() ? std::numeric_limits<double>::infinity() : exit_time(contacts.front());

@@ -7,12 +7,13 @@
 namespace gearfilm {
 
 LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia,
-                               double static_force)
+                               double static_force, const std::optional<LoadSharing::Piece>& share)
     : path_(path),
       contacts_(std::move(contacts)),
       grid_(contacts_.front().film->grid()),
       inertia_(inertia),
       static_force_(static_force),
+      sharing_(share),
       weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
       column_(motion_at()),
       column_solution_(motion_at()),
@@ -73,6 +74,7 @@ void LubricatedPair::clip(Vec state) const {
 
 void LubricatedPair::place(double T) {
   for (const PairContact& contact : contacts_) contact.film->set_conditions(path_.conditions(contact.contact, T));
+  if (sharing_) share_ = (*sharing_)(path_.position(contacts_.front().contact, T));
 }
 
 void LubricatedPair::residual(Vec state, Vec rate, double shift, Vec rows) {
@@ -87,7 +89,7 @@ void LubricatedPair::residual(Vec state, Vec rate, double shift, Vec rows) {
   if (!has_motion()) return;
   const std::size_t at = motion_at();
   out[at] = weight_ * (rates[at] - motion.V0);
-  out[at + 1] = weight_ / static_force_ * (inertia_ * rates[at + 1] - carried + static_force_);
+  out[at + 1] = weight_ / static_force_ * (inertia_ * rates[at + 1] - carried / share_ + static_force_);
 }
 
 void LubricatedPair::storage(Vec state, Vec stored) {
@@ -102,14 +104,14 @@ void LubricatedPair::storage(Vec state, Vec stored) {
 
 void LubricatedPair::linearise(double shift, Elimination elimination) {
   shift_ = shift;
-  elimination_ = elimination;
+  elimination_ = inertia_ > 0.0 ? elimination : Elimination::exact;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->linearise(shift);
     contacts_[k].film->film_shift(column_.data() + k * field_size());
-    if (elimination == Elimination::motion_first) continue;
+    if (elimination_ == Elimination::motion_first) continue;
     contacts_[k].film->precondition(column_.data() + k * field_size(), column_solution_.data() + k * field_size());
   }
-  stiffness_ = elimination == Elimination::exact ? integral(column_solution_.data()) : 0.0;
+  stiffness_ = elimination_ == Elimination::exact ? integral(column_solution_.data()) / share_ : 0.0;
 }
 
 void LubricatedPair::multiply_storage(Vec change, Vec rows) {
@@ -135,7 +137,7 @@ void LubricatedPair::multiply(Vec change, Vec rows) {
   if (!has_motion()) return;
   const std::size_t at = motion_at();
   out[at] = weight_ * (shift_ * motion.H0 - motion.V0);
-  out[at + 1] = weight_ / static_force_ * (inertia_ * shift_ * motion.V0 - carried);
+  out[at + 1] = weight_ / static_force_ * (inertia_ * shift_ * motion.V0 - carried / share_);
 }
 
 void LubricatedPair::precondition(Vec rows, Vec change) {
@@ -165,7 +167,7 @@ void LubricatedPair::precondition_motion_first(Vec rows, Vec change) {
 }
 
 // With z = M^-1 r and y = M^-1 dG/dH_0 of the films: v = z - y H0, V0 = shift H0 - r_H, and the equation of motion,
-// I_n shift V0 - Int z + H0 Int y = r_V, gives H0.
+// I_n shift V0 - Int z/f + H0 Int y/f = r_V, gives H0.
 void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
@@ -173,8 +175,8 @@ void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->precondition(in + k * field_size(), out + k * field_size());
   }
-  const double H0 =
-      (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out)) / (inertia_ * shift_ * shift_ + stiffness_);
+  const double H0 = (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out) / share_) /
+                    (inertia_ * shift_ * shift_ + stiffness_);
   for (std::size_t n = 0; n < motion_at(); ++n) out[n] -= H0 * column_solution_[n];
   if (!has_motion()) return;
   out[motion_at()] = H0;

@@ -18,19 +18,38 @@ ToothFilm still(std::vector<double> pressure) {
   return {std::move(pressure), std::move(rate)};
 }
 
+/// Takes a quantity from one value to another at once, or where `reach` fails in smaller parts.
+template <class Reach>
+bool in_parts(double from, double to, double smallest_part, const Reach& reach) {
+  double part = to - from;
+  for (double value = from; value != to;) {
+    const double next = std::abs(to - value) <= std::abs(part) * (1.0 + 1e-9) ? to : value + part;
+    if (reach(next)) {
+      value = next;
+    } else if (std::abs(part) > smallest_part) {
+      part *= 0.5;
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 int step_levels(const Grid& grid) { return grid.nx() * grid.ny() <= 10000 ? 1 : 0; }
 
 MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
-                     const SolverOptions& films, const StepOptions& steps, StepObserver observer)
+                     const SolverOptions& films, const StepOptions& steps, StepObserver observer,
+                     std::optional<PrescribedLoad> load)
     : grid_(grid),
       scales_(scales),
       path_(path),
       inertia_(inertia),
       film_options_(films),
       step_options_(steps),
-      observer_(std::move(observer)) {}
+      observer_(std::move(observer)),
+      load_(std::move(load)) {}
 
 std::string MeshMarch::label(int contact) const {
   std::ostringstream text;
@@ -66,7 +85,8 @@ void MeshMarch::balance_at_rest() {
   teeth_.clear();
   ContactFilm* first = free_film();
   first->set_conditions(path_.conditions(contacts.front(), T_));
-  const double share = scales_.static_force / static_cast<double>(contacts.size());
+  const double share = load_ ? load_->sharing(path_.position(0, T_)) * scales_.static_force
+                             : scales_.static_force / static_cast<double>(contacts.size());
   StationaryResult leading = located(
       label(contacts.front()), [&] { return solve_stationary(*first, LoadCondition::force(share), film_options_); });
   motion_ = {leading.solution.H0, 0.0};
@@ -170,74 +190,106 @@ void MeshMarch::resume(double T, const PairState& state) {
   for (std::size_t k = 0; k < contacts.size(); ++k) teeth_.push_back({contacts[k], free_film(), state.films[k]});
 }
 
-// One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
-// that no jump is no change.
-bool MeshMarch::follow(const Tooth& tooth, double H0, ToothFilm& after) const {
-  const double shift = 1.0 / step_options_.dT;
+// One implicit step of the change alone: G = 0 under the new load condition with
+// d(rho H)/dT = rate + shift (rho H - rho H before), so that no change of the condition is no change.
+std::optional<FilmSolution> MeshMarch::follow(const Tooth& tooth, const LoadCondition& load, double shift) const {
+  const ToothFilm& before = tooth.state;
   tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
-  std::vector<double> mass(after.pressure.size());
-  tooth.film->storage(after.pressure.data(), motion_.H0, mass.data());
-  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= after.rate[n] / shift;
+  std::vector<double> mass(before.pressure.size());
+  tooth.film->storage(before.pressure.data(), motion_.H0, mass.data());
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= before.rate[n] / shift;
   for (const NewtonOptions& options : {step_options_.newton, film_options_.newton}) {
     StationaryNewton newton(*tooth.film, options);
-    FilmSolution moved{after.pressure, H0};
-    if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) continue;
-    after.pressure = std::move(moved.pressure);
-    return true;
+    FilmSolution moved{before.pressure, motion_.H0};
+    if (load.kind == LoadCondition::Kind::displacement) moved.H0 = load.value;
+    if (newton.solve(load, moved, shift, mass.data())) return moved;
   }
-  return false;
+  return {};
 }
 
-// A film that cannot follow at once does so in smaller jumps.
 void MeshMarch::displace(const Motion& motion) {
   constexpr double smallest_jump = 1e-3;
-  double jump = motion.H0 - motion_.H0;
-  while (motion_.H0 != motion.H0) {
-    const double left = motion.H0 - motion_.H0;
-    const double H0 = std::abs(left) <= std::abs(jump) * (1.0 + 1e-9) ? motion.H0 : motion_.H0 + jump;
-    std::vector<ToothFilm> after;
-    bool all = true;
+  const bool arrived = in_parts(motion_.H0, motion.H0, smallest_jump, [&](double H0) {
+    std::vector<FilmSolution> moved;
     for (const Tooth& tooth : teeth_) {
-      after.push_back(tooth.state);
-      all = all && follow(tooth, H0, after.back());
+      std::optional<FilmSolution> solution = follow(tooth, LoadCondition::displacement(H0), 1.0 / step_options_.dT);
+      if (!solution) return false;
+      moved.push_back(std::move(*solution));
     }
-    if (all) {
-      for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state = std::move(after[k]);
-      motion_.H0 = H0;
-    } else if (std::abs(jump) > smallest_jump) {
-      jump *= 0.5;
-    } else {
-      throw SolveError(label(teeth_.front().contact) + ": the film does not follow a jump of H0 to " +
-                       std::to_string(motion.H0));
-    }
+    for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state.pressure = std::move(moved[k].pressure);
+    motion_.H0 = H0;
+    return true;
+  });
+  if (!arrived) {
+    throw SolveError(label(teeth_.front().contact) + ": the film does not follow a jump of H0 to " +
+                     std::to_string(motion.H0));
   }
   motion_ = motion;
   observe_present();
 }
 
-void MeshMarch::run(double T_end) {
-  while (T_ < T_end - 1e-9) {
-    const ScopedStage stage("Time steps");
-    LubricatedPair pair(path_, contacts(), inertia_, scales_.static_force);
-    const OwnedVec state = pair.create_state();
-    for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
-    pair.set_motion(state, motion_);
-    SegmentStepper stepper(pair, step_options_, [&](const StepRecord& record) {
-      T_ = record.T;
-      motion_ = record.motion;
-      for (std::size_t k = 0; k < teeth_.size(); ++k) {
-        check_validity(*teeth_[k].film, record.contacts[k].figures, label(teeth_[k].contact));
-      }
-      observe(record);
-    });
-    const double segment_end = std::min(T_end, path_.next_event(T_));
-    stepper.run(state, T_, segment_end);
-    T_ = segment_end;
-    motion_ = pair.motion(state);
+// Without inertia H_0 follows a jump of the load at once; the film as if the jump took a time step.
+void MeshMarch::jump_load(double from, double to) {
+  Tooth& tooth = teeth_.front();
+  const bool arrived = in_parts(from, to, 1e-3 * std::abs(to - from), [&](double force) {
+    std::optional<FilmSolution> moved = follow(tooth, LoadCondition::force(force), 1.0 / step_options_.dT);
+    if (!moved) return false;
+    tooth.state.pressure = std::move(moved->pressure);
+    motion_.H0 = moved->H0;
+    return true;
+  });
+  if (!arrived) {
+    std::ostringstream message;
+    message << label(tooth.contact) << ": the film does not follow the jump of the force from "
+            << from / scales_.static_force << " to " << to / scales_.static_force << " of the static one";
+    throw SolveError(message.str());
+  }
+  observe_present();
+}
+
+void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share) {
+  const ScopedStage stage("Time steps");
+  LubricatedPair pair(path_, contacts(), inertia_, scales_.static_force, share);
+  const OwnedVec state = pair.create_state();
+  for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
+  pair.set_motion(state, motion_);
+  SegmentStepper stepper(pair, steps, [&](const StepRecord& record) {
+    T_ = record.T;
+    motion_ = record.motion;
     for (std::size_t k = 0; k < teeth_.size(); ++k) {
-      teeth_[k].state = {pair.field(state, k), pair.field(stepper.rate(), k)};
+      check_validity(*teeth_[k].film, record.contacts[k].figures, label(teeth_[k].contact));
     }
+    observe(record);
+  });
+  stepper.run(state, T_, T_end);
+  T_ = T_end;
+  motion_ = pair.motion(state);
+  for (std::size_t k = 0; k < teeth_.size(); ++k) {
+    teeth_[k].state = {pair.field(state, k), pair.field(stepper.rate(), k)};
+  }
+}
+
+void MeshMarch::run(double T_end) {
+  bool jumped = false;
+  while (T_ < T_end - 1e-9 && !teeth_.empty()) {
+    double segment_end = std::min(T_end, path_.next_event(T_));
+    StepOptions steps = step_options_;
+    std::optional<LoadSharing::Piece> share;
+    if (load_) {
+      share = load_->sharing.piece_at(path_.position(0, T_));
+      segment_end = std::min(segment_end, path_.time_at(share->end));
+      if (jumped) {
+        segment_end = std::min(segment_end, T_ + steps.dT);
+        steps.dT /= load_->jump_refinement;
+      }
+    }
+    run_segment(segment_end, steps, share);
     exchange_contacts();
+    if (load_ && !teeth_.empty()) {
+      const double xi = path_.position(0, T_), before = (*share)(xi), after = load_->sharing(xi);
+      jumped = std::abs(after - before) > 1e-6;
+      if (jumped && inertia_ == 0.0) jump_load(before * scales_.static_force, after * scales_.static_force);
+    }
   }
 }
 

@@ -1,8 +1,11 @@
 #include "gearfilm/io/case.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
@@ -199,12 +202,74 @@ std::optional<double> optional_real(const ParameterValues& values, const std::st
   return values.real(name);
 }
 
+MarchModel read_model(const std::string& name) {
+  if (name == "simplified") return MarchModel::simplified;
+  if (name == "quasistatic") return MarchModel::quasistatic;
+  return name == "dry" ? MarchModel::dry : MarchModel::dynamic;
+}
+
+/// Position and share, one point a line.
+std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
+  const std::string name = "load_sharing.file";
+  if (!values.has(name)) {
+    throw InputError(values.origin("load_sharing.kind") +
+                     ": 'load_sharing.kind' is table, but 'load_sharing.file' is "
+                     "missing; give the file of the table");
+  }
+  const std::string& file = values.text(name);
+  std::ifstream stream(file);
+  if (!stream)
+    throw InputError(values.origin(name) + ": cannot read the table '" + file + "'; give the path of a file");
+  std::vector<std::pair<double, double>> points;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    line.erase(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    double position = 0.0, share = 0.0;
+    std::string more;
+    if (!(words >> position >> share) || words >> more) {
+      throw InputError(file + ":" + std::to_string(number) +
+                       ": is not a point of the load sharing; give two numbers, position [m] and share");
+    }
+    points.emplace_back(position, share);
+  }
+  return points;
+}
+
+LoadSharing read_load_sharing(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string& kind = values.text("load_sharing.kind");
+  if (kind == "step") return LoadSharing::step(*result.line);
+  if (kind == "trapezoid") {
+    return LoadSharing::trapezoid(*result.line, values.real("load_sharing.at_end"),
+                                  values.real("load_sharing.at_inner_edge"));
+  }
+  return LoadSharing::table(*result.line, read_share_table(values));
+}
+
+/// One contact from its entry, or from a chosen position, to its exit.
+void set_single_contact(Case& result) {
+  const ParameterValues& values = result.parameters;
+  if (result.geometry == MeshGeometry::held) {
+    throw InputError(values.origin("geometry") + ": 'geometry' is held, but the model " + values.text("model") +
+                     " follows a contact along the line of action; set it to moving");
+  }
+  result.geometry = MeshGeometry::single;
+  result.prescribed_load = PrescribedLoad{in_file_of(values, [&] { return read_load_sharing(result); }),
+                                          values.integer("load_sharing.jump_refinement")};
+  if (values.text("start.place") != "position") result.start_position = result.line->entry();
+}
+
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
-  result.model = values.text("model") == "dry" ? MarchModel::dry : MarchModel::dynamic;
-  result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
-  result.mesh_periods = values.real("mesh_periods");
   result.start_position = read_start_position(result);
+  result.model = read_model(values.text("model"));
+  result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
+  if (result.model == MarchModel::simplified || result.model == MarchModel::quasistatic) set_single_contact(result);
+  result.mesh_periods = values.real("mesh_periods");
   result.start_motion = read_start_motion(values);
   const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
   result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,

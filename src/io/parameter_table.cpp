@@ -174,12 +174,28 @@ Records steady_records() {
 Records march_records() {
   return section(
       "", Scope::gear_pair,
-      {choice("model", {"dynamic", "dry"},
-              "what is marched in time: films and motion coupled, or the motion on dry Hertz contacts"),
+      {choice("model", {"dynamic", "simplified", "quasistatic", "dry"},
+              "what is marched in time: the films of all contacts and the motion; one contact along the whole line of "
+              "action whose share of the static force is prescribed, with inertia or without; the motion on dry Hertz "
+              "contacts"),
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
        preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
+}
+
+Records load_sharing_records() {
+  return section(
+      "load_sharing", Scope::gear_pair,
+      {choice(
+           "kind", {"step", "trapezoid", "table"},
+           "share of the static force in the models of one contact: 1/n where n contacts exist, ramps while there are "
+           "two, or from load_sharing.file"),
+       preset(1.0 / 3.0, number("at_end", "", "-", left_open(0, 10), "trapezoid: where a contact enters or leaves")),
+       preset(2.0 / 3.0, number("at_inner_edge", "", "-", left_open(0, 10), "trapezoid: where it becomes alone")),
+       optional("none", word("file", "table: position [m] and share, one point a line; # begins a remark")),
+       preset(10, whole("jump_refinement", "", closed(1, 10000),
+                        "parts into which the first time step after a jump of the share is divided"))});
 }
 
 Records start_records() {
@@ -290,8 +306,8 @@ const std::vector<Parameter>& parameter_table() {
     Records all;
     for (Records& records : std::vector<Records>{
              case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(), lubricant_records(),
-             grid_records(), steady_records(), march_records(), start_records(), time_records(), periodic_records(),
-             eigen_records(), sweep_records(), solver_records(), output_records()})
+             grid_records(), steady_records(), march_records(), load_sharing_records(), start_records(), time_records(),
+             periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

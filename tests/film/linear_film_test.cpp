@@ -85,10 +85,12 @@ TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
 
 TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
   set_state(0.0);
+  std::vector<double> residual(grid.local_size());
+  reynolds_residual(grid, entrainment, state, {nullptr, 40.0}, residual.data());  // sets the scales
   state.wet.fill(0.0);
   linearise(grid, entrainment, 3.0, state, linear);
   apply_stencil(linear, v, u, rows);
-  const ReynoldsWeights weights(grid, entrainment);
+  const ReynoldsWeights weights(grid, entrainment, 40.0);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
       EXPECT_DOUBLE_EQ(rows.row(i)[j], weights.row_scale(state.conductance.row(i)[j]) * v.row(i)[j]);

@@ -14,7 +14,8 @@
 
 namespace gearfilm {
 
-enum class MeshGeometry { moving, held };
+/// single: one contact from its start to its exit, without others.
+enum class MeshGeometry { moving, held, single };
 
 class ContactPath {
 public:
@@ -37,6 +38,8 @@ public:
   double next_event(double T) const;
 
   double mesh_period() const { return line_.base_pitch() / velocity_; }
+  /// When contact 0 is at xi.
+  double time_at(double xi) const { return (xi - start_) / velocity_; }
   /// Length travelled along the line of action [m].
   double distance(double T) const { return velocity_ * meshing_time(T); }
   const LineOfAction& line() const { return line_; }

@@ -4,17 +4,22 @@
 //   dH_0/dT - V_0 = 0
 //   I_n dV_0/dT - sum_k Int Int P_k dX dY + F* = 0                     (25) of doi 10.1016/j.triboint.2013.01.017
 //
+// With a prescribed share f of the static force in place of other contacts (prescribed_load.hpp), Int P counts 1/f
+// times, and without inertia, I_n = 0, the last row is the quasi-static balance.
+//
 // State: [P_1, ..., P_n, H_0, V_0], the two scalars on the first process. The squeeze term differentiates rho H, not
 // P: the time scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, H_0, V_0] to difference, so mass is conserved.
 // Preconditioner: one multigrid cycle a contact, and the motion before it (in time steps: a contact's stiffness is 1e-4
 // of I_n/dT^2) or eliminated exactly (where the shift is small, as in an eigenvalue problem).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
 #include "gearfilm/ehl/newton.hpp"
+#include "gearfilm/gear/load_sharing.hpp"
 
 namespace gearfilm {
 
@@ -26,8 +31,10 @@ struct PairContact {
 
 class LubricatedPair final : public LinearisedSystem {
 public:
-  /// At least one contact; all films on grids of one size. inertia I_n, static force F*.
-  LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, double static_force);
+  /// At least one contact; all films on grids of one size. inertia I_n, static force F*; share: f along the path where
+  /// the first contact travels.
+  LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, double static_force,
+                 const std::optional<LoadSharing::Piece>& share = {});
 
   const std::vector<PairContact>& contacts() const { return contacts_; }
   OwnedVec create_state() const;
@@ -80,12 +87,14 @@ private:
   const Grid& grid_;
   double inertia_;
   double static_force_;
+  std::optional<LoadSharing::Piece> sharing_;
+  double share_ = 1.0;  ///< f at the present place
   double weight_;
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::motion_first;
   std::vector<double> column_;           ///< dG_k/dH_0 of all contacts
   std::vector<double> column_solution_;  ///< (dG_k/dP_k)^-1 of it, approximately
-  double stiffness_ = 0.0;               ///< its integral, -dF/dH_0; zero with the motion first
+  double stiffness_ = 0.0;               ///< its integral over f, -d(F/f)/dH_0; zero with the motion first
   std::vector<double> work_;
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 
@@ -31,9 +32,10 @@ struct PairState {
 
 class MeshMarch {
 public:
-  /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers.
+  /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers. With a prescribed load the path
+  /// has a single contact, and an inertia of zero means the quasi-static balance.
   MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia, const SolverOptions& films,
-            const StepOptions& steps, StepObserver observer);
+            const StepOptions& steps, StepObserver observer, std::optional<PrescribedLoad> load = {});
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
@@ -65,12 +67,14 @@ private:
   /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
   Tooth enter(int contact, const std::vector<double>* neighbour);
   void balance_at_rest();
-  /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
-  bool follow(const Tooth& tooth, double H0, ToothFilm& after) const;
+  /// A contact's film under a new load condition, reached within 1/shift; nothing where Newton's method fails.
+  std::optional<FilmSolution> follow(const Tooth& tooth, const LoadCondition& load, double shift) const;
+  void jump_load(double from, double to);
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   void observe_present() const;
   ContactFilm* free_film();
+  void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
   std::string label(int contact) const;
 
   const Grid& grid_;
@@ -80,6 +84,7 @@ private:
   SolverOptions film_options_;
   StepOptions step_options_;
   StepObserver observer_;
+  std::optional<PrescribedLoad> load_;
   std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
   std::vector<Tooth> teeth_;                         ///< leading contact first
   double T_ = 0.0;

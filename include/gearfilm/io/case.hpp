@@ -10,6 +10,7 @@
 #include "gearfilm/contact/scales.hpp"
 #include "gearfilm/dynamics/dry_modes.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
+#include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
@@ -20,7 +21,7 @@
 namespace gearfilm {
 
 enum class CaseKind { gear_pair, contact };
-enum class MarchModel { dynamic, dry };
+enum class MarchModel { dynamic, simplified, quasistatic, dry };
 
 struct Case {
   std::string name;
@@ -51,6 +52,7 @@ struct Case {
   // A march in time; of a gear pair only.
   MarchModel model = MarchModel::dynamic;
   MeshGeometry geometry = MeshGeometry::moving;
+  std::optional<PrescribedLoad> prescribed_load;  ///< of the models simplified and quasistatic
   double mesh_periods = 0.0;
   double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;  ///< absent: at rest

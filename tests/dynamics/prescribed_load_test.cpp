@@ -1,0 +1,150 @@
+// One contact along the whole line of action with a prescribed share of the static force, with and without inertia.
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/ehl/stationary.hpp"
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Table 3 on a coarse grid, from entry to exit.
+class SingleContact {
+public:
+  SingleContact(const std::string& model, const std::string& sharing)
+      : problem_(table3_case({{"grid.nx", "65"},
+                              {"grid.ny", "33"},
+                              {"grid.y_half", "1.4"},
+                              {"time.dt", "0.05"},
+                              {"model", model},
+                              {"load_sharing.kind", sharing}})),
+        grid_(PETSC_COMM_WORLD, shape_of(problem_)),
+        path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, problem_.geometry),
+        march_(
+            grid_, problem_.scales, path_, model == "quasistatic" ? 0.0 : inertia_of(problem_), problem_.solver,
+            problem_.steps,
+            [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); },
+            problem_.prescribed_load) {
+    march_.start({});
+    march_.run(path_.exit_time(0));
+  }
+
+  const Case& problem() const { return problem_; }
+  const Grid& grid() const { return grid_; }
+  const ContactPath& path() const { return path_; }
+  const LoadSharing& sharing() const { return problem_.prescribed_load->sharing; }
+  const std::vector<StepRecord>& records() const { return records_; }
+  /// Distance to the nearest jump of the share [m].
+  double from_jump(double xi) const {
+    double nearest = HUGE_VAL;
+    for (const LoadSharing::Piece& piece : sharing().pieces()) nearest = std::min(nearest, std::abs(xi - piece.begin));
+    return nearest;
+  }
+
+private:
+  Case problem_;
+  Grid grid_;
+  ContactPath path_;
+  std::vector<StepRecord> records_;
+  MeshMarch march_;
+};
+
+class QuasiStatic : public testing::TestWithParam<const char*> {};
+
+TEST_P(QuasiStatic, force_is_the_prescribed_share_at_every_step) {
+  const SingleContact contact("quasistatic", GetParam());
+  const double F = contact.problem().scales.static_force;
+  int steps = 0;
+  for (const StepRecord& record : contact.records()) {
+    ASSERT_LE(record.contacts.size(), 1u);
+    if (record.contacts.empty() || record.dT == 0.0) continue;
+    const double xi = record.contacts.front().position;
+    if (contact.from_jump(xi) < 1e-9) continue;  // both shares hold there
+    EXPECT_NEAR(record.pressure_integral(), contact.sharing()(xi) * F, 1e-5 * F) << xi;
+    ++steps;
+  }
+  EXPECT_GT(steps, 150);
+  EXPECT_NEAR(contact.records().back().T, contact.path().exit_time(0), 1e-9);
+}
+
+// What the paper states of its own quasi-static model.
+TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
+  const SingleContact contact("quasistatic", GetParam());
+  const Scales& scales = contact.problem().scales;
+  ContactFilm film(contact.grid(), scales, contact.problem().solver.multigrid);
+  int compared = 0;
+  for (double wanted : {-0.5e-3, 1.0e-3, 2.5e-3}) {
+    const StepRecord& record = *std::min_element(
+        contact.records().begin(), contact.records().end(), [&](const StepRecord& a, const StepRecord& b) {
+          const auto off = [&](const StepRecord& r) {
+            return r.contacts.empty() ? HUGE_VAL : std::abs(r.contacts.front().position - wanted);
+          };
+          return off(a) < off(b);
+        });
+    const FilmFigures& marched = record.contacts.front().figures;
+    film.set_conditions(contact.path().conditions(0, record.T));
+    const StationaryResult still = solve_stationary(
+        film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
+        contact.problem().solver);
+    report("xi = %.3f mm: central film %.5f, stationary %.5f", 1e3 * record.contacts.front().position,
+           marched.central_film, still.figures.central_film);
+    EXPECT_NEAR(marched.central_film, still.figures.central_film, 0.01 * still.figures.central_film);
+    EXPECT_NEAR(marched.central_pressure, still.figures.central_pressure, 0.01 * still.figures.central_pressure);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sharing, QuasiStatic, testing::Values("step", "trapezoid"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+// I_n (V_0 at the end - V_0 at the start) = Int (F/f - F*) dT.
+TEST(SimplifiedDynamic, momentum_is_the_integral_of_the_excess_force) {
+  const SingleContact contact("simplified", "trapezoid");
+  const double F = contact.problem().scales.static_force;
+  double impulse = 0.0, swing = 0.0;
+  const std::vector<StepRecord>& records = contact.records();
+  const auto excess = [&](const StepRecord& record, const LoadSharing::Piece& piece) {
+    return record.pressure_integral() / piece(record.contacts.front().position) - F;
+  };
+  std::size_t last = 0;
+  for (std::size_t n = 1; n < records.size() && !records[n].contacts.empty(); ++n) {
+    const LoadSharing::Piece& piece = contact.sharing().piece_at(
+        0.5 * (records[n].contacts.front().position + records[n - 1].contacts.front().position));
+    impulse += 0.5 * (records[n].T - records[n - 1].T) * (excess(records[n], piece) + excess(records[n - 1], piece));
+    swing = std::max(swing, std::abs(records[n].motion.V0));
+    last = n;
+  }
+  EXPECT_NEAR(inertia_of(contact.problem()) * (records[last].motion.V0 - records[0].motion.V0), impulse,
+              0.01 * inertia_of(contact.problem()) * swing);
+  EXPECT_GT(swing, 0.1);
+}
+
+TEST(SimplifiedDynamic, a_large_inertia_hardly_moves_and_none_follows_the_load) {
+  const SingleContact inert("quasistatic", "step"), moving("simplified", "step");
+  // Half the force needs 0.63 of the approach: H_0 jumps where the share does, but not with inertia.
+  const auto largest_step = [](const std::vector<StepRecord>& records) {
+    double largest = 0.0;
+    for (std::size_t n = 1; n < records.size(); ++n) {
+      largest = std::max(largest, std::abs(records[n].motion.H0 - records[n - 1].motion.H0));
+    }
+    return largest;
+  };
+  EXPECT_GT(largest_step(inert.records()), 0.3);
+  EXPECT_LT(largest_step(moving.records()), 0.1);
+}
+
+TEST(SinglePath, has_one_contact_until_its_exit) {
+  const Case problem = table3_case();
+  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.line->entry(),
+                         MeshGeometry::single);
+  EXPECT_EQ(path.contacts_after(0.0), std::vector<int>{0});
+  EXPECT_DOUBLE_EQ(path.next_event(0.0), path.exit_time(0));
+  EXPECT_EQ(path.contacts_after(0.99 * path.exit_time(0)), std::vector<int>{0});
+  EXPECT_TRUE(path.contacts_after(path.exit_time(0)).empty());
+  EXPECT_NEAR(path.time_at(0.0),
+              -problem.line->entry() / (problem.line->exit() - problem.line->entry()) * path.exit_time(0), 1e-9);
+}
+
+}  // namespace
+}  // namespace gearfilm
