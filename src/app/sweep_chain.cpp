@@ -1,0 +1,196 @@
+#include "gearfilm/app/sweep_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearfilm/app/case_setup.hpp"
+#include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
+constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
+constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
+
+double distance(const Motion& a, const Motion& b) { return std::hypot(a.H0 - b.H0, a.V0 - b.V0); }
+
+const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
+
+/// A point that was found, as the beginning of the next.
+struct Neighbour {
+  double value = 0.0;
+  OrbitGuess guess;
+  std::optional<DryOrbit> dry;  ///< the damped dry pair's orbit beside it
+};
+
+Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
+
+Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
+
+/// The same from a point on disk, which has no films.
+Neighbour read_neighbour(const Summary& point) {
+  const Summary& map = point["monodromy"];
+  Neighbour neighbour{point["value"].get<double>(), {}, {}};
+  neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 2; ++column) {
+      neighbour.guess.monodromy[row][column] = map[row][column].get<double>();
+    }
+  }
+  if (point.contains("dry_motion")) neighbour.dry.emplace().start = motion_of(point["dry_motion"]);
+  return neighbour;
+}
+
+class ChainRun {
+public:
+  ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points)
+      : group_(group), problem_(problem), points_(points) {}
+
+  void run(const SweepChain& chain) {
+    last_.reset();
+    before_.reset();
+    for (const SweepPoint& point : chain) {
+      const double value = problem_.sweep.values[point.index];
+      std::optional<Summary> result = points_.read(point);
+      if (result) {
+        keep(result->contains("error") ? std::nullopt : std::optional(read_neighbour(*result)));
+      } else {
+        result = compute(point, value);
+        points_.write(group_, point, *result);
+      }
+      report(*result);
+    }
+  }
+
+private:
+  void keep(std::optional<Neighbour> found) {
+    before_ = found ? std::move(last_) : std::nullopt;
+    last_ = std::move(found);
+    if (last_ && last_->dry) film_shift_ = last_->guess.motion.H0 - last_->dry->start.H0;
+  }
+
+  Summary compute(const SweepPoint& point, double value) {
+    const Case here = case_at(problem_, value);
+    Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
+    result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
+    result["torque"] = here.torque;
+    result["m_ge"] = *here.equivalent_mass;
+    result["I_n"] = here.scales.inertia(*here.equivalent_mass);
+    result["f_m"] = mesh_frequency(*here.gears, here.pinion_speed);
+    result["f_n"] =
+        natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
+    try {
+      std::optional<DryOrbit> dry;
+      const OrbitRun run = search(here, value, dry, result);
+      result.update(orbit_summary(here, run));
+      result["monodromy"] = run.orbit.monodromy;
+      if (!dry) dry = dry_beside(here, run.orbit.start.motion);
+      if (dry) result["dry_motion"] = motion_json(dry->start);
+      keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
+    } catch (const SolveError& error) {
+      result["error"] = error.what();
+      keep({});
+    }
+    return result;
+  }
+
+  /// The dry orbit next to a lubricated one, if there is any.
+  std::optional<DryOrbit> dry_beside(const Case& here, const Motion& motion) const {
+    const Motion near{motion.H0 - film_shift_, motion.V0};
+    std::optional<DryOrbit> dry = follow_dry_orbit(
+        here.scales, path_after_leaving(here), here.scales.inertia(*here.equivalent_mass), usual_film_damping, near);
+    if (dry && distance(dry->start, near) > beside) dry.reset();
+    return dry;
+  }
+
+  /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
+  OrbitRun search(const Case& here, double value, std::optional<DryOrbit>& dry, Summary& result) const {
+    const Grid grid(group_, case_grid(here));
+    const ContactPath path = path_after_leaving(here);
+    result["search"] = Summary::array();
+    const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
+                                      [&](const SearchPeriod& period) {
+                                        result["search"].push_back({period.defect, period.film_defect});
+                                      }};
+    if (last_) {
+      result["start"] = "neighbour";
+      Case brief = here;
+      brief.periodic.max_periods = std::min(here.periodic.max_periods, periods_from_neighbour);
+      try {
+        return run_orbit(brief, grid, path, from_neighbour(here, path, value, dry), observers);
+      } catch (const SolveError& error) {
+        result["neighbour_error"] = error.what();
+      }
+    }
+    result["start"] = "dry orbit";
+    dry = damped_dry_orbit(here, path);
+    return run_orbit(here, grid, path, dry_guess(here, grid, *dry), observers);
+  }
+
+  /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit
+  /// cannot be followed, extrapolated from the last two points.
+  OrbitGuess from_neighbour(const Case& here, const ContactPath& path, double value,
+                            std::optional<DryOrbit>& dry) const {
+    OrbitGuess guess = last_->guess;
+    if (last_->dry) {
+      const Motion before = last_->dry->start;
+      dry = follow_dry_orbit(here.scales, path, here.scales.inertia(*here.equivalent_mass), usual_film_damping, before);
+      if (dry && distance(dry->start, before) < same_branch) {
+        guess.motion.H0 += dry->start.H0 - before.H0;
+        guess.motion.V0 += dry->start.V0 - before.V0;
+        guess.monodromy = dry->monodromy;
+        return guess;
+      }
+      dry.reset();
+    }
+    if (before_) {
+      const double part = (value - last_->value) / (last_->value - before_->value);
+      const Motion step{part * (last_->guess.motion.H0 - before_->guess.motion.H0),
+                        part * (last_->guess.motion.V0 - before_->guess.motion.V0)};
+      if (distance(step, {}) < beside) {
+        guess.motion.H0 += step.H0;
+        guess.motion.V0 += step.V0;
+      }
+    }
+    return guess;
+  }
+
+  void report(const Summary& point) const {
+    std::ostringstream text;
+    text << point["direction"].get<std::string>() << " " << point["value"].get<double>() << " " << problem_.sweep.unit
+         << ": ";
+    if (point.contains("error")) {
+      text << "failed: " << point["error"].get<std::string>();
+    } else {
+      text << "force ratio " << point["force_ratio_max"].get<double>() << ", smallest film "
+           << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>() << " mesh periods";
+      if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
+      if (point["contact_lost"].get<bool>()) text << ", contact is lost";
+    }
+    petsc_check(PetscPrintf(group_, "%s\n", text.str().c_str()));
+  }
+
+  MPI_Comm group_;
+  const Case& problem_;
+  const SweepPoints& points_;
+  std::optional<Neighbour> last_, before_;
+  double film_shift_ = 0.0;  ///< H_0 of the last lubricated orbit less that of the dry one beside it
+};
+
+}  // namespace
+
+Case case_at(const Case& problem, double value) {
+  ParameterValues values = problem.parameters;
+  values.set(problem.sweep.parameter, format_value(value), "value of the sweep");
+  return make_case(values);
+}
+
+void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain) {
+  ChainRun(group, problem, points).run(chain);
+}
+
+}  // namespace gearfilm
