@@ -2,6 +2,7 @@
 #include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/periodic_orbit.hpp"
+#include "gearfilm/ehl/stationary.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -79,12 +80,14 @@ PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
       });
 }
 
+/// The dry orbit, shifted by the stationary film at the pitch point.
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
   const Case& problem = march.problem();
   const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
-  // The film's share of H_0 at 15000 rpm serves at every speed: the search takes the rest.
-  return guess_from(dry, table3::reference().at("steady_pitch").at(0).at("H0").get<double>() +
-                             problem.scales.hertz.approach / problem.scales.film);
+  ContactFilm film(march.grid(), problem.scales, problem.solver.multigrid);
+  const StationaryResult at_pitch =
+      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+  return guess_from(dry, at_pitch.solution.H0 + problem.scales.hertz.approach / problem.scales.film);
 }
 
 Settings coarse_orbit() {

@@ -43,7 +43,7 @@ std::vector<double> mirrored(const Grid& grid, std::vector<double> whole) {
 void expect_sound(const SolvedFilm& solved) {
   const double force = solved.film.scales().static_force;
   EXPECT_NEAR(solved.result.figures.pressure_integral, force, 1e-6 * force);
-  // Newton stops at a residual of 1e-8; the equations are symmetric to round-off.
+  // The equations are symmetric to round-off.
   const auto pressure = whole_of(solved.grid, solved.film.pressure());
   EXPECT_LT(relative_difference(mirrored(solved.grid, pressure), pressure), 1e-8);
   const auto film = whole_of(solved.grid, solved.film.film());
@@ -52,7 +52,9 @@ void expect_sound(const SolvedFilm& solved) {
 
 /// Solves on the grid of a row of tests/reference/table3.json and compares what the row holds.
 void expect_row(const FilmCase& film_case, const nlohmann::json& row) {
-  const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"));
+  SolverOptions options;
+  options.newton.tolerance = 1e-10;  // what symmetry and balance are then good to is far below what is asked
+  const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"), options);
   const FilmFigures& figures = solved.result.figures;
   const double metres = film_case.scales.film;
   const std::pair<const char*, double> values[] = {
