@@ -99,6 +99,7 @@ void print_result(MPI_Comm comm, const Summary& summary) {
 
 void run_eigen(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
+  require_moving_films(problem, "eigen");
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);

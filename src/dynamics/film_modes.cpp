@@ -10,22 +10,6 @@
 namespace gearfilm {
 namespace {
 
-/// B as a matrix.
-OwnedMat storage_matrix(LubricatedPair& pair) {
-  OwnedMat matrix;
-  const PetscInt size = pair.local_size();
-  petsc_check(MatCreateShell(pair.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &pair, matrix.put()));
-  const auto multiply = +[](Mat own, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LubricatedPair* context = nullptr;
-      petsc_check(MatShellGetContext(own, &context));
-      context->multiply_storage(in, out);
-    });
-  };
-  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  return matrix;
-}
-
 /// Solutions with A by FGMRES and the pair's preconditioner.
 class Inverse {
 public:
@@ -82,7 +66,7 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
   pair.place(0.0);
   pair.residual(state, rate, 0.0, rows);
   pair.linearise(0.0, LubricatedPair::Elimination::exact);
-  const OwnedMat A = shell_jacobian(pair), B = storage_matrix(pair);
+  const OwnedMat A = shell_jacobian(pair), B = shell_matrix<&LubricatedPair::multiply_storage>(pair);
   Inverse inverse(pair, A, options);
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(pair.comm(), eps.put()));

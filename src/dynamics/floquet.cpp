@@ -33,7 +33,7 @@ public:
   void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
   /// What a displacement of H_0 has become after one period, which the films have followed.
   void displacement(Vec vec) {
-    march_.resume(next_boundary(), start_);
+    march_.resume(path_.next_period(march_.T()), start_);
     march_.displace({start_.motion.H0 + difference_, start_.motion.V0});
     difference_of(map(march_.state()), end_, vec);
   }
@@ -48,12 +48,10 @@ public:
 
 private:
   PairState map(const PairState& from) {
-    march_.resume(next_boundary(), from);
+    march_.resume(path_.next_period(march_.T()), from);
     march_.run(march_.T() + path_.mesh_period());
     return march_.state();
   }
-
-  double next_boundary() const { return path_.mesh_period() * std::ceil(march_.T() / path_.mesh_period() - 1e-9); }
 
   PairState disturbed(Vec disturbance, double step) const {
     const VecReading values(disturbance);
@@ -91,27 +89,12 @@ private:
   int rank_ = 0;
 };
 
-OwnedMat shell_of(PeriodMap& map) {
-  OwnedMat matrix;
-  petsc_check(MatCreateShell(map.comm(), map.local_size(), map.local_size(), PETSC_DETERMINE, PETSC_DETERMINE, &map,
-                             matrix.put()));
-  const auto multiply = +[](Mat own, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      PeriodMap* context = nullptr;
-      petsc_check(MatShellGetContext(own, &context));
-      context->multiply(in, out);
-    });
-  };
-  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  return matrix;
-}
-
 }  // namespace
 
 FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit,
                                        const FloquetOptions& options) {
   PeriodMap map(march, path, orbit, options.difference);
-  const OwnedMat operation = shell_of(map);
+  const OwnedMat operation = shell_matrix<&PeriodMap::multiply>(map);
   OwnedVec first;
   petsc_check(MatCreateVecs(operation, first.put(), nullptr));
   PetscReal size = 0.0;

@@ -139,7 +139,7 @@ private:
     for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
       try {
         if (shortening_ < shortest_step) measure_jacobian();
-        march_.resume(next_boundary(), best_->end);
+        march_.resume(path_.next_period(march_.T()), best_->end);
         march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
         return;
       } catch (const SolveError& error) {
@@ -160,7 +160,7 @@ private:
   void march_on() {
     shortening_ = 1.0;
     measured_ = false;
-    march_.resume(next_boundary(), best_->end);
+    march_.resume(path_.next_period(march_.T()), best_->end);
   }
 
   /// One column of the Jacobian, by a period with disturbed motion.
@@ -168,15 +168,12 @@ private:
     count_period();
     Motion step{};
     (column == 0 ? step.H0 : step.V0) = difference_step;
-    march_.resume(next_boundary(), base.start);
+    march_.resume(path_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
     march_.run(march_.T() + path_.mesh_period());
     const Motion change = difference(march_.motion(), base.end.motion);
     jacobian_.update(step, change);
   }
-
-  /// The next time at which a contact has just left.
-  double next_boundary() const { return path_.mesh_period() * std::ceil(march_.T() / path_.mesh_period() - 1e-9); }
 
   void count_period() {
     if (++periods_ <= options_.max_periods) return;

@@ -51,20 +51,7 @@ void search(SNESLineSearch line_search) {
 
 }  // namespace
 
-OwnedMat shell_jacobian(LinearisedSystem& system) {
-  OwnedMat jacobian;
-  const PetscInt size = system.local_size();
-  petsc_check(MatCreateShell(system.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &system, jacobian.put()));
-  const auto multiply = +[](Mat matrix, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LinearisedSystem* own = nullptr;
-      petsc_check(MatShellGetContext(matrix, &own));
-      own->multiply(in, out);
-    });
-  };
-  petsc_check(MatShellSetOperation(jacobian, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  return jacobian;
-}
+OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&LinearisedSystem::multiply>(system); }
 
 void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
   petsc_check(KSPSetType(ksp, KSPFGMRES));

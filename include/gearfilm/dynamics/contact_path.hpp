@@ -6,6 +6,7 @@
 // doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
@@ -38,6 +39,8 @@ public:
   double next_event(double T) const;
 
   double mesh_period() const { return line_.base_pitch() / velocity_; }
+  /// The first whole number of mesh periods that is not before T.
+  double next_period(double T) const { return mesh_period() * std::ceil(T / mesh_period() - 1e-9); }
   /// When contact 0 is at xi.
   double time_at(double xi) const { return (xi - start_) / velocity_; }
   /// Length travelled along the line of action [m].

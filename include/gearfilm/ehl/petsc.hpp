@@ -110,4 +110,22 @@ private:
   double* values_ = nullptr;
 };
 
+/// A square matrix whose product is (context.*multiply)(in, out), cut among context.comm() as context.local_size()
+/// says. The context must outlive it.
+template <auto multiply, class Context>
+OwnedMat shell_matrix(Context& context) {
+  OwnedMat matrix;
+  const PetscInt size = context.local_size();
+  petsc_check(MatCreateShell(context.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &context, matrix.put()));
+  const auto product = +[](Mat shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Context* own = nullptr;
+      petsc_check(MatShellGetContext(shell, &own));
+      (own->*multiply)(in, out);
+    });
+  };
+  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(product)));
+  return matrix;
+}
+
 }  // namespace gearfilm
