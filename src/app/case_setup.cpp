@@ -42,7 +42,7 @@ OrbitGuess dry_guess(const Case& problem, const Grid& grid, const DryOrbit& dry)
   const StationaryResult at_pitch = located("contact at the pitch point", [&] {
     return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
   });
-  return guess_from(dry, at_pitch.solution.H0 + problem.scales.hertz.approach / problem.scales.film);
+  return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
 }
 
 ContactPath path_after_leaving(const Case& problem) {

@@ -42,7 +42,7 @@ Summary film_summary(const Case& problem, const Grid& grid, double angular_frequ
     films.push_back(std::make_unique<ContactFilm>(grid, scales, problem.solver.multigrid));
     contacts.push_back({contact.contact, films.back().get()});
   }
-  LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales.static_force);
+  LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales);
   const PairState at_rest = march.state();
   const OwnedVec state = pair.create_state();
   for (std::size_t k = 0; k < contacts.size(); ++k) pair.set_field(state, k, at_rest.films[k].pressure);

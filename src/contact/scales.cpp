@@ -30,6 +30,7 @@ Scales make_scales(const ContactSolids& solids, const Lubricant& oil, const Cont
   scales.lambda = 12.0 * operation.entrainment_velocity * oil.viscosity * R_x * R_x / (a * a * a * scales.pressure);
   scales.C_h = 2.0 * scales.pressure * R_x / (pi * solids.reduced_modulus * a);
   scales.radius_ratio = R_x / solids.radius_y;
+  scales.approach = scales.hertz.approach / scales.film;
   scales.static_force = 2.0 * pi / (3.0 * scales.hertz.ellipticity);
   return scales;
 }

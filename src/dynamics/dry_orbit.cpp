@@ -24,7 +24,7 @@ class DryMap {
 public:
   DryMap(const Scales& scales, const ContactPath& path, double inertia)
       : scales_(scales), path_(path), inertia_(inertia) {
-    const double stiffness = 1.5 * scales.static_force / (scales.hertz.approach / scales.film);
+    const double stiffness = 1.5 * scales.static_force / scales.approach;
     natural_rate_ = std::sqrt(stiffness / inertia);
   }
 

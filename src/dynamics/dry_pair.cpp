@@ -58,7 +58,7 @@ void DryMarch::start(const std::optional<Motion>& motion) {
   } else {
     // Bisection: the total force falls monotonically from above F* to zero at H_0 = 0.
     const std::vector<int> contacts = path_.contacts_after(T_);
-    double low = -2.0 * scales_.hertz.approach / scales_.film, high = 0.0;
+    double low = -2.0 * scales_.approach, high = 0.0;
     for (int iteration = 0; iteration < 200 && high - low > 1e-15; ++iteration) {
       const double middle = 0.5 * (low + high);
       (total_force(contacts, T_, middle) > scales_.static_force ? low : high) = middle;

@@ -7,12 +7,13 @@
 namespace gearfilm {
 
 LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia,
-                               double static_force, const std::optional<LoadSharing::Piece>& share)
+                               const Scales& scales, const std::optional<LoadSharing::Piece>& share)
     : path_(path),
       contacts_(std::move(contacts)),
       grid_(contacts_.front().film->grid()),
       inertia_(inertia),
-      static_force_(static_force),
+      static_force_(scales.static_force),
+      approach_(scales.approach),
       sharing_(share),
       weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
       column_(motion_at()),
@@ -70,6 +71,16 @@ double LubricatedPair::integral(const double* values) const {
 void LubricatedPair::clip(Vec state) const {
   const VecWriting values(state);
   for (std::size_t n = 0; n < motion_at(); ++n) values[n] = std::max(values[n], 0.0);
+}
+
+void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
+  if (inertia_ > 0.0 || !sharing_) return;
+  const auto approach_at = [&](double T) {
+    const double share = (*sharing_)(path_.position(contacts_.front().contact, T));
+    return approach_ * std::cbrt(share * share);
+  };
+  const double sinking = approach_at(T1) - approach_at(T0);
+  set_motion(state, {motion(state).H0 - sinking, -sinking / (T1 - T0)});
 }
 
 void LubricatedPair::place(double T) {

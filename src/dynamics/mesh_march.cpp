@@ -107,7 +107,7 @@ void MeshMarch::balance_at_rest() {
     return sum;
   };
   double H0 = motion_.H0, residual = excess(H0);
-  double slope = -1.5 * scales_.static_force / (scales_.hertz.approach / scales_.film);  // Hertz: F ~ approach^1.5
+  double slope = -1.5 * scales_.static_force / scales_.approach;  // Hertz: F ~ approach^1.5
   for (int iteration = 0; std::abs(residual) > 1e-8 * scales_.static_force; ++iteration) {
     if (iteration == 30) throw SolveError("the contacts' forces at rest could not be balanced with the static force");
     const double next = H0 - residual / slope;
@@ -228,28 +228,9 @@ void MeshMarch::displace(const Motion& motion) {
   observe_present();
 }
 
-// Without inertia H_0 follows a jump of the load at once; the film as if the jump took a time step.
-void MeshMarch::jump_load(double from, double to) {
-  Tooth& tooth = teeth_.front();
-  const bool arrived = in_parts(from, to, 1e-3 * std::abs(to - from), [&](double force) {
-    std::optional<FilmSolution> moved = follow(tooth, LoadCondition::force(force), 1.0 / step_options_.dT);
-    if (!moved) return false;
-    tooth.state.pressure = std::move(moved->pressure);
-    motion_.H0 = moved->H0;
-    return true;
-  });
-  if (!arrived) {
-    std::ostringstream message;
-    message << label(tooth.contact) << ": the film does not follow the jump of the force from "
-            << from / scales_.static_force << " to " << to / scales_.static_force << " of the static one";
-    throw SolveError(message.str());
-  }
-  observe_present();
-}
-
 void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share) {
   const ScopedStage stage("Time steps");
-  LubricatedPair pair(path_, contacts(), inertia_, scales_.static_force, share);
+  LubricatedPair pair(path_, contacts(), inertia_, scales_, share);
   const OwnedVec state = pair.create_state();
   for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
   pair.set_motion(state, motion_);
@@ -270,7 +251,6 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 }
 
 void MeshMarch::run(double T_end) {
-  bool jumped = false;
   while (T_ < T_end - 1e-9 && !teeth_.empty()) {
     double segment_end = std::min(T_end, path_.next_event(T_));
     StepOptions steps = step_options_;
@@ -278,18 +258,10 @@ void MeshMarch::run(double T_end) {
     if (load_) {
       share = load_->sharing.piece_at(path_.position(0, T_));
       segment_end = std::min(segment_end, path_.time_at(share->end));
-      if (jumped) {
-        segment_end = std::min(segment_end, T_ + steps.dT);
-        steps.dT /= load_->jump_refinement;
-      }
+      if (share->jump) steps.dT = std::min(steps.dT, (segment_end - T_) / load_->jump_refinement);
     }
     run_segment(segment_end, steps, share);
     exchange_contacts();
-    if (load_ && !teeth_.empty()) {
-      const double xi = path_.position(0, T_), before = (*share)(xi), after = load_->sharing(xi);
-      jumped = std::abs(after - before) > 1e-6;
-      if (jumped && inertia_ == 0.0) jump_load(before * scales_.static_force, after * scales_.static_force);
-    }
   }
 }
 

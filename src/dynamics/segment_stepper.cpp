@@ -75,7 +75,11 @@ void SegmentStepper::create_time_scheme() {
       SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
       petsc_check(TSGetSNES(ts, &snes));
       petsc_check(SNESGetConvergedReason(snes, &reason));
-      if (reason < 0) petsc_check(TSGetTime(ts, &of(ts).state_time_));
+      if (reason < 0) {
+        petsc_check(TSGetTime(ts, &of(ts).state_time_));
+      } else {
+        of(ts).at_start_ = false;
+      }
     });
   }));
   petsc_check(
@@ -101,13 +105,18 @@ void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
   configure_newton(snes, pair_, options_.newton, pair_.weight());
-  // The predictor extrapolates; where pressure ends it would go below zero.
+  // The predictor extrapolates; where pressure ends it would go below zero. In the first stage it knows no velocity:
+  // under a rising load Newton's method would have to find the oil outside the contact that the sinking body squeezes.
   petsc_check(SNESSetComputeInitialGuess(
       snes,
       [](SNES, Vec state, void* context) -> PetscErrorCode {
-        return petsc_callback([&] { static_cast<LubricatedPair*>(context)->clip(state); });
+        return petsc_callback([&] {
+          auto* own = static_cast<SegmentStepper*>(context);
+          if (own->at_start_) own->pair_.follow_share(state, own->last_time_, own->state_time_);
+          own->pair_.clip(state);
+        });
       },
-      &pair_));
+      this));
   petsc_check(TSSetFromOptions(ts_));
 }
 
@@ -150,6 +159,7 @@ void SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   step_ = (T1 - T0) / steps;
   state_time_ = last_time_ = T0;
+  at_start_ = true;
   wall_start_ = MPI_Wtime();
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetMaxTime(ts_, T1));

@@ -78,6 +78,28 @@ LoadSharing LoadSharing::table(const LineOfAction& line, const std::vector<std::
   return LoadSharing(std::move(pieces));
 }
 
+LoadSharing LoadSharing::with_jumps_over(double length) const {
+  std::vector<Piece> pieces = {pieces_.front()};
+  for (std::size_t n = 1; n < pieces_.size(); ++n) {
+    Piece piece = pieces_[n];
+    const double before = pieces_[n - 1].at_end, landing = piece.begin + length;
+    if (std::abs(piece.at_begin - before) > 1e-6) {
+      if (landing >= piece.end) {
+        std::ostringstream message;
+        message << "the load sharing jumps at xi = " << piece.begin << " m and again within the " << length
+                << " m that a jump takes; lower load_sharing_jump_time";
+        throw InputError(message.str());
+      }
+      const double after = piece(landing);
+      pieces.push_back({piece.begin, landing, before, after, true});
+      piece.begin = landing;
+      piece.at_begin = after;
+    }
+    pieces.push_back(piece);
+  }
+  return LoadSharing(std::move(pieces));
+}
+
 const LoadSharing::Piece& LoadSharing::piece_at(double xi) const {
   const double round_off = 1e-9 * (pieces_.back().end - pieces_.front().begin);
   const auto after =

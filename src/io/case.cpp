@@ -258,8 +258,10 @@ void set_single_contact(Case& result) {
                      " follows a contact along the line of action; set it to moving");
   }
   result.geometry = MeshGeometry::single;
-  result.prescribed_load = PrescribedLoad{in_file_of(values, [&] { return read_load_sharing(result); }),
-                                          values.integer("load_sharing.jump_refinement")};
+  const double jump_length =
+      result.line->travel_velocity(result.pinion_speed) * result.scales.time * values.real("load_sharing.jump_time");
+  const auto sharing = [&] { return read_load_sharing(result).with_jumps_over(jump_length); };
+  result.prescribed_load = PrescribedLoad{in_file_of(values, sharing), values.integer("load_sharing.jump_refinement")};
   if (values.text("start.place") != "position") result.start_position = result.line->entry();
 }
 

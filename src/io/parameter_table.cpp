@@ -194,8 +194,9 @@ Records load_sharing_records() {
        preset(1.0 / 3.0, number("at_end", "", "-", left_open(0, 10), "trapezoid: where a contact enters or leaves")),
        preset(2.0 / 3.0, number("at_inner_edge", "", "-", left_open(0, 10), "trapezoid: where it becomes alone")),
        optional("none", word("file", "table: position [m] and share, one point a line; # begins a remark")),
-       preset(10, whole("jump_refinement", "", closed(1, 10000),
-                        "parts into which the first time step after a jump of the share is divided"))});
+       preset(0.025, number("jump_time", "", "-", left_open(0, 1),
+                            "time that a jump of the share takes, in units of a/u_m as time.dt")),
+       preset(10, whole("jump_refinement", "", closed(1, 10000), "least number of time steps in it"))});
 }
 
 Records start_records() {

@@ -65,7 +65,7 @@ public:
       films_.push_back(std::make_unique<ContactFilm>(march.grid(), march.problem().scales, options));
       contacts.push_back({contact, films_.back().get()});
     }
-    pair = std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.static_force());
+    pair = std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.problem().scales);
     pair->place(state.T);
   }
 

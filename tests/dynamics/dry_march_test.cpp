@@ -76,7 +76,7 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
   const ContactPath path = path_of(problem);
   DryMarch march(problem.scales, path, inertia_of(problem), 0.05, nobody);
   march.start({});
-  const Motion rest{-problem.scales.hertz.approach / problem.scales.film, 0.0};
+  const Motion rest{-problem.scales.approach, 0.0};
   EXPECT_NEAR(march.motion().H0, rest.H0, 1e-12);
   EXPECT_EQ(march.motion().V0, 0.0);
   const double end = 3.0 * path.mesh_period();
@@ -130,7 +130,7 @@ TEST(DryMarch, records_reach_every_event_and_share_the_force) {
 class FrozenGeometry : public testing::Test {
 protected:
   double energy(const Motion& motion) const {
-    const double reference = problem.scales.hertz.approach / problem.scales.film;
+    const double reference = problem.scales.approach;
     const double compressed = std::max(0.0, -motion.H0);
     return 0.5 * inertia * motion.V0 * motion.V0 +
            0.4 * problem.scales.static_force * std::pow(compressed / reference, 1.5) * compressed +
@@ -140,7 +140,7 @@ protected:
   Case problem = table3_case();
   double inertia = inertia_of(problem);
   ContactPath path{*problem.line, problem.scales, 1e-15 * problem.pinion_speed, 0.0};
-  double H0_at_rest = -problem.scales.hertz.approach / problem.scales.film;
+  double H0_at_rest = -problem.scales.approach;
 };
 
 /// A start above or below balance.

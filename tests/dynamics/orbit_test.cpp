@@ -87,7 +87,7 @@ OrbitGuess dry_guess_of(const RecordedMarch& march) {
   ContactFilm film(march.grid(), problem.scales, problem.solver.multigrid);
   const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
-  return guess_from(dry, at_pitch.solution.H0 + problem.scales.hertz.approach / problem.scales.film);
+  return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
 }
 
 Settings coarse_orbit() {

@@ -11,13 +11,15 @@ namespace {
 /// Table 3 on a coarse grid, from entry to exit.
 class SingleContact {
 public:
-  SingleContact(const std::string& model, const std::string& sharing)
+  SingleContact(const std::string& model, const std::string& sharing, const std::string& dT = "0.05",
+                const std::string& jump_time = "0.025")
       : problem_(table3_case({{"grid.nx", "65"},
                               {"grid.ny", "33"},
                               {"grid.y_half", "1.4"},
-                              {"time.dt", "0.05"},
+                              {"time.dt", dT},
                               {"model", model},
-                              {"load_sharing.kind", sharing}})),
+                              {"load_sharing.kind", sharing},
+                              {"load_sharing.jump_time", jump_time}})),
         grid_(PETSC_COMM_WORLD, shape_of(problem_)),
         path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, problem_.geometry),
         march_(
@@ -34,12 +36,6 @@ public:
   const ContactPath& path() const { return path_; }
   const LoadSharing& sharing() const { return problem_.prescribed_load->sharing; }
   const std::vector<StepRecord>& records() const { return records_; }
-  /// Distance to the nearest jump of the share [m].
-  double from_jump(double xi) const {
-    double nearest = HUGE_VAL;
-    for (const LoadSharing::Piece& piece : sharing().pieces()) nearest = std::min(nearest, std::abs(xi - piece.begin));
-    return nearest;
-  }
 
 private:
   Case problem_;
@@ -59,7 +55,6 @@ TEST_P(QuasiStatic, force_is_the_prescribed_share_at_every_step) {
     ASSERT_LE(record.contacts.size(), 1u);
     if (record.contacts.empty() || record.dT == 0.0) continue;
     const double xi = record.contacts.front().position;
-    if (contact.from_jump(xi) < 1e-9) continue;  // both shares hold there
     EXPECT_NEAR(record.pressure_integral(), contact.sharing()(xi) * F, 1e-5 * F) << xi;
     ++steps;
   }
@@ -98,6 +93,26 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
 INSTANTIATE_TEST_SUITE_P(Sharing, QuasiStatic, testing::Values("step", "trapezoid"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+// Where the load doubles, oil beside the contact is caught in it and travels through it under a pressure of its own.
+// How much depends on the model and neither on the time step nor, once that is short, on the time that the jump takes.
+TEST(LoadJump, catches_oil_whatever_the_steps) {
+  const auto greatest = [](const SingleContact& contact) {
+    double film = 0.0;
+    for (const StepRecord& record : contact.records()) {
+      if (record.contacts.empty() || std::abs(record.contacts.front().position) > 2.9e-3) continue;
+      film = std::max(film, record.contacts.front().figures.central_film);
+    }
+    return film;
+  };
+  const SingleContact usual("quasistatic", "step");
+  const double film = greatest(usual), finer = greatest({"quasistatic", "step", "0.025"}),
+               faster = greatest({"quasistatic", "step", "0.05", "0.00625"});
+  report("greatest central film %.4f, with half the steps %.4f, in a quarter of the time %.4f", film, finer, faster);
+  EXPECT_GT(film, 1.4 * usual.records().front().contacts.front().figures.central_film);
+  EXPECT_NEAR(finer, film, 0.05 * film);
+  EXPECT_NEAR(faster, film, 0.05 * film);
+}
+
 // I_n (V_0 at the end - V_0 at the start) = Int (F/f - F*) dT.
 TEST(SimplifiedDynamic, momentum_is_the_integral_of_the_excess_force) {
   const SingleContact contact("simplified", "trapezoid");
@@ -122,16 +137,14 @@ TEST(SimplifiedDynamic, momentum_is_the_integral_of_the_excess_force) {
 
 TEST(SimplifiedDynamic, a_large_inertia_hardly_moves_and_none_follows_the_load) {
   const SingleContact inert("quasistatic", "step"), moving("simplified", "step");
-  // Half the force needs 0.63 of the approach: H_0 jumps where the share does, but not with inertia.
-  const auto largest_step = [](const std::vector<StepRecord>& records) {
+  // Half the force needs 0.63 of the approach: H_0 follows the share within the time of its jump, but not with inertia.
+  const auto largest_speed = [](const std::vector<StepRecord>& records) {
     double largest = 0.0;
-    for (std::size_t n = 1; n < records.size(); ++n) {
-      largest = std::max(largest, std::abs(records[n].motion.H0 - records[n - 1].motion.H0));
-    }
+    for (const StepRecord& record : records) largest = std::max(largest, std::abs(record.motion.V0));
     return largest;
   };
-  EXPECT_GT(largest_step(inert.records()), 0.3);
-  EXPECT_LT(largest_step(moving.records()), 0.1);
+  EXPECT_GT(largest_speed(inert.records()), 0.3 / 0.025);
+  EXPECT_LT(largest_speed(moving.records()), 2.0);
 }
 
 TEST(SinglePath, has_one_contact_until_its_exit) {

@@ -65,6 +65,22 @@ TEST(LoadSharing, table_is_linear_between_its_points) {
   EXPECT_DOUBLE_EQ(share(5e-3), 1.0);
 }
 
+TEST(LoadSharing, a_jump_takes_a_length_and_nothing_else_changes) {
+  const LineOfAction line = table3_line();
+  const LoadSharing sudden =
+      LoadSharing::table(line, {{-6e-3, 0.4}, {-3e-3, 0.6}, {-3e-3, 1.0}, {0.0, 0.8}, {6e-3, 0.8}});
+  const LoadSharing gradual = sudden.with_jumps_over(1e-3);
+  ASSERT_EQ(gradual.pieces().size(), 4u);
+  EXPECT_EQ(gradual.pieces()[1].jump, true);
+  for (std::size_t n : {0u, 2u, 3u}) EXPECT_EQ(gradual.pieces()[n].jump, false) << n;
+  const double landing = sudden(-2e-3);
+  EXPECT_NEAR(gradual(-3e-3), 0.6, 1e-12);
+  EXPECT_NEAR(gradual(-2.5e-3), 0.5 * (0.6 + landing), 1e-12);
+  for (double xi : {-5e-3, -3.5e-3, -2e-3, -1e-3, 0.0, 3e-3}) EXPECT_NEAR(gradual(xi), sudden(xi), 1e-12) << xi;
+  EXPECT_EQ(LoadSharing::step(line).with_jumps_over(1e-5).pieces().size(), 5u);
+  EXPECT_THROW(sudden.with_jumps_over(4e-3), InputError);
+}
+
 TEST(LoadSharing, wrong_tables_are_refused) {
   const LineOfAction line = table3_line();
   EXPECT_THROW(LoadSharing::table(line, {{0.0, 1.0}}), InputError);

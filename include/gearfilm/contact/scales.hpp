@@ -25,6 +25,7 @@ struct Scales {
   double lambda = 0.0;        ///< Reynolds number group [-]
   double C_h = 0.0;           ///< elastic deformation coefficient [-]
   double radius_ratio = 0.0;  ///< D = R_x*/R_y [-]
+  double approach = 0.0;      ///< h_0n R_x*/a^2 [-], Hertz approach of the reference contact: its -H_0 when dry
   double static_force = 0.0;  ///< F* = 2 pi/(3 kappa) [-], the integral of P that carries w*
 
   /// Force [N] of a dimensionless pressure integral.

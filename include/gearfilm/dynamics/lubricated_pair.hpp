@@ -31,9 +31,9 @@ struct PairContact {
 
 class LubricatedPair final : public LinearisedSystem {
 public:
-  /// At least one contact; all films on grids of one size. inertia I_n, static force F*; share: f along the path where
-  /// the first contact travels.
-  LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, double static_force,
+  /// At least one contact; all films on grids of one size. inertia I_n; share: f along the path where the first
+  /// contact travels.
+  LubricatedPair(const ContactPath& path, std::vector<PairContact> contacts, double inertia, const Scales& scales,
                  const std::optional<LoadSharing::Piece>& share = {});
 
   const std::vector<PairContact>& contacts() const { return contacts_; }
@@ -45,6 +45,9 @@ public:
   Motion motion(Vec state) const;
   /// Makes every pressure >= 0.
   void clip(Vec state) const;
+  /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
+  /// share.
+  void follow_share(Vec state, double T0, double T1) const;
 
   /// Puts every contact where it is at time T.
   void place(double T);
@@ -87,6 +90,7 @@ private:
   const Grid& grid_;
   double inertia_;
   double static_force_;
+  double approach_;  ///< of a Hertz contact under the static force
   std::optional<LoadSharing::Piece> sharing_;
   double share_ = 1.0;  ///< f at the present place
   double weight_;

@@ -69,7 +69,6 @@ private:
   void balance_at_rest();
   /// A contact's film under a new load condition, reached within 1/shift; nothing where Newton's method fails.
   std::optional<FilmSolution> follow(const Tooth& tooth, const LoadCondition& load, double shift) const;
-  void jump_load(double from, double to);
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   void observe_present() const;

@@ -11,7 +11,7 @@ namespace gearfilm {
 
 struct PrescribedLoad {
   LoadSharing sharing;
-  /// Where f jumps, the first step is divided into so many.
+  /// Least number of time steps in a piece that stands for a jump of f.
   int jump_refinement = 10;
 };
 

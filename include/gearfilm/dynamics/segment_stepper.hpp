@@ -55,6 +55,7 @@ private:
   // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
   // PETSc works on (that of the stage, or of the step's start once a stage has failed).
   double state_time_ = 0.0;
+  bool at_start_ = true;      ///< no stage of the segment is done yet
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment
   double last_time_ = 0.0;

@@ -17,6 +17,7 @@ public:
     double end = 0.0;
     double at_begin = 0.0;  ///< f there
     double at_end = 0.0;
+    bool jump = false;  ///< stands for a jump
 
     /// f inside, or at either end as seen from inside.
     double operator()(double xi) const;
@@ -30,6 +31,10 @@ public:
   /// Linear between points (xi [m], f), ascending in xi; two points at one xi make a jump. Throws InputError unless
   /// they cover the path of contact with positive shares.
   static LoadSharing table(const LineOfAction& line, const std::vector<std::pair<double, double>>& points);
+
+  /// The same with every jump, and nothing else, spread over a length [m] behind it. Throws InputError where a piece is
+  /// shorter.
+  LoadSharing with_jumps_over(double length) const;
 
   /// Adjoining pieces from entry to exit.
   const std::vector<Piece>& pieces() const { return pieces_; }
