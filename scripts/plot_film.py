@@ -7,9 +7,8 @@ Exit status 1, with one line, where the results are missing or not those of `gea
 """
 from typing import NamedTuple
 
-from plotting import BLUE, VERMILLION, Foreign, command_line, numpy, open_results, pyplot, write_figure
+from plotting import BLUE, VERMILLION, Foreign, command_line, fill, numpy, open_results, pyplot, write_figure
 
-COLOUR_MAP = "cividis"  # distinguishable with every kind of colour vision, as the colours are
 THICKEST_SHOWN = 1.5  # times the central film
 
 
@@ -38,9 +37,7 @@ def read_film(path):
 def draw_map(figure, axes, film, centre):
     i, j = centre
     levels = numpy.linspace(film.thickness.min(), THICKEST_SHOWN * film.thickness[i, j], 25)
-    filled = axes.contourf(film.y, film.x, film.thickness, levels, cmap=COLOUR_MAP, extend="max")
-    for part in filled.collections:
-        part.set_edgecolor("face")  # no hair lines between the levels of the PDF
+    filled = fill(axes, film.y, film.x, film.thickness, levels)
     angle = numpy.linspace(0, 2 * numpy.pi, 200)
     a, b = film.half_axes
     axes.plot(b * numpy.cos(angle), a * numpy.sin(angle), color="white", linestyle="--", linewidth=1)

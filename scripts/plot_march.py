@@ -7,7 +7,7 @@ Exit status 1, with one line, where the results are missing or not those of `gea
 """
 from typing import NamedTuple
 
-from plotting import (BLUE, DARK, GREEN, PALE, VERMILLION, command_line, numpy, open_results, pyplot, read_table,
+from plotting import (BLUE, DARK, GREEN, VERMILLION, add_grid, command_line, numpy, open_results, pyplot, read_table,
                       write_figure)
 
 TOOTH_COLOURS = [BLUE, VERMILLION, GREEN]  # teeth take turns
@@ -54,8 +54,8 @@ def draw(march):
             rows[3].set_yscale("log")
         rows[3].set_ylabel("film [µm]\n(dashed: smallest)")
     rows[-1].set_xlabel("length travelled along the line of action [mm]")
+    add_grid(*rows)
     for axes in rows:
-        axes.grid(color=PALE, linewidth=0.6)
         axes.margins(x=0)
     return figure
 

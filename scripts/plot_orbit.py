@@ -7,11 +7,10 @@
 Drawn is the periodic state found by `gearfilm periodic`, or the last N mesh periods (one by default) of `gearfilm
 transient`. Exit status 1, with one line, where the results are missing or not those of these commands.
 """
-import json
 from typing import NamedTuple, Optional
 
-from plotting import (BLUE, DARK, GREY, PALE, VERMILLION, PlotError, add_legend, command_line, numpy, open_results,
-                      pyplot, read_table, read_text, write_figure)
+from plotting import (BLUE, DARK, GREY, VERMILLION, PlotError, add_grid, add_legend, command_line, numpy, open_results,
+                      pyplot, read_summary, read_table, read_text, write_figure)
 
 SAME_TIME = 1e-6       # in mesh periods, of an end of the span and a step
 FEW_PERIODS = 5        # beyond, lines are thinner and markers smaller
@@ -34,16 +33,6 @@ class Orbit(NamedTuple):
     summary: dict
 
 
-def read_summary(path):
-    try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        summary = None
-    if not isinstance(summary, dict):
-        raise PlotError(f"{path} is missing or not a summary; run gearfilm periodic or transient to its end")
-    return summary
-
-
 def read_orbit(folder, periods):
     path = folder / "results.h5"
     with open_results(path, "periodic or transient", "it has no history") as results:
@@ -56,7 +45,7 @@ def read_orbit(folder, periods):
         raise PlotError(f"{path} is a search that found no periodic state")
     if not steps["T"].any():
         raise PlotError(f"{path} has no time step yet")
-    summary = read_summary(folder / "summary.json")
+    summary = read_summary(folder, "periodic or transient")
     T = steps["T"]
     time_scale = steps["t"][-1] / T[-1]
     if periodic:
@@ -171,9 +160,7 @@ def draw(orbit):
     draw_forces(axes["forces"], orbit)
     if orbit.spectrum is not None:
         draw_spectrum(axes["spectrum"], orbit)
-    for panel in axes.values():
-        panel.grid(color=PALE, linewidth=0.6)
-        panel.set_axisbelow(True)
+    add_grid(*axes.values())
     return figure
 
 

@@ -7,7 +7,7 @@ Exit status 1, with one line, where the results are missing or not those of `gea
 """
 from typing import NamedTuple
 
-from plotting import (BLUE, DARK, GREY, PALE, VERMILLION, Foreign, PlotError, add_legend, command_line, numpy,
+from plotting import (BLUE, DARK, GREY, VERMILLION, Foreign, PlotError, add_grid, add_legend, command_line, numpy,
                       open_results, pyplot, read_table, read_text, write_figure)
 
 
@@ -102,7 +102,7 @@ def draw(sweep):
             for branch in sweep.branches():
                 part(panel, branch, sweep.varied, response)
         panel.set_ylabel(response.label)
-        panel.grid(color=PALE, linewidth=0.6)
+        add_grid(panel)
         if response.column == "floquet_modulus":
             panel.axhline(1, color=GREY, linewidth=0.8, zorder=0)
     over_speed = sweep.varied.column == "speed_rpm"

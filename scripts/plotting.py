@@ -5,6 +5,7 @@ cannot be done. The scripts import numpy and pyplot from here, so that a missing
 """
 import argparse
 import contextlib
+import json
 import pathlib
 import sys
 
@@ -16,6 +17,7 @@ try:
     import numpy
     matplotlib.use("Agg")
     from matplotlib import pyplot
+    from PIL import Image
 except ImportError as missing:
     sys.exit(f"{SCRIPT}: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
 
@@ -26,6 +28,8 @@ GREEN = "#009E73"
 DARK = "#333333"
 GREY = "#999999"  # of marked lines
 PALE = "#DDDDDD"  # of grids
+COLOURS = 128     # of a PNG
+COLOUR_MAP = "cividis"  # of maps; distinguishable likewise
 
 
 class PlotError(Exception):
@@ -61,8 +65,35 @@ def read_table(results, name, columns):
     return table
 
 
+def read_summary(folder, command):
+    """The values in FOLDER/summary.json of `gearfilm <command>`."""
+    path = folder / "summary.json"
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        summary = None
+    if not isinstance(summary, dict):
+        raise PlotError(f"{path} is missing or not a summary; run gearfilm {command} to its end")
+    return summary
+
+
 def read_text(attribute):
     return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+
+
+def add_grid(*panels):
+    """Pale lines behind the curves."""
+    for axes in panels:
+        axes.grid(color=PALE, linewidth=0.6)
+        axes.set_axisbelow(True)
+
+
+def fill(axes, x, y, values, levels):
+    """Map of the values[y, x] in steps of the levels; what is above them in the last colour."""
+    filled = axes.contourf(x, y, values, levels, cmap=COLOUR_MAP, extend="both")
+    for part in filled.collections:
+        part.set_edgecolor("face")  # no hair lines between the levels of the PDF
+    return filled
 
 
 def add_legend(axes, handles, labels, base=1.0):
@@ -80,13 +111,21 @@ def command_line(documentation, command, name):
     return parser
 
 
+def save(figure, paths):
+    """Writes the figure once for each ending; PNG with a palette, since figures have few colours."""
+    for path in paths:
+        figure.savefig(path, dpi=150)
+        if path.suffix == ".png":
+            with Image.open(path) as image:
+                small = image.convert("RGB").quantize(COLOURS)
+            small.save(path, optimize=True)
+
+
 def write_figure(arguments, draw):
     """Writes the figure that draw() returns to the folder of the arguments."""
     paths = [arguments.folder / f"{arguments.name}.{ending}" for ending in ("png", "pdf")]
     try:
-        figure = draw()
-        for path in paths:
-            figure.savefig(path, dpi=150)
+        save(draw(), paths)
     except PlotError as error:
         sys.exit(f"{SCRIPT}: {error}")
     except OSError as error:

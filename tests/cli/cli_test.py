@@ -364,17 +364,6 @@ class Spectrum(VibrationTest):
 class WrongInput(ProgramTest):
     """Exit status 1: one line on stderr that says what to do, nothing written."""
 
-    def assert_wrong(self, words, *arguments, processes=1):
-        before = self.content()
-        run = self.run_program(*arguments, processes=processes)
-        self.assertEqual(run.status, 1, run)
-        self.assertEqual(run.stdout, "", run)
-        self.assertEqual(run.stderr.count("\n"), 1, run)
-        self.assertTrue(run.stderr.startswith("gearfilm: wrong input: "), run)
-        for word in words:
-            self.assertIn(word, run.stderr)
-        self.assertEqual(self.content(), before, run)
-
     def case_with(self, old, new):
         original = BARBIERI.read_text(encoding="utf-8")
         self.assertEqual(original.count(old), 1, old)

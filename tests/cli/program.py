@@ -60,6 +60,18 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(run.stderr, "", run)
         return run
 
+    def assert_wrong(self, words, *arguments, processes=1):
+        """Exit status 1: one line on stderr with these words, nothing written."""
+        before = self.content()
+        run = self.run_program(*arguments, processes=processes)
+        self.assertEqual(run.status, 1, run)
+        self.assertEqual(run.stdout, "", run)
+        self.assertEqual(run.stderr.count("\n"), 1, run)
+        self.assertTrue(run.stderr.startswith("gearfilm: wrong input: "), run)
+        for word in words:
+            self.assertIn(word, run.stderr)
+        self.assertEqual(self.content(), before, run)
+
     def content(self):
         """Names of everything in the folder, nested."""
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))

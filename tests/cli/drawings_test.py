@@ -1,0 +1,86 @@
+"""The drawings of the model for both pairs of the paper, and the teeth they show."""
+import json
+import sys
+import unittest
+
+import numpy
+
+from program import INPUT, SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from figures import FIGURES  # noqa: E402
+from paper.line_drawing import flank_points, mesh_of  # noqa: E402
+from plotting import PlotError, pyplot, save  # noqa: E402
+
+# Teeth, outer radii, centre distance as the case files have them.
+CASES = {"barbieri2013": ((28, 43), (46.55e-3, 69.85e-3), 111e-3),
+         "wang2004": ((35, 140), (36.50e-3, 141.04e-3), 174.5e-3)}
+NEAR = 1e-6  # m
+DRAWINGS = (1, 2, 4, 5, 6)
+
+
+def turned(points, centre, angle):
+    cosine, sine = numpy.cos(angle), numpy.sin(angle)
+    return centre + (points - centre) @ numpy.array([[cosine, sine], [-sine, cosine]])
+
+
+def distance(point, line):
+    """From a point to a line through points."""
+    steps = numpy.diff(line, axis=0)
+    along = numpy.clip(((point - line[:-1]) * steps).sum(axis=1) / (steps ** 2).sum(axis=1), 0, 1)
+    return numpy.hypot(*(line[:-1] + along[:, None] * steps - point).T).min()
+
+
+class Drawings(ProgramTest):
+    def inform(self, case):
+        """Results of `gearfilm info`, as figures.py finds them."""
+        self.run_well("info", INPUT / f"{case}.yaml", "-output_dir", f"{case}/info")
+        return self.folder / case
+
+    def mesh(self, case):
+        return mesh_of(json.loads((self.inform(case) / "info/summary.json").read_text(encoding="utf-8")))
+
+    def test_drawings_of_both_pairs(self):
+        for case in CASES:
+            folder = self.inform(case)
+            for number in DRAWINGS:
+                with self.subTest(case=case, figure=number):
+                    figure = FIGURES[number].draw(folder)
+                    paths = [folder / f"{number}.png", folder / f"{number}.pdf"]
+                    save(figure, paths)
+                    pyplot.close(figure)
+                    for path, beginning in zip(paths, (b"\x89PNG", b"%PDF")):
+                        self.assertTrue(path.read_bytes().startswith(beginning), path)
+
+    def test_a_bare_contact_is_refused(self):
+        folder = self.inform("circular_m20_l10")
+        for number in DRAWINGS:
+            with self.subTest(figure=number), self.assertRaisesRegex(PlotError, "not that of a gear pair"):
+                FIGURES[number].draw(folder)
+
+    def test_drawn_gears_are_those_of_the_case(self):
+        for case, (teeth, outer_radii, centre_distance) in CASES.items():
+            with self.subTest(case=case):
+                mesh = self.mesh(case)
+                for gear, number, radius in zip((mesh.pinion, mesh.wheel), teeth, outer_radii):
+                    self.assertEqual(gear.teeth, number)
+                    self.assertAlmostEqual(gear.outer_radius, radius, delta=1e-9)
+                self.assertAlmostEqual(numpy.hypot(*(mesh.wheel.centre - mesh.pinion.centre)), centre_distance,
+                                       delta=1e-9)
+
+    def test_flanks_turned_with_their_gears_touch_on_the_line_of_action(self):
+        for case in CASES:
+            mesh = self.mesh(case)
+            for n, (gear, forwards) in enumerate(((mesh.pinion, -1), (mesh.wheel, 1))):
+                at_pitch_point = flank_points(gear, mesh.curvatures(0.0)[n])
+                for xi in numpy.linspace(mesh.entry, mesh.exit, 9):
+                    with self.subTest(case=case, gear=n + 1, xi=xi):
+                        flank = turned(at_pitch_point, gear.centre, forwards * xi / gear.base_radius)
+                        self.assertLess(distance(mesh.point(xi), flank), NEAR)
+                        self.assertLess(abs(flank - flank_points(gear, mesh.curvatures(xi)[n])).max(), NEAR)
+                        # Each on its own side of the common tangent: teeth do not cut into each other.
+                        self.assertGreater((forwards * (flank - mesh.point(xi)) @ mesh.direction).min(), -NEAR)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,133 @@
+"""The models of one contact with a prescribed share of the load; environment as for cli_test.py."""
+import unittest
+
+import numpy
+
+from films import BARBIERI, REFERENCE, WANG, summary_in
+from program import INPUT, ProgramTest
+from vibration import MARCH, VibrationTest, table_in
+
+WIDE = ["-grid_y_half", 1.4]
+ENTRY, EXIT = -5.639e-3, 5.747e-3           # m, of Table 3
+ALONE = (-3.109e-3, 3.217e-3)               # between these a contact is alone
+# Of Table 2: outside the lengths that oil needs to pass after a jump of the load.
+SETTLED = ((-3.0e-3, 0.5), (-2.2e-3, 0.5), (0.0, 1.0), (1.0e-3, 1.0), (1.5e-3, 1.0), (3.5e-3, 0.5))
+# The paper's domain for M >= 200, and one whose inlet is long enough for this film; 129 x 65 nodes each.
+SHORT = ["-grid_x_min", -2.083, "-grid_x_max", 1.25, "-grid_y_half", 1.1, "-grid_ny", 65]
+LONG = ["-grid_ny", 65]
+
+
+class OneContact(VibrationTest):
+    def march(self, case, *options, name="march", processes=1):
+        self.run_well("transient", case, *options, "-output_dir", name, processes=processes)
+        self.assertTrue(summary_in(self.folder / name)["completed"])
+        return table_in(self.folder / name, "history/contacts")
+
+    def coarse(self, model, *options, **arguments):
+        return self.march(BARBIERI, *MARCH, *WIDE, "-model", model, *options, **arguments)
+
+    def assert_shares(self, rows, shares):
+        """The force, as a share of the static force, at positions."""
+        static_force = summary_in(self.folder / "march")["static_force"]
+        for xi, share in shares:
+            force = numpy.interp(xi, rows["xi"], rows["force"])
+            self.assertAlmostEqual(force / static_force, share, delta=2e-3, msg=f"at {xi}")
+
+    def test_quasistatic_contact_carries_its_share_from_entry_to_exit(self):
+        for kind, shares in (("step", ((ENTRY, 0.5), (-4e-3, 0.5), (0, 1), (4e-3, 0.5), (EXIT, 0.5))),
+                             ("trapezoid", ((ENTRY, 1 / 3), (-3.2e-3, 0.6549), (0, 1), (3.3e-3, 0.6557),
+                                            (EXIT, 1 / 3)))):
+            with self.subTest(kind=kind):
+                rows = self.coarse("quasistatic", "-load_sharing_kind", kind)
+                self.assertEqual(set(rows["contact"]), {0})
+                numpy.testing.assert_allclose(rows["xi"][[0, -1]], (ENTRY, EXIT), atol=1e-6)
+                self.assert_shares(rows, shares)
+
+    def test_shares_from_a_table(self):
+        (self.folder / "shares.txt").write_text("# m, share\n-6e-3 0.4\n-3e-3, 0.6\n-3e-3 0.9  # jump\n6e-3 0.9\n",
+                                                encoding="utf-8")
+        rows = self.coarse("quasistatic", "-load_sharing_kind", "table", "-load_sharing_file", "shares.txt")
+        self.assert_shares(rows, ((-4.5e-3, 0.5), (-3.1e-3, 0.5933), (-2.5e-3, 0.9), (4e-3, 0.9)))
+
+    def test_simplified_dynamic_contact_swings_about_its_share(self):
+        rows = self.coarse("simplified")
+        alone = rows[(rows["xi"] > ALONE[0]) & (rows["xi"] < ALONE[1])]
+        static_force = summary_in(self.folder / "march")["static_force"]
+        # At rest under half the force it enters; alone it has to carry twice as much, and swings about that.
+        self.assertGreater(alone["force"].max(), 1.05 * static_force)
+        self.assertLess(alone["force"].max(), 2.0 * static_force)
+
+    def test_two_processes_march_alike(self):
+        alone = self.coarse("quasistatic")
+        shared = self.coarse("quasistatic", processes=2)
+        self.assertEqual(len(shared), len(alone))
+        for name in ("force", "h_central", "p_central"):
+            numpy.testing.assert_allclose(shared[name], alone[name], rtol=1e-4, err_msg=name)
+
+    def deviations(self, domain):
+        """History of Table 2, and the largest deviations of its film and pressure from stationary ones."""
+        rows = self.march(WANG, *domain, "-model", "quasistatic")
+        worst = dict.fromkeys(("h_central", "p_central"), 0.0)
+        for xi, share in SETTLED:
+            self.run_well("steady", WANG, *domain, "-steady_position", xi, "-steady_load_ratio", share, "-output_dir",
+                          "steady")
+            film = summary_in(self.folder / "steady")
+            for name in worst:
+                here = numpy.interp(xi, rows["xi"], rows[name])
+                worst[name] = max(worst[name], abs(here / film[name] - 1))
+        return rows, worst
+
+    def test_table_2_away_from_jumps_is_nearly_stationary_on_the_papers_domain(self):
+        _, worst = self.deviations(SHORT)
+        self.assertLess(worst["h_central"], 0.01)
+        self.assertLess(worst["p_central"], 0.01)
+
+    def test_table_2_on_a_long_inlet(self):
+        rows, worst = self.deviations(LONG)
+        # Oil takes its time from the inlet to the middle: the film is the stationary one of 0.25 mm before.
+        self.assertLess(worst["h_central"], 0.0125)
+        self.assertLess(worst["p_central"], 0.01)
+        self.run_well("info", WANG, "-output_dir", "info")
+        hertz = summary_in(self.folder / "info")["p_hertz"]
+        self.assertAlmostEqual(numpy.interp(0, rows["xi"], rows["p_max"]) / hertz, 1, delta=0.02)
+        film = REFERENCE["table2_pitch"][0]["h_central"]
+        self.assertAlmostEqual(numpy.interp(0, rows["xi"], rows["h_central"]) / film, 1, delta=0.0125)
+
+
+class WrongLoadSharing(ProgramTest):
+    def test_options(self):
+        for words, options in (
+                (["model", "static"], ["-model", "static"]),
+                (["load_sharing", "wave"], ["-model", "quasistatic", "-load_sharing_kind", "wave"]),
+                (["at_end"], ["-model", "quasistatic", "-load_sharing_at_end", 0]),
+                (["jump_time"], ["-model", "quasistatic", "-load_sharing_jump_time", 0]),
+                (["jump_refinement"], ["-model", "quasistatic", "-load_sharing_jump_refinement", 0]),
+                (["held", "moving"], ["-model", "quasistatic", "-geometry", "held"]),
+                (["file", "missing"], ["-model", "quasistatic", "-load_sharing_kind", "table"])):
+            with self.subTest(options=options):
+                self.assert_wrong(words, "transient", BARBIERI, *options)
+        self.assert_wrong(["trapezoidal", "one or two contacts"], "transient", INPUT / "high_contact_ratio.yaml",
+                          "-model", "quasistatic", "-load_sharing_kind", "trapezoid")
+
+    def test_tables(self):
+        options = ["-model", "quasistatic", "-load_sharing_kind", "table", "-load_sharing_file", "shares.txt"]
+        self.assert_wrong(["cannot read", "shares.txt"], "transient", BARBIERI, *options)
+        for words, text in ((["shares.txt:2", "two numbers"], "-6e-3 1\nhalf\n"),
+                            (["shares.txt:1", "two numbers"], "-6e-3 1 2\n6e-3 1\n"),
+                            (["fewer than two"], "# nothing\n"),
+                            (["does not cover"], "-6e-3 1\n5e-3 1\n"),
+                            (["sort"], "6e-3 1\n-6e-3 1\n"),
+                            (["not above zero"], "-6e-3 1\n6e-3 0\n"),
+                            (["jumps", "jump_time"], "-6e-3 1\n0 1\n0 0.5\n1e-5 0.5\n1e-5 1\n6e-3 1\n")):
+            with self.subTest(text=text):
+                (self.folder / "shares.txt").write_text(text, encoding="utf-8")
+                self.assert_wrong(words, "transient", BARBIERI, *options)
+
+    def test_commands_that_need_all_contacts(self):
+        for command in ("periodic", "eigen", "sweep"):
+            with self.subTest(command=command):
+                self.assert_wrong(["model", command], command, BARBIERI, "-model", "quasistatic")
+
+
+if __name__ == "__main__":
+    unittest.main()
