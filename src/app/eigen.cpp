@@ -97,9 +97,11 @@ void print_result(MPI_Comm comm, const Summary& summary) {
 
 }  // namespace
 
-void run_eigen(MPI_Comm comm, const Case& problem) {
-  require_inertia(problem);
-  require_moving_films(problem, "eigen");
+void run_eigen(MPI_Comm comm, const Case& given) {
+  require_inertia(given);
+  require_moving_films(given, "eigen");
+  Case problem = given;
+  problem.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
   const Grid grid(comm, case_grid(problem));
   prepare_output_directory(comm, problem.output_directory);
   remove_earlier_results(comm, problem.output_directory);

@@ -16,7 +16,6 @@ LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact>
       approach_(scales.approach),
       sharing_(share),
       weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
-      column_(motion_at()),
       column_solution_(motion_at()),
       work_(field_size()) {}
 
@@ -118,9 +117,8 @@ void LubricatedPair::linearise(double shift, Elimination elimination) {
   elimination_ = inertia_ > 0.0 ? elimination : Elimination::exact;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->linearise(shift);
-    contacts_[k].film->film_shift(column_.data() + k * field_size());
     if (elimination_ == Elimination::motion_first) continue;
-    contacts_[k].film->precondition(column_.data() + k * field_size(), column_solution_.data() + k * field_size());
+    contacts_[k].film->precondition(contacts_[k].film->film_shift().data(), column_solution_.data() + k * field_size());
   }
   stiffness_ = elimination_ == Elimination::exact ? integral(column_solution_.data()) / share_ : 0.0;
 }
@@ -168,7 +166,7 @@ void LubricatedPair::precondition_motion_first(Vec rows, Vec change) {
   const double H0 = (residual.H0 + V0) / shift_;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const double* film_rows = in + k * field_size();
-    const double* column = column_.data() + k * field_size();
+    const double* column = contacts_[k].film->film_shift().data();
     for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
     contacts_[k].film->precondition(work_.data(), out + k * field_size());
   }

@@ -29,12 +29,13 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       nx_(grid.nx()),
       ny_(grid.ny()),
       rows_(grid.y_count()),
-      length_x_(fftw::fast_length(2 * grid.nx() - 1, true)),
-      length_y_(fftw::fast_length(2 * grid.ny() - 1, false)),
+      row_begin_(grid.y_begin()),
+      pairs_((rows_ + 1) / 2),
+      length_x_(fftw::fast_length(2 * grid.nx() - 3, true)),
+      length_y_(fftw::fast_length(2 * grid.ny() - 3, false)),
       wave_ranges_(cut_evenly(length_x_ / 2 + 1, grid.processes())),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
-      padded_(static_cast<std::size_t>(length_x_) * rows_),
-      result_(static_cast<std::size_t>(length_x_) * rows_),
+      x_lines_(static_cast<std::size_t>(length_x_) * pairs_),
       x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * rows_),
       exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * ny_),
       y_lines_(static_cast<std::size_t>(wave_count()) * length_y_) {
@@ -47,13 +48,11 @@ template <class Real>
 void Deformation<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
-  // On one process the x-transform writes straight into the padded y-lines: no transposition at all.
-  auto* spectrum = reinterpret_cast<Raw>(alone() ? y_lines_.data() : x_spectrum_.data());
-  const int spectrum_stride = alone() ? length_y_ : rows_;
-  x_forward_ = fftw::Plan<Real>(Fftw::many_r2c(1, &length_x_, rows_, padded_.data(), nullptr, rows_, 1, spectrum,
-                                               nullptr, spectrum_stride, 1, FFTW_MEASURE));
-  x_backward_ = fftw::Plan<Real>(Fftw::many_c2r(1, &length_x_, rows_, spectrum, nullptr, spectrum_stride, 1,
-                                                result_.data(), nullptr, rows_, 1, FFTW_MEASURE));
+  auto* rows = reinterpret_cast<Raw>(x_lines_.data());
+  for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
+    (sign == FFTW_FORWARD ? x_forward_ : x_backward_) = fftw::Plan<Real>(
+        Fftw::many_c2c(1, &length_x_, pairs_, rows, nullptr, pairs_, 1, rows, nullptr, pairs_, 1, sign, FFTW_MEASURE));
+  }
   if (wave_count() > 0) {
     auto* lines = reinterpret_cast<Raw>(y_lines_.data());
     for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
@@ -67,27 +66,66 @@ void Deformation<Real>::plan_transforms() {
 // field, with the mirrored half filled in instead of zeros. Evaluated in double: differences of nearly equal corners.
 template <class Real>
 void Deformation<Real>::transform_kernel() {
-  const int row_begin = y_ranges_[rank_];
-  Real* padded = padded_.data();
-  std::fill_n(padded, static_cast<std::size_t>(length_x_) * rows_, Real(0));
-  for (int i = 0; i < nx_; ++i) {
-    for (int j = 0; j < rows_; ++j) {
-      const Real value = static_cast<Real>(coefficient(i, row_begin + j));
-      padded[i * rows_ + j] = value;
-      if (i > 0) padded[(length_x_ - i) * rows_ + j] = value;
+  std::fill_n(x_lines_.data(), static_cast<std::size_t>(length_x_) * pairs_, Complex(0));
+  for (int i = 0; i < nx_ - 1; ++i) {
+    for (int j = 0; j < rows_ && row_begin_ + j < ny_ - 1; ++j) {
+      const Real value = static_cast<Real>(coefficient(i, row_begin_ + j));
+      x_row(i)[j] = value;
+      if (i > 0) x_row(length_x_ - i)[j] = value;
     }
   }
   x_forward_.execute();
+  separate_rows();
   to_y_lines();
   for (int k = 0; k < wave_count(); ++k) {
     Complex* line = y_lines_.data() + static_cast<std::size_t>(k) * length_y_;
-    for (int j = 1; j < ny_; ++j) line[length_y_ - j] = line[j];
+    for (int j = 1; j < ny_ - 1; ++j) line[length_y_ - j] = line[j];
   }
   y_forward_.execute();
   kernel_.resize(static_cast<std::size_t>(wave_count()) * length_y_);
   const Real scale = Real(1.0 / (static_cast<double>(length_x_) * length_y_));
   for (std::size_t n = 0; n < kernel_.size(); ++n) kernel_[n] = scale * y_lines_.data()[n].real();
-  std::fill_n(padded, static_cast<std::size_t>(length_x_) * rows_, Real(0));
+}
+
+template <class Real>
+void Deformation<Real>::separate_rows() const {
+  for (int k = 0; k <= length_x_ / 2; ++k) {
+    const Real* __restrict here = x_row(k);
+    const Real* __restrict mirrored = x_row((length_x_ - k) % length_x_);
+    Real* __restrict out = reinterpret_cast<Real*>(spectrum(k));
+    const int whole = rows_ / 2;
+    for (int m = 0; m < whole; ++m) {
+      const Real ar = here[2 * m], ai = here[2 * m + 1], br = mirrored[2 * m], bi = mirrored[2 * m + 1];
+      out[4 * m] = Real(0.5) * (ar + br);
+      out[4 * m + 1] = Real(0.5) * (ai - bi);
+      out[4 * m + 2] = Real(0.5) * (ai + bi);
+      out[4 * m + 3] = Real(0.5) * (br - ar);
+    }
+    if (whole < pairs_) {
+      out[4 * whole] = Real(0.5) * (here[2 * whole] + mirrored[2 * whole]);
+      out[4 * whole + 1] = Real(0.5) * (here[2 * whole + 1] - mirrored[2 * whole + 1]);
+    }
+  }
+}
+
+template <class Real>
+void Deformation<Real>::combine_rows() const {
+  for (int k = 0; k <= length_x_ / 2; ++k) {
+    const bool own_mirror = k == 0 || 2 * k == length_x_;
+    const Real* __restrict in = reinterpret_cast<const Real*>(spectrum(k));
+    Real* __restrict here = x_row(k);
+    Real* mirrored = own_mirror ? nullptr : x_row(length_x_ - k);
+    const auto combine = [&](int m, Real ar, Real ai, Real br, Real bi) {
+      here[2 * m] = ar - bi;
+      here[2 * m + 1] = ai + br;
+      if (own_mirror) return;
+      mirrored[2 * m] = ar + bi;
+      mirrored[2 * m + 1] = br - ai;
+    };
+    const int whole = rows_ / 2;
+    for (int m = 0; m < whole; ++m) combine(m, in[4 * m], in[4 * m + 1], in[4 * m + 2], in[4 * m + 3]);
+    if (whole < pairs_) combine(whole, in[4 * whole], in[4 * whole + 1], Real(0), Real(0));
+  }
 }
 
 template <class Real>
@@ -140,18 +178,29 @@ void Deformation<Real>::to_x_lines() const {
 template <class Real>
 void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformation) const {
   const ScopedEvent event(Kernel::deformation);
-  for (int i = 0; i < nx_; ++i)
-    std::copy_n(pressure.row(i), rows_, padded_.data() + static_cast<std::size_t>(i) * rows_);
+  std::fill_n(x_row(0), 2 * pairs_, Real(0));
+  for (int i = 1; i < nx_ - 1; ++i) {
+    Real* row = x_row(i);
+    std::copy_n(pressure.row(i), rows_, row);
+    if (rows_ < 2 * pairs_) row[rows_] = Real(0);
+    if (row_begin_ == 0) row[0] = Real(0);
+    if (row_begin_ + rows_ == ny_) row[rows_ - 1] = Real(0);
+  }
+  std::fill_n(x_row(nx_ - 1), static_cast<std::size_t>(length_x_ - nx_ + 1) * 2 * pairs_, Real(0));
   x_forward_.execute();
+  separate_rows();
   to_y_lines();
   y_forward_.execute();
-  Complex* lines = y_lines_.data();
-  for (std::size_t n = 0; n < kernel_.size(); ++n) lines[n] *= kernel_[n];
+  Real* lines = reinterpret_cast<Real*>(y_lines_.data());
+  for (std::size_t n = 0; n < kernel_.size(); ++n) {
+    lines[2 * n] *= kernel_[n];
+    lines[2 * n + 1] *= kernel_[n];
+  }
   y_backward_.execute();
   to_x_lines();
+  combine_rows();
   x_backward_.execute();
-  for (int i = 0; i < nx_; ++i)
-    std::copy_n(result_.data() + static_cast<std::size_t>(i) * rows_, rows_, deformation.row(i));
+  for (int i = 0; i < nx_; ++i) std::copy_n(x_row(i), rows_, deformation.row(i));
 }
 
 template class Deformation<float>;

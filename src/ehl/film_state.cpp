@@ -6,23 +6,40 @@
 
 namespace gearfilm {
 
+template <ViscosityLaw law>
+void FilmProperties::evaluate_line(FilmState& state, int i) const {
+  const OilLaws laws = laws_;
+  const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
+  const double* pressure = state.pressure.row(i);
+  const double* film = state.film.row(i);
+  double* density = state.density.row(i);
+  double* density_by_pressure = state.density_by_pressure.row(i);
+  double* conductance = state.conductance.row(i);
+  double* conductance_by_pressure = state.conductance_by_pressure.row(i);
+  double* conductance_by_film = state.conductance_by_film.row(i);
+  const int count = state.pressure.y_count();
+#pragma GCC ivdep
+  for (int j = 0; j < count; ++j) {
+    const PressureFunction rho = laws.density(scale * pressure[j]);
+    const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
+    const double h = film[j] > 0.0 ? film[j] : 0.0;
+    const double by_film_squared = rho.value * exp(-log_eta.value) * inverse_lambda;
+    const double xi = by_film_squared * h * h * h;
+    density[j] = rho.value;
+    density_by_pressure[j] = scale * rho.derivative;
+    conductance[j] = xi;
+    conductance_by_pressure[j] = scale * xi * (rho.derivative / rho.value - log_eta.derivative);
+    conductance_by_film[j] = 3.0 * by_film_squared * h * h;
+  }
+}
+
 void FilmProperties::evaluate(FilmState& state) const {
   const ScopedEvent event(Kernel::film_properties);
   for (int i = 0; i < state.pressure.nx(); ++i) {
-    const double* pressure = state.pressure.row(i);
-    const double* film = state.film.row(i);
-    for (int j = 0; j < state.pressure.y_count(); ++j) {
-      const PressureFunction density = relative_density(oil_, pressure_scale_ * pressure[j]);
-      const PressureFunction log_viscosity = log_relative_viscosity(oil_, pressure_scale_ * pressure[j]);
-      const double h = std::max(film[j], 0.0);
-      const double rho_over_eta_lambda = density.value * std::exp(-log_viscosity.value) / lambda_;
-      const double conductance = rho_over_eta_lambda * h * h * h;
-      state.density.row(i)[j] = density.value;
-      state.density_by_pressure.row(i)[j] = pressure_scale_ * density.derivative;
-      state.conductance.row(i)[j] = conductance;
-      state.conductance_by_pressure.row(i)[j] =
-          pressure_scale_ * conductance * (density.derivative / density.value - log_viscosity.derivative);
-      state.conductance_by_film.row(i)[j] = 3.0 * rho_over_eta_lambda * h * h;
+    if (viscosity_law_ == ViscosityLaw::barus) {
+      evaluate_line<ViscosityLaw::barus>(state, i);
+    } else {
+      evaluate_line<ViscosityLaw::roelands>(state, i);
     }
   }
 }

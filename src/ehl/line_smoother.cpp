@@ -44,13 +44,19 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
 
 template <class Real>
 void LineSmoother<Real>::choose_unknowns(const FilmState& state) {
+  const double largest = distributive_limit / inverse_h_x2_;
   for (int i = 0; i < nx_; ++i) {
+    const double* __restrict wet_here = state.wet.row(i);  // 0 or 1
+    const double* __restrict conductance = state.conductance.row(i);
+    Real* __restrict wet = wet_.row(i);
+    Real* __restrict distributive = distributive_.row(i);
+    Real* __restrict damping = damping_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      const bool wet = state.wet.row(i)[j] != 0.0;
-      const bool distributive = wet && state.conductance.row(i)[j] * inverse_h_x2_ < distributive_limit;
-      wet_.row(i)[j] = wet ? 1 : 0;
-      distributive_.row(i)[j] = distributive ? 1 : 0;
-      damping_.row(i)[j] = static_cast<Real>(!wet ? 1.0 : distributive ? distributive_damping : plain_damping);
+      const double spreads = conductance[j] < largest ? wet_here[j] : 0.0;
+      wet[j] = static_cast<Real>(wet_here[j]);
+      distributive[j] = static_cast<Real>(spreads);
+      damping[j] = static_cast<Real>(1.0 - (1.0 - plain_damping) * wet_here[j] -
+                                     (plain_damping - distributive_damping) * spreads);
     }
   }
 }
@@ -75,6 +81,8 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
   constexpr int own = std::abs(offset);
   const auto [plain_line, plain_next] = plain_;
   const auto [spread_line, spread_next] = correction_;
+// The band is not part of the stencil.
+#pragma GCC ivdep
   for (int j = 0; j < rows_; ++j) {
     const Real next_line = u[south][j] + u[north][j];
     Real plain = next_line * plain_next[own];

@@ -5,44 +5,84 @@
 namespace gearfilm {
 namespace {
 
-/// One node's stencil, before the wet mask.
-struct NodeStencil {
-  std::array<double, neighbour_count> v{};
-  std::array<double, neighbour_count> u{};
+/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: wedge and squeeze.
+struct MassWeights {
+  double west_west, west, centre;
 };
 
-/// Derivative of -(flux_out) through one face between this node and a neighbour:
-/// flux = 0.5 (xi + xi_n)(P_n - P), all divided by h^2 through `weight`.
+/// The fields of a state on one line.
+struct StateLine {
+  StateLine(const FilmState& state, int i)
+      : p(state.pressure.row(i)),
+        h(state.film.row(i)),
+        rho(state.density.row(i)),
+        rho_p(state.density_by_pressure.row(i)),
+        xi(state.conductance.row(i)),
+        xi_p(state.conductance_by_pressure.row(i)),
+        xi_h(state.conductance_by_film.row(i)) {}
+
+  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h;
+};
+
+/// Derivatives of the flow through the face between this node (0) and a neighbour (n), out of this node's cell:
+/// -0.5 (xi_0 + xi_n)(P_n - P_0)/h^2. Each neighbour's line may be this one, at j - 1 or j + 1.
 struct Face {
-  double conductance;  ///< mean xi_R / h^2
-  double half_slope;   ///< 0.5 (P_n - P)/h^2
+  Face(const StateLine& here, int j, const StateLine& there, int m, double weight)
+      : conductance(0.5 * weight * (here.xi[j] + there.xi[m])), half_slope(0.5 * weight * (there.p[m] - here.p[j])) {}
+
+  double by_pressure(const StateLine& there, int m) const { return -conductance - half_slope * there.xi_p[m]; }
+  double by_film(const StateLine& there, int m) const { return -half_slope * there.xi_h[m]; }
+
+  double conductance;
+  double half_slope;
 };
 
-Face face(double xi, double xi_neighbour, double p, double p_neighbour, double weight) {
-  return {0.5 * weight * (xi + xi_neighbour), 0.5 * weight * (p_neighbour - p)};
+/// The rows of an inner line; those of nodes that are not wet have the scale d on their diagonal only.
+template <class Real>
+void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights& mass, int i,
+                    LinearFilm<Real>& linear) {
+  const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
+  const double *wet = state.wet.row(i), *scale = state.row_scale.row(i);
+  std::array<Real*, neighbour_count> v, u;
+  for (int n = 0; n < neighbour_count; ++n) {
+    v[n] = linear.by_pressure[n].row(i);
+    u[n] = linear.by_film[n].row(i);
+  }
+  const int count = state.film.y_count();
+  const double x_weight = weights.inverse_h_x2, y_weight = weights.inverse_h_y2;
+// The lines of state and stencil are different memory.
+#pragma GCC ivdep
+  for (int j = 0; j < count; ++j) {
+    const Face to_west(c, j, w, j, x_weight), to_east(c, j, e, j, x_weight);
+    const Face to_south(c, j, c, j - 1, y_weight), to_north(c, j, c, j + 1, y_weight);
+    const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
+    const double slopes = to_west.half_slope + to_east.half_slope + to_south.half_slope + to_north.half_slope;
+    const double on = wet[j];
+    v[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho_p[j] * ww.h[j]);
+    u[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho[j]);
+    v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass.west * w.rho_p[j] * w.h[j]));
+    u[west][j] = static_cast<Real>(on * (to_west.by_film(w, j) + mass.west * w.rho[j]));
+    v[centre][j] =
+        static_cast<Real>(on * (own - slopes * c.xi_p[j] + mass.centre * c.rho_p[j] * c.h[j]) + (1.0 - on) * scale[j]);
+    u[centre][j] = static_cast<Real>(on * (mass.centre * c.rho[j] - slopes * c.xi_h[j]));
+    v[east][j] = static_cast<Real>(on * to_east.by_pressure(e, j));
+    u[east][j] = static_cast<Real>(on * to_east.by_film(e, j));
+    v[south][j] = static_cast<Real>(on * to_south.by_pressure(c, j - 1));
+    u[south][j] = static_cast<Real>(on * to_south.by_film(c, j - 1));
+    v[north][j] = static_cast<Real>(on * to_north.by_pressure(c, j + 1));
+    u[north][j] = static_cast<Real>(on * to_north.by_film(c, j + 1));
+  }
 }
 
-NodeStencil poiseuille_stencil(const FilmState& s, const ReynoldsWeights& weights, int i, int j) {
-  NodeStencil stencil;
-  const double xi = s.conductance.row(i)[j], p = s.pressure.row(i)[j];
-  const double xi_p = s.conductance_by_pressure.row(i)[j], xi_h = s.conductance_by_film.row(i)[j];
-  const auto add = [&](Neighbour side, int n, int m, double weight) {
-    const Face f = face(xi, s.conductance.row(n)[m], p, s.pressure.row(n)[m], weight);
-    stencil.v[side] -= f.conductance + f.half_slope * s.conductance_by_pressure.row(n)[m];
-    stencil.u[side] -= f.half_slope * s.conductance_by_film.row(n)[m];
-    stencil.v[centre] += f.conductance - f.half_slope * xi_p;
-    stencil.u[centre] -= f.half_slope * xi_h;
-  };
-  add(west, i - 1, j, weights.inverse_h_x2);
-  add(east, i + 1, j, weights.inverse_h_x2);
-  add(south, i, j - 1, weights.inverse_h_y2);
-  add(north, i, j + 1, weights.inverse_h_y2);
-  return stencil;
-}
-
-void add_mass(const FilmState& s, double weight, int i, int j, Neighbour side, NodeStencil& stencil) {
-  stencil.v[side] += weight * s.density_by_pressure.row(i)[j] * s.film.row(i)[j];
-  stencil.u[side] += weight * s.density.row(i)[j];
+/// The rows of an edge of the grid: d v.
+template <class Real>
+void linearise_edge(const FilmState& state, int i, LinearFilm<Real>& linear) {
+  const int count = state.film.y_count();
+  for (int n = 0; n < neighbour_count; ++n) {
+    std::fill_n(linear.by_pressure[n].row(i), count, Real(0));
+    std::fill_n(linear.by_film[n].row(i), count, Real(0));
+  }
+  for (int j = 0; j < count; ++j) linear.by_pressure[centre].row(i)[j] = static_cast<Real>(state.row_scale.row(i)[j]);
 }
 
 }  // namespace
@@ -52,25 +92,14 @@ void linearise(const Grid& grid, double entrainment, double storage_shift, const
                LinearFilm<Real>& linear) {
   const ScopedEvent event(Kernel::linearise);
   const ReynoldsWeights weights(grid, entrainment);
-  for (int i = 0; i < grid.nx(); ++i) {
-    const bool interior = i > 0 && i < grid.nx() - 1;
-    const bool first = i == 1;
-    for (int j = 0; j < grid.y_count(); ++j) {
-      NodeStencil stencil;
-      if (interior && state.wet.row(i)[j] != 0.0) {
-        stencil = poiseuille_stencil(state, weights, i, j);
-        add_mass(state, weights.wedge * (first ? 1.0 : 1.5) + storage_shift, i, j, centre, stencil);
-        add_mass(state, weights.wedge * (first ? -1.0 : -2.0), i - 1, j, west, stencil);
-        if (!first) add_mass(state, weights.wedge * 0.5, i - 2, j, west_west, stencil);
-      } else {
-        stencil.v[centre] = state.row_scale.row(i)[j];
-      }
-      for (int n = 0; n < neighbour_count; ++n) {
-        linear.by_pressure[n].row(i)[j] = static_cast<Real>(stencil.v[n]);
-        linear.by_film[n].row(i)[j] = static_cast<Real>(stencil.u[n]);
-      }
-    }
+  const double wedge = weights.wedge;
+  linearise_edge(state, 0, linear);
+  for (int i = 1; i < grid.nx() - 1; ++i) {
+    const MassWeights mass = i == 1 ? MassWeights{0.0, -wedge, wedge + storage_shift}
+                                    : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge + storage_shift};
+    linearise_line(state, weights, mass, i, linear);
   }
+  linearise_edge(state, grid.nx() - 1, linear);
 }
 
 namespace {
@@ -108,19 +137,23 @@ void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const F
   }
 }
 
-void film_shift_column(const LinearFilm<double>& linear, double* column) {
+template <class Real>
+void film_shift_column(const LinearFilm<Real>& linear, double* column) {
   const int rows = linear.by_film[0].y_count();
   for (int i = 0; i < linear.by_film[0].nx(); ++i) {
-    for (int j = 0; j < rows; ++j) {
-      double sum = 0.0;
-      for (const Field<double>& coefficient : linear.by_film) sum += coefficient.row(i)[j];
-      column[static_cast<std::size_t>(i) * rows + j] = sum;
+    double* line = column + static_cast<std::size_t>(i) * rows;
+    std::fill_n(line, rows, 0.0);
+    for (const Field<Real>& coefficient : linear.by_film) {
+      const Real* values = coefficient.row(i);
+      for (int j = 0; j < rows; ++j) line[j] += values[j];
     }
   }
 }
 
 template void linearise(const Grid&, double, double, const FilmState&, LinearFilm<float>&);
 template void linearise(const Grid&, double, double, const FilmState&, LinearFilm<double>&);
+template void film_shift_column(const LinearFilm<float>&, double*);
+template void film_shift_column(const LinearFilm<double>&, double*);
 template void apply_stencil(const LinearFilm<float>&, const Field<float>&, const Field<float>&, Field<float>&);
 template void apply_stencil(const LinearFilm<double>&, const Field<double>&, const Field<double>&, Field<double>&);
 

@@ -11,16 +11,23 @@ MultigridLevel<Real>::MultigridLevel(Grid grid, double C_h)
       deformation_(grid_, C_h),
       linear_(grid_),
       smoother_(grid_, halo_, deformation_),
-      state_(grid_),
       change_(grid_),
       deformed_(grid_),
       rows_(grid_) {}
 
 template <class Real>
-void MultigridLevel<Real>::update(double entrainment, double storage_shift) {
-  exchange_ghosts(halo_, state_);
-  linearise(grid_, entrainment, storage_shift, state_, linear_);
-  smoother_.factor(linear_, state_);
+void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double storage_shift) {
+  state_ = &state;
+  linearise(grid_, entrainment, storage_shift, state, linear_);
+  smoother_.factor(linear_, state);
+}
+
+template <class Real>
+void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainment, double storage_shift) {
+  if (!injected_) injected_ = std::make_unique<FilmState>(grid_);
+  inject_state(finer.grid_, grid_, *finer.state_, *injected_);
+  exchange_ghosts(halo_, *injected_);
+  update(*injected_, entrainment, storage_shift);
 }
 
 template <class Real>
@@ -67,7 +74,7 @@ void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, const double* fin
   fine.rows_.load(fine_residual);
   fine.halo_.exchange(fine.rows_);
   rows_.fill(Real(0));
-  restrict_residual(fine.grid_, grid_, fine.rows_, state_.wet, rows_);
+  restrict_residual(fine.grid_, grid_, fine.rows_, state_->wet, rows_);
   rows_.store(residual);
 }
 
@@ -77,7 +84,7 @@ void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, const double* co
   change_.load(correction);
   halo_.exchange(change_);
   fine.change_.load(fine_change);
-  add_interpolated(grid_, fine.grid_, change_, fine.state_.wet, fine.change_);
+  add_interpolated(grid_, fine.grid_, change_, fine.state_->wet, fine.change_);
   fine.change_.store(fine_change);
 }
 

@@ -19,13 +19,8 @@ public:
   }
 
   void update(const FilmState& state, double entrainment, double storage_shift) override {
-    levels_.front()->state() = state;
-    for (std::size_t l = 0; l < levels_.size(); ++l) {
-      if (l > 0) {
-        inject_state(levels_[l - 1]->grid(), levels_[l]->grid(), levels_[l - 1]->state(), levels_[l]->state());
-      }
-      levels_[l]->update(entrainment, storage_shift);
-    }
+    levels_.front()->update(state, entrainment, storage_shift);
+    for (std::size_t l = 1; l < levels_.size(); ++l) levels_[l]->update(*levels_[l - 1], entrainment, storage_shift);
     if (whole_) update_gathered(entrainment, storage_shift);
   }
 
@@ -36,6 +31,9 @@ public:
     petsc_check(VecResetArray(right_side_));
     petsc_check(VecResetArray(solution_));
   }
+
+  void multiply(const double* change, double* rows) override { levels_.front()->multiply(change, rows); }
+  void film_shift(double* column) const override { levels_.front()->film_shift(column); }
 
   int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
 
@@ -252,12 +250,10 @@ template <class Real>
 void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shift) {
   std::vector<double> own(levels_.back()->grid().local_size());
   std::vector<double> whole(whole_grid_->local_size());
-  const auto sources = levels_.back()->state().fields();
-  const auto targets = whole_state_->fields();
-  for (std::size_t n = 0; n < sources.size(); ++n) {
-    sources[n]->store(own.data());
+  for (const auto field : state_fields) {
+    (levels_.back()->state().*field).store(own.data());
     gather_->to_all(own.data(), whole.data());
-    targets[n]->load(whole.data());
+    ((*whole_state_).*field).load(whole.data());
   }
   whole_->update(*whole_state_, entrainment, storage_shift);
 }

@@ -14,7 +14,6 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& optio
       has_scalar_(grid_.rank() == 0),
       load_weight_(std::sqrt(static_cast<double>(grid_.nx()) * grid_.ny())),
       storage_rate_(size_),
-      column_(size_),
       column_solution_(size_),
       jacobian_(shell_jacobian(*this)) {
   petsc_check(VecCreateMPI(grid_.comm(), local_size(), PETSC_DETERMINE, state_.put()));
@@ -81,11 +80,10 @@ void StationaryNewton::update_jacobian(Vec state) {
   // The wet mask belongs to the last residual; a line search may have left another state than the accepted one.
   evaluate(state, residual_at_state_);
   film_.linearise(shift_);
-  film_.film_shift(column_.data());
   if (fixed()) {
     std::fill(column_solution_.begin(), column_solution_.end(), 0.0);
   } else {
-    film_.precondition(column_.data(), column_solution_.data());
+    film_.precondition(film_.film_shift().data(), column_solution_.data());
   }
   schur_ = load_row_change(1.0, -integral(column_solution_.data()));
 }

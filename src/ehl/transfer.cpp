@@ -85,13 +85,11 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   }
 }
 
-void inject_state(const Grid& fine_grid, const Grid& coarse_grid, FilmState& fine, FilmState& coarse) {
-  const auto sources = fine.fields();
-  const auto targets = coarse.fields();
-  for (std::size_t n = 0; n < sources.size(); ++n) {
+void inject_state(const Grid& fine_grid, const Grid& coarse_grid, const FilmState& fine, FilmState& coarse) {
+  for (const auto field : state_fields) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
       for (int J = 0; J < coarse_grid.y_count(); ++J) {
-        targets[n]->row(I)[J] = sources[n]->row(2 * I)[same_row(fine_grid, coarse_grid, J)];
+        (coarse.*field).row(I)[J] = (fine.*field).row(2 * I)[same_row(fine_grid, coarse_grid, J)];
       }
     }
   }

@@ -269,7 +269,8 @@ Records sweep_records() {
 
 Records solver_records() {
   const SolverOptions standard;
-  Parameter precision = choice("precision", {"single", "double"}, "arithmetic of the multigrid preconditioner");
+  Parameter precision = choice("precision", {"single", "double"},
+                               "arithmetic of the linearised film, its products and its preconditioner");
   if (standard.multigrid.precision == Precision::double_precision) precision.fallback = "double";
   return section(
       "solver", Scope::any,

@@ -45,25 +45,23 @@ double roelands_exponent(const Lubricant& oil) {
   return oil.pressure_viscosity * roelands_pressure / log_viscosity_span(oil);
 }
 
-PressureFunction relative_density(const Lubricant& oil, double pressure) {
-  if (oil.density_law == DensityLaw::incompressible || pressure < 0.0) return {1.0, 0.0};
-  const double denominator = density_pressure + pressure;
-  return {(density_pressure + density_limit * pressure) / denominator,
-          (density_limit - 1.0) * density_pressure / (denominator * denominator)};
+OilLaws::OilLaws(const Lubricant& oil)
+    : density_pressure_(density_pressure),
+      density_limit_(oil.density_law == DensityLaw::incompressible ? 1.0 : density_limit),
+      density_slope_((density_limit_ - 1.0) * density_pressure),
+      alpha_(oil.pressure_viscosity),
+      inverse_roelands_pressure_(1.0 / roelands_pressure) {
+  if (oil.viscosity_law == ViscosityLaw::barus) return;
+  span_ = log_viscosity_span(oil);
+  exponent_ = roelands_exponent(oil);
 }
 
+PressureFunction relative_density(const Lubricant& oil, double pressure) { return OilLaws(oil).density(pressure); }
+
 PressureFunction log_relative_viscosity(const Lubricant& oil, double pressure) {
-  if (pressure < 0.0) return {0.0, 0.0};
-  if (oil.viscosity_law == ViscosityLaw::barus) {
-    return {oil.pressure_viscosity * pressure, oil.pressure_viscosity};
-  }
-  const double span = log_viscosity_span(oil);
-  const double exponent = oil.pressure_viscosity * roelands_pressure / span;
-  const double ratio = pressure / roelands_pressure;
-  // expm1 and log1p keep the digits of the small pressures in the inlet, where the film is made.
-  const double growth = std::expm1(exponent * std::log1p(ratio));
-  // d/dp = c z/p_0 (1+p/p_0)^(z-1), and c z/p_0 = alpha_B
-  return {span * growth, oil.pressure_viscosity * (1.0 + growth) / (1.0 + ratio)};
+  const OilLaws laws(oil);
+  return oil.viscosity_law == ViscosityLaw::barus ? laws.log_viscosity<ViscosityLaw::barus>(pressure)
+                                                  : laws.log_viscosity<ViscosityLaw::roelands>(pressure);
 }
 
 }  // namespace gearfilm

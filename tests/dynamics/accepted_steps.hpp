@@ -60,12 +60,14 @@ public:
   PairAt(const RecordedMarch& march, const AcceptedState& state, int levels = 1) {
     MultigridOptions options = march.problem().solver.multigrid;
     options.levels = levels;
+    options.precision = Precision::double_precision;  // exact products
     std::vector<PairContact> contacts;
     for (const int contact : state.contacts) {
       films_.push_back(std::make_unique<ContactFilm>(march.grid(), march.problem().scales, options));
       contacts.push_back({contact, films_.back().get()});
     }
-    pair = std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.problem().scales);
+    pair =
+        std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.problem().scales);
     pair->place(state.T);
   }
 

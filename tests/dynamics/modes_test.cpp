@@ -47,14 +47,13 @@ TEST(DryModes, disc_inertias_have_the_mass) {
 class PairAtRest {
 public:
   explicit PairAtRest(const Settings& settings)
-      : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}}, settings))),
+      : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}, {"solver.precision", "double"}}, settings))),
         grid_(PETSC_COMM_WORLD, shape_of(problem_)),
         path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, MeshGeometry::held),
         march_(grid_, problem_.scales, path_, inertia_of(problem_), problem_.solver, problem_.steps,
                [](const StepRecord&, const std::vector<LiveContact>&) {}) {
     march_.start({});
-    pair_ =
-        std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales);
+    pair_ = std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales);
     state_ = pair_->create_state();
     const PairState at_rest = march_.state();
     for (std::size_t k = 0; k < at_rest.films.size(); ++k) pair_->set_field(state_, k, at_rest.films[k].pressure);

@@ -182,15 +182,15 @@ TEST(InjectState, takes_every_field_at_the_same_point) {
   const Grid coarse = fine.coarsened();
   FilmState fine_state(fine), coarse_state(coarse);
   const auto value = [](std::size_t n, double x, double y) { return n + 1.0 + 0.3 * x - 0.2 * y; };
-  for (std::size_t n = 0; n < fine_state.fields().size(); ++n) {
-    fill(fine, *fine_state.fields()[n], [&](double x, double y) { return value(n, x, y); });
+  for (std::size_t n = 0; n < state_fields.size(); ++n) {
+    fill(fine, fine_state.*state_fields[n], [&](double x, double y) { return value(n, x, y); });
   }
   inject_state(fine, coarse, fine_state, coarse_state);
-  for (std::size_t n = 0; n < coarse_state.fields().size(); ++n) {
+  for (std::size_t n = 0; n < state_fields.size(); ++n) {
     for (int i = 0; i < coarse.nx(); ++i) {
       for (int j = 0; j < coarse.y_count(); ++j) {
         // Coordinates of one point on two grids differ by round-off.
-        EXPECT_NEAR(coarse_state.fields()[n]->row(i)[j], value(n, coarse.x(i), coarse.y(j)), 1e-14);
+        EXPECT_NEAR((coarse_state.*state_fields[n]).row(i)[j], value(n, coarse.x(i), coarse.y(j)), 1e-14);
       }
     }
   }

@@ -96,8 +96,7 @@ private:
   double weight_;
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::motion_first;
-  std::vector<double> column_;           ///< dG_k/dH_0 of all contacts
-  std::vector<double> column_solution_;  ///< (dG_k/dP_k)^-1 of it, approximately
+  std::vector<double> column_solution_;  ///< (dG_k/dP_k)^-1 dG_k/dH_0 of all contacts, approximately
   double stiffness_ = 0.0;               ///< its integral over f, -d(F/f)/dH_0; zero with the motion first
   std::vector<double> work_;
 };

@@ -11,7 +11,6 @@
 
 #include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/ehl/deformation.hpp"
-#include "gearfilm/ehl/linear_film.hpp"
 #include "gearfilm/ehl/preconditioner.hpp"
 #include "gearfilm/ehl/reynolds.hpp"
 
@@ -50,22 +49,23 @@ public:
   /// The part of multiply() that grows with the storage shift: the change of rho H, zero where cavitated.
   void multiply_storage(const double* change, double change_H0, double* rows);
   /// dG/dH_0.
-  void film_shift(double* column) const;
+  const std::vector<double>& film_shift() const { return film_shift_; }
   /// change = approximately (dG/dP)^-1 residual.
-  void precondition(const double* residual, double* change) { preconditioner_->apply(residual, change); }
+  void precondition(const double* residual, double* change) { linearised_->apply(residual, change); }
 
   /// Of the last state.
   FilmFigures figures() const;
   const FilmState& state() const { return state_; }
   const Field<double>& pressure() const { return state_.pressure; }
   const Field<double>& film() const { return state_.film; }
-  /// Double-precision convolutions so far on this grid.
+  /// Convolutions so far on this grid, but for those of the preconditioner.
   long convolutions() const { return convolutions_; }
 
 private:
   /// The change of the film, K change + change_H0, into deformed_; change itself into change_.
   void deform(const double* change, double change_H0);
   bool is_current(const double* pressure, double H0) const;
+  FilmPreconditioner& linearisation_for(double storage_shift);
 
   const Grid& grid_;
   Scales scales_;
@@ -74,9 +74,12 @@ private:
   Deformation<double> deformation_;
   FilmProperties properties_;
   FilmState state_;
-  LinearFilm<double> linear_;
-  std::unique_ptr<FilmPreconditioner> preconditioner_;
-  Field<double> change_, deformed_, rows_;
+  MultigridOptions options_;
+  std::unique_ptr<FilmPreconditioner> usual_;   ///< in the precision of the options
+  std::unique_ptr<FilmPreconditioner> double_;  ///< for stiff squeezing; made when first needed
+  FilmPreconditioner* linearised_ = nullptr;    ///< the one of them that is prepared
+  std::vector<double> film_shift_;              ///< dG/dH_0
+  Field<double> change_, deformed_;
   std::vector<double> evaluated_pressure_;
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;

@@ -3,10 +3,13 @@
 //   (K P)(X, Y) = C_h Int Int P(X', Y') / sqrt((X-X')^2 + (Y-Y')^2) dX' dY',
 //
 // with P constant on the cell around each node (Love 1929, doi 10.1098/rsta.1929.0009): exact for that pressure,
-// and a discrete convolution, done as a zero-padded Fourier transform in O(N log N).
+// and a discrete convolution, done as a zero-padded Fourier transform in O(N log N). P = 0 on the boundary: what a
+// field has there is not read, so that 2^n + 1 nodes need transforms of length 2^(n+1).
 //
 // Distributed: rows are transformed in x (local, the grid is cut in y), transposed among the processes,
-// transformed in y, multiplied by the kernel's transform, and back. Padding in y is never communicated.
+// transformed in y, multiplied by the kernel's transform, and back. Padding in y is never communicated. Two rows are
+// transformed in x as one complex row, which FFTW does with vector instructions and two real ones it does not:
+//   Z = A + i B ,  A(k) = (Z(k) + conj Z(-k))/2 ,  B(k) = (Z(k) - conj Z(-k))/(2 i)
 #pragma once
 
 #include "gearfilm/ehl/fftw.hpp"
@@ -43,6 +46,14 @@ private:
   void for_each_block_line(Copy copy) const;
   void plan_transforms();
   void transform_kernel();
+  Real* x_row(int i) const { return reinterpret_cast<Real*>(x_lines_.data() + static_cast<std::size_t>(i) * pairs_); }
+  /// Where the spectrum in x of all rows for one wave number goes: straight into the padded y-lines on one process.
+  Complex* spectrum(int k) const {
+    return alone() ? y_lines_.data() + static_cast<std::size_t>(k) * length_y_
+                   : x_spectrum_.data() + static_cast<std::size_t>(k) * rows_;
+  }
+  void separate_rows() const;
+  void combine_rows() const;
   void to_y_lines() const;
   void to_x_lines() const;
   int wave_count() const { return wave_ranges_[rank_ + 1] - wave_ranges_[rank_]; }
@@ -54,7 +65,9 @@ private:
   double h_y_;
   int nx_;
   int ny_;
-  int rows_;      ///< own rows
+  int rows_;  ///< own rows
+  int row_begin_;
+  int pairs_;     ///< of own rows; the last row may be alone
   int length_x_;  ///< padded lengths of the transforms
   int length_y_;
   std::vector<int> wave_ranges_;  ///< first x wave number of every process, and their number
@@ -62,8 +75,7 @@ private:
   Blocks x_side_;  ///< of x_spectrum_
   Blocks y_side_;  ///< of exchanged_
   // Work space of apply(); [x or wave number][y], y contiguous.
-  mutable fftw::Buffer<Real> padded_;         ///< [length_x][rows], zero from nx on
-  mutable fftw::Buffer<Real> result_;         ///< [length_x][rows]
+  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs]
   mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
   mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
   mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y]

@@ -30,8 +30,6 @@ template <>
 struct Interface<float> {
   using Plan = fftwf_plan;
   using Complex = fftwf_complex;
-  static constexpr auto many_r2c = fftwf_plan_many_dft_r2c;
-  static constexpr auto many_c2r = fftwf_plan_many_dft_c2r;
   static constexpr auto many_c2c = fftwf_plan_many_dft;
   static constexpr auto execute = fftwf_execute;
   static constexpr auto destroy = fftwf_destroy_plan;

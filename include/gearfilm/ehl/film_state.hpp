@@ -24,19 +24,6 @@ struct FilmState {
         wet(grid),
         row_scale(grid) {}
 
-  /// All of them, for what treats them alike (injection, gathering).
-  std::array<Field<double>*, 9> fields() {
-    return {&pressure,
-            &film,
-            &density,
-            &density_by_pressure,
-            &conductance,
-            &conductance_by_pressure,
-            &conductance_by_film,
-            &wet,
-            &row_scale};
-  }
-
   Field<double> pressure;                 ///< P
   Field<double> film;                     ///< H
   Field<double> density;                  ///< rho
@@ -48,20 +35,38 @@ struct FilmState {
   Field<double> row_scale;                ///< d, the factor of P in the row of a node that is not wet
 };
 
+/// All fields of a state, for what treats them alike (injection, gathering).
+inline constexpr std::array<Field<double> FilmState::*, 9> state_fields = {&FilmState::pressure,
+                                                                           &FilmState::film,
+                                                                           &FilmState::density,
+                                                                           &FilmState::density_by_pressure,
+                                                                           &FilmState::conductance,
+                                                                           &FilmState::conductance_by_pressure,
+                                                                           &FilmState::conductance_by_film,
+                                                                           &FilmState::wet,
+                                                                           &FilmState::row_scale};
+
 /// Oil properties of one contact in dimensionless form.
 class FilmProperties {
 public:
   explicit FilmProperties(const Scales& scales)
-      : oil_(scales.oil), pressure_scale_(scales.pressure), lambda_(scales.lambda) {}
+      : laws_(scales.oil),
+        viscosity_law_(scales.oil.viscosity_law),
+        pressure_scale_(scales.pressure),
+        inverse_lambda_(1.0 / scales.lambda) {}
 
   /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
   /// only inside an iteration) conducts nothing.
   void evaluate(FilmState& state) const;
 
 private:
-  Lubricant oil_;
+  template <ViscosityLaw law>
+  void evaluate_line(FilmState& state, int i) const;
+
+  OilLaws laws_;
+  ViscosityLaw viscosity_law_;
   double pressure_scale_;
-  double lambda_;
+  double inverse_lambda_;
 };
 
 /// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives.

@@ -38,6 +38,7 @@ template <class Real>
 void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);
 
 /// The derivative of the rows by H_0 (u = 1 everywhere, v = 0), compact.
-void film_shift_column(const LinearFilm<double>& linear, double* column);
+template <class Real>
+void film_shift_column(const LinearFilm<Real>& linear, double* column);
 
 }  // namespace gearfilm

@@ -17,13 +17,18 @@ public:
   MultigridLevel& operator=(const MultigridLevel&) = delete;
 
   const Grid& grid() const { return grid_; }
-  FilmState& state() { return state_; }
+  const FilmState& state() const { return *state_; }
 
-  /// Linearises about state() and factors the smoother. Exchanges the state's ghosts.
-  void update(double entrainment, double storage_shift);
+  /// Linearises about a state with ghosts and wet mask, which must stay until the next update, and factors the
+  /// smoother.
+  void update(const FilmState& state, double entrainment, double storage_shift);
+  /// The same about the finer level's state, injected here.
+  void update(const MultigridLevel& finer, double entrainment, double storage_shift);
 
   /// rows = linearised film * change; compact.
   void multiply(const double* change, double* rows);
+  /// Rows for a change of 1 of the film everywhere; compact.
+  void film_shift(double* column) const { film_shift_column(linear_, column); }
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
   void smooth(const double* right_side, double* change, int sweeps, bool zero_guess);
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
@@ -39,7 +44,8 @@ private:
   Deformation<Real> deformation_;
   LinearFilm<Real> linear_;
   LineSmoother<Real> smoother_;
-  FilmState state_;
+  const FilmState* state_ = nullptr;
+  std::unique_ptr<FilmState> injected_;  ///< where the state comes from a finer level
   Field<Real> change_;
   Field<Real> deformed_;
   Field<Real> rows_;

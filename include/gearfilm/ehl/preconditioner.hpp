@@ -1,4 +1,4 @@
-// Multigrid preconditioner of the linearised film of one contact.
+// The linearised film of one contact on all its levels: its products, and its multigrid preconditioner.
 //
 // One V-cycle of PETSc's PCMG. Its levels are shells: the operator of every level is the film linearised about the
 // state injected from the finest one (linear_film.hpp) with that level's own convolution, its smoother the
@@ -18,8 +18,12 @@ class FilmPreconditioner {
 public:
   virtual ~FilmPreconditioner() = default;
 
-  /// Takes over a state (with ghosts and wet mask) of the finest grid.
+  /// Linearises about a state (with ghosts and wet mask) of the finest grid, which is read until the next update.
   virtual void update(const FilmState& state, double entrainment, double storage_shift) = 0;
+  /// rows = linearised rows for a change of the pressure; compact.
+  virtual void multiply(const double* change, double* rows) = 0;
+  /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.
+  virtual void film_shift(double* column) const = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.
   virtual void apply(const double* residual, double* change) = 0;
   virtual int levels() const = 0;

@@ -5,7 +5,8 @@
 
 namespace gearfilm {
 
-/// Arithmetic of the multigrid preconditioner; residuals and the Krylov space are always double.
+/// Arithmetic of the linearised film: its products and its preconditioner. Residuals and Krylov vectors are always
+/// double, so that single costs no digit of a solution; where it would cost convergence double is taken.
 enum class Precision { single_precision, double_precision };
 
 /// Of the preconditioner of one contact's film.

@@ -73,7 +73,6 @@ private:
   double shift_ = 0.0;
   const double* storage_ = nullptr;
   std::vector<double> storage_rate_;
-  std::vector<double> column_;           ///< dG/dH_0
   std::vector<double> column_solution_;  ///< (dG/dP)^-1 dG/dH_0, approximately
   double schur_ = 0.0;                   ///< d(load row)/dH_0 after elimination
   OwnedVec state_, residual_, residual_at_state_;

@@ -23,6 +23,6 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
                        Field<double>& fine);
 
 /// Every field of the coarse state is the fine one at the same point (own nodes).
-void inject_state(const Grid& fine_grid, const Grid& coarse_grid, FilmState& fine, FilmState& coarse);
+void inject_state(const Grid& fine_grid, const Grid& coarse_grid, const FilmState& fine, FilmState& coarse);
 
 }  // namespace gearfilm

@@ -8,6 +8,8 @@
 // Below p = 0 (met only inside an iteration) both laws are continued as constants, with zero derivatives.
 #pragma once
 
+#include "gearfilm/lubricant/vector_math.hpp"
+
 namespace gearfilm {
 
 enum class ViscosityLaw { roelands, barus };
@@ -31,6 +33,39 @@ double roelands_exponent(const Lubricant& oil);
 struct PressureFunction {
   double value;
   double derivative;
+};
+
+/// The laws of one oil with their constants at hand, without branches: loops over them use vector instructions.
+class OilLaws {
+public:
+  explicit OilLaws(const Lubricant& oil);
+
+  PressureFunction density(double pressure) const {
+    const double p = pressure > 0.0 ? pressure : 0.0, denominator = density_pressure_ + p;
+    return {(density_pressure_ + density_limit_ * p) / denominator,
+            positive(pressure) * density_slope_ / (denominator * denominator)};
+  }
+
+  template <ViscosityLaw law>
+  PressureFunction log_viscosity(double pressure) const {
+    const double p = pressure > 0.0 ? pressure : 0.0;
+    if constexpr (law == ViscosityLaw::barus) return {alpha_ * p, positive(pressure) * alpha_};
+    // expm1 and log1p keep the digits of the small pressures in the inlet, where the film is made.
+    const double ratio = p * inverse_roelands_pressure_, growth = expm1(exponent_ * log1p(ratio));
+    // d/dp = c z/p_0 (1+p/p_0)^(z-1), and c z/p_0 = alpha_B
+    return {span_ * growth, positive(pressure) * alpha_ * (1.0 + growth) / (1.0 + ratio)};
+  }
+
+private:
+  static double positive(double pressure) { return pressure < 0.0 ? 0.0 : 1.0; }
+
+  double density_pressure_;
+  double density_limit_;  ///< rho/rho_0 for p -> infinity
+  double density_slope_;  ///< (limit - 1) A
+  double alpha_;
+  double inverse_roelands_pressure_;
+  double span_ = 0.0;      ///< c
+  double exponent_ = 0.0;  ///< z
 };
 
 PressureFunction relative_density(const Lubricant& oil, double pressure);
