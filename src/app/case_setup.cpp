@@ -27,7 +27,7 @@ void require_moving_films(const Case& problem, const std::string& command) {
 
 MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
   SolverOptions films = problem.solver;
-  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid);
+  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid, problem.steps.dT);
   const bool inert = problem.model != MarchModel::quasistatic;
   return MeshMarch(grid, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, films,
                    problem.steps, std::move(observer), problem.prescribed_load);

@@ -59,14 +59,6 @@ Motion LubricatedPair::unweighted(const Motion& rows) const {
   return {rows.H0 / weight_, rows.V0 / weight_ * static_force_};
 }
 
-// Int Int over all contacts together.
-double LubricatedPair::integral(const double* values) const {
-  double sum = 0.0;
-  for (std::size_t n = 0; n < motion_at(); ++n) sum += values[n];
-  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
-  return sum * grid_.h_x() * grid_.h_y();
-}
-
 void LubricatedPair::clip(Vec state) const {
   const VecWriting values(state);
   for (std::size_t n = 0; n < motion_at(); ++n) values[n] = std::max(values[n], 0.0);
@@ -95,7 +87,7 @@ void LubricatedPair::residual(Vec state, Vec rate, double shift, Vec rows) {
     const std::size_t at = k * field_size();
     contacts_[k].film->residual(in + at, motion.H0, {rates + at, shift}, out + at);
   }
-  const double carried = integral(in);
+  const double carried = carried_by(in);
   if (!has_motion()) return;
   const std::size_t at = motion_at();
   out[at] = weight_ * (rates[at] - motion.V0);
@@ -120,7 +112,7 @@ void LubricatedPair::linearise(double shift, Elimination elimination) {
     if (elimination_ == Elimination::motion_first) continue;
     contacts_[k].film->precondition(contacts_[k].film->film_shift().data(), column_solution_.data() + k * field_size());
   }
-  stiffness_ = elimination_ == Elimination::exact ? integral(column_solution_.data()) / share_ : 0.0;
+  stiffness_ = elimination_ == Elimination::exact ? carried_by(column_solution_.data()) / share_ : 0.0;
 }
 
 void LubricatedPair::multiply_storage(Vec change, Vec rows) {
@@ -142,7 +134,7 @@ void LubricatedPair::multiply(Vec change, Vec rows) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->multiply(in + k * field_size(), motion.H0, out + k * field_size());
   }
-  const double carried = integral(in);
+  const double carried = carried_by(in);
   if (!has_motion()) return;
   const std::size_t at = motion_at();
   out[at] = weight_ * (shift_ * motion.H0 - motion.V0);
@@ -184,7 +176,7 @@ void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts_[k].film->precondition(in + k * field_size(), out + k * field_size());
   }
-  const double H0 = (residual.V0 + inertia_ * shift_ * residual.H0 + integral(out) / share_) /
+  const double H0 = (residual.V0 + inertia_ * shift_ * residual.H0 + carried_by(out) / share_) /
                     (inertia_ * shift_ * shift_ + stiffness_);
   for (std::size_t n = 0; n < motion_at(); ++n) out[n] -= H0 * column_solution_[n];
   if (!has_motion()) return;

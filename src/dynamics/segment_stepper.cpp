@@ -49,13 +49,10 @@ void SegmentStepper::create_time_scheme() {
       this));
   petsc_check(TSSetIJacobian(
       ts_, jacobian_, jacobian_,
-      [](TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
+      [](TS, PetscReal, Vec, Vec, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
-          // The wet mask belongs to the last residual, which a line search may have taken elsewhere.
-          own->pair_.place(T);
-          own->pair_.residual(state, rate, own->stage_shift_, own->rows_);
-          own->pair_.linearise(shift);
+          own->pair_.linearise(shift);  // at the state of the last residual: the line search ends with the accepted one
           petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
         });

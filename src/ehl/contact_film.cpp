@@ -71,8 +71,8 @@ void ContactFilm::storage(const double* pressure, double H0, double* storage) {
   }
 }
 
-// In single precision the deformation has an error of 1e-7, which a short time step multiplies by its shift: beyond this
-// ratio to the wedge Newton's method fails where pressures change fast.
+// In single precision the deformation has an error of 1e-7, which a short time step multiplies by its shift: beyond
+// this ratio to the wedge Newton's method fails where pressures change fast.
 FilmPreconditioner& ContactFilm::linearisation_for(double storage_shift) {
   constexpr double stiff = 8.0;
   if (options_.precision == Precision::double_precision ||

@@ -8,6 +8,8 @@
 namespace gearfilm {
 namespace {
 
+constexpr int largest_unmeasured = 10000;  // nodes
+
 double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)); }
 
 }  // namespace
@@ -36,6 +38,7 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       wave_ranges_(cut_evenly(length_x_ / 2 + 1, grid.processes())),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       x_lines_(static_cast<std::size_t>(length_x_) * pairs_),
+      x_waves_(static_cast<std::size_t>(length_x_) * pairs_),
       x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * rows_),
       exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * ny_),
       y_lines_(static_cast<std::size_t>(wave_count()) * length_y_) {
@@ -48,16 +51,19 @@ template <class Real>
 void Deformation<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
+  // Measuring takes tenths of a second, and finds little on small grids.
+  const unsigned effort = nx_ * ny_ > largest_unmeasured ? FFTW_MEASURE : FFTW_ESTIMATE;
   auto* rows = reinterpret_cast<Raw>(x_lines_.data());
-  for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
-    (sign == FFTW_FORWARD ? x_forward_ : x_backward_) = fftw::Plan<Real>(
-        Fftw::many_c2c(1, &length_x_, pairs_, rows, nullptr, pairs_, 1, rows, nullptr, pairs_, 1, sign, FFTW_MEASURE));
-  }
+  auto* waves = reinterpret_cast<Raw>(x_waves_.data());
+  x_forward_ = fftw::Plan<Real>(
+      Fftw::many_c2c(1, &length_x_, pairs_, rows, nullptr, pairs_, 1, waves, nullptr, pairs_, 1, FFTW_FORWARD, effort));
+  x_backward_ = fftw::Plan<Real>(Fftw::many_c2c(1, &length_x_, pairs_, waves, nullptr, pairs_, 1, rows, nullptr, pairs_,
+                                                1, FFTW_BACKWARD, effort));
   if (wave_count() > 0) {
     auto* lines = reinterpret_cast<Raw>(y_lines_.data());
     for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
       (sign == FFTW_FORWARD ? y_forward_ : y_backward_) = fftw::Plan<Real>(Fftw::many_c2c(
-          1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1, length_y_, sign, FFTW_MEASURE));
+          1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1, length_y_, sign, effort));
     }
   }
 }
@@ -90,8 +96,8 @@ void Deformation<Real>::transform_kernel() {
 template <class Real>
 void Deformation<Real>::separate_rows() const {
   for (int k = 0; k <= length_x_ / 2; ++k) {
-    const Real* __restrict here = x_row(k);
-    const Real* __restrict mirrored = x_row((length_x_ - k) % length_x_);
+    const Real* __restrict here = wave_row(k);
+    const Real* __restrict mirrored = wave_row((length_x_ - k) % length_x_);
     Real* __restrict out = reinterpret_cast<Real*>(spectrum(k));
     const int whole = rows_ / 2;
     for (int m = 0; m < whole; ++m) {
@@ -113,8 +119,8 @@ void Deformation<Real>::combine_rows() const {
   for (int k = 0; k <= length_x_ / 2; ++k) {
     const bool own_mirror = k == 0 || 2 * k == length_x_;
     const Real* __restrict in = reinterpret_cast<const Real*>(spectrum(k));
-    Real* __restrict here = x_row(k);
-    Real* mirrored = own_mirror ? nullptr : x_row(length_x_ - k);
+    Real* __restrict here = wave_row(k);
+    Real* mirrored = own_mirror ? nullptr : wave_row(length_x_ - k);
     const auto combine = [&](int m, Real ar, Real ai, Real br, Real bi) {
       here[2 * m] = ar - bi;
       here[2 * m + 1] = ai + br;

@@ -104,36 +104,49 @@ void linearise(const Grid& grid, double entrainment, double storage_shift, const
 
 namespace {
 
-/// rows_i (+)= sum over the neighbours of coefficient * value, for one line and one kind of change.
+/// The values of one line and its neighbours. Lines beyond the grid have zero coefficients: any valid line may stand in
+/// for them.
 template <class Real>
-void add_line(const std::array<Field<Real>, neighbour_count>& coefficients, const Field<Real>& value, int i,
-              Real* __restrict rows) {
-  const int last = value.nx() - 1;
-  // Lines beyond the grid have zero coefficients: any valid line may stand in for them.
-  const Real* __restrict ww = value.row(std::max(i - 2, 0));
-  const Real* __restrict w = value.row(std::max(i - 1, 0));
-  const Real* __restrict c = value.row(i);
-  const Real* __restrict e = value.row(std::min(i + 1, last));
-  const Real* __restrict a_ww = coefficients[west_west].row(i);
-  const Real* __restrict a_w = coefficients[west].row(i);
-  const Real* __restrict a_c = coefficients[centre].row(i);
-  const Real* __restrict a_e = coefficients[east].row(i);
-  const Real* __restrict a_s = coefficients[south].row(i);
-  const Real* __restrict a_n = coefficients[north].row(i);
-  const int count = value.y_count();
-  for (int j = 0; j < count; ++j) {
-    rows[j] += a_ww[j] * ww[j] + a_w[j] * w[j] + a_c[j] * c[j] + a_e[j] * e[j] + a_s[j] * c[j - 1] + a_n[j] * c[j + 1];
+struct NeighbourLines {
+  NeighbourLines(const Field<Real>& value, int i)
+      : ww(value.row(std::max(i - 2, 0))),
+        w(value.row(std::max(i - 1, 0))),
+        c(value.row(i)),
+        e(value.row(std::min(i + 1, value.nx() - 1))) {}
+
+  const Real *ww, *w, *c, *e;
+};
+
+template <class Real>
+struct CoefficientLines {
+  CoefficientLines(const std::array<Field<Real>, neighbour_count>& fields, int i)
+      : ww(fields[west_west].row(i)),
+        w(fields[west].row(i)),
+        c(fields[centre].row(i)),
+        e(fields[east].row(i)),
+        s(fields[south].row(i)),
+        n(fields[north].row(i)) {}
+
+  Real applied_to(const NeighbourLines<Real>& value, int j) const {
+    return ww[j] * value.ww[j] + w[j] * value.w[j] + c[j] * value.c[j] + e[j] * value.e[j] + s[j] * value.c[j - 1] +
+           n[j] * value.c[j + 1];
   }
-}
+
+  const Real *ww, *w, *c, *e, *s, *n;
+};
 
 }  // namespace
 
 template <class Real>
 void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows) {
+  const int count = v.y_count();
   for (int i = 0; i < v.nx(); ++i) {
-    std::fill_n(rows.row(i), v.y_count(), Real(0));
-    add_line(linear.by_pressure, v, i, rows.row(i));
-    add_line(linear.by_film, u, i, rows.row(i));
+    const NeighbourLines<Real> v_lines(v, i), u_lines(u, i);
+    const CoefficientLines<Real> by_pressure(linear.by_pressure, i), by_film(linear.by_film, i);
+    Real* out = rows.row(i);
+// The rows are neither values nor coefficients.
+#pragma GCC ivdep
+    for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_film.applied_to(u_lines, j);
   }
 }
 

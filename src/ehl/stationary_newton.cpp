@@ -18,7 +18,6 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& optio
       jacobian_(shell_jacobian(*this)) {
   petsc_check(VecCreateMPI(grid_.comm(), local_size(), PETSC_DETERMINE, state_.put()));
   petsc_check(VecDuplicate(state_, residual_.put()));
-  petsc_check(VecDuplicate(state_, residual_at_state_.put()));
   petsc_check(SNESCreate(grid_.comm(), snes_.put()));
   petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
   petsc_check(SNESSetFunction(
@@ -29,9 +28,9 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& optio
       this));
   petsc_check(SNESSetJacobian(
       snes_, jacobian_, jacobian_,
-      [](SNES, Vec state, Mat matrix, Mat, void* context) -> PetscErrorCode {
+      [](SNES, Vec, Mat matrix, Mat, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
-          static_cast<StationaryNewton*>(context)->update_jacobian(state);
+          static_cast<StationaryNewton*>(context)->update_jacobian();
           petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
         });
@@ -46,13 +45,6 @@ double StationaryNewton::broadcast(double value) const {
   return value;
 }
 
-double StationaryNewton::integral(const double* values) const {
-  double sum = 0.0;
-  for (int n = 0; n < size_; ++n) sum += values[n];
-  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid_.comm());
-  return sum * grid_.h_x() * grid_.h_y();
-}
-
 void StationaryNewton::evaluate(Vec state, Vec residual) {
   const VecReading in(state);
   const VecWriting out(residual);
@@ -64,7 +56,7 @@ void StationaryNewton::evaluate(Vec state, Vec residual) {
     rate = storage_rate_.data();
   }
   film_.residual(in, H0, {rate, shift_}, out);
-  const double carried = integral(in);
+  const double carried = carried_by(in);
   if (has_scalar_) out[size_] = load_row(H0, carried);
 }
 
@@ -76,16 +68,15 @@ double StationaryNewton::load_row_change(double change_H0, double change_carried
   return load_weight_ * (fixed() ? change_H0 : -change_carried / load_.value);
 }
 
-void StationaryNewton::update_jacobian(Vec state) {
-  // The wet mask belongs to the last residual; a line search may have left another state than the accepted one.
-  evaluate(state, residual_at_state_);
+// At the state of the last residual: a line search ends with the accepted one.
+void StationaryNewton::update_jacobian() {
   film_.linearise(shift_);
   if (fixed()) {
     std::fill(column_solution_.begin(), column_solution_.end(), 0.0);
   } else {
     film_.precondition(film_.film_shift().data(), column_solution_.data());
   }
-  schur_ = load_row_change(1.0, -integral(column_solution_.data()));
+  schur_ = load_row_change(1.0, -carried_by(column_solution_.data()));
 }
 
 void StationaryNewton::multiply(Vec change, Vec rows) {
@@ -93,7 +84,7 @@ void StationaryNewton::multiply(Vec change, Vec rows) {
   const VecWriting out(rows);
   const double change_H0 = broadcast(has_scalar_ ? in[size_] : 0.0);
   film_.multiply(in, change_H0, out);
-  const double carried = integral(in);
+  const double carried = carried_by(in);
   if (has_scalar_) out[size_] = load_row_change(change_H0, carried);
 }
 
@@ -103,7 +94,7 @@ void StationaryNewton::precondition(Vec residual, Vec change) {
   const VecWriting out(change);
   film_.precondition(in, out);
   const double load_residual = broadcast(has_scalar_ ? in[size_] : 0.0);
-  const double change_H0 = (load_residual - load_row_change(0.0, integral(out))) / schur_;
+  const double change_H0 = (load_residual - load_row_change(0.0, carried_by(out))) / schur_;
   for (int n = 0; n < size_; ++n) out[n] -= change_H0 * column_solution_[n];
   if (has_scalar_) out[size_] = change_H0;
 }

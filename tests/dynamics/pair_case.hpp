@@ -87,7 +87,7 @@ public:
 private:
   SolverOptions film_options() const {
     SolverOptions options = problem_.solver;
-    options.multigrid.levels = step_levels(grid_);
+    options.multigrid.levels = step_levels(grid_, problem_.steps.dT);
     return options;
   }
 

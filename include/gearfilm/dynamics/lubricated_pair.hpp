@@ -18,6 +18,7 @@
 
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
 #include "gearfilm/gear/load_sharing.hpp"
 
@@ -83,7 +84,8 @@ private:
   Motion unweighted(const Motion& rows) const;
   void precondition_motion_first(Vec rows, Vec change);
   void precondition_exactly(Vec rows, Vec change);
-  double integral(const double* values) const;
+  /// Int Int of the pressures, or their changes, of all contacts together.
+  double carried_by(const double* fields) const { return integral(grid_, fields, motion_at()); }
 
   const ContactPath& path_;
   std::vector<PairContact> contacts_;

@@ -14,9 +14,10 @@
 
 namespace gearfilm {
 
-/// Multigrid levels that serve time steps best: squeezing makes their operator well conditioned, so that on a small
-/// grid the smoother alone is cheapest although it takes more Krylov iterations; 0 (all levels) beyond 10000 nodes.
-int step_levels(const Grid& grid);
+/// Multigrid levels that serve time steps best. Squeezing makes their operator well conditioned: with steps of a few
+/// mesh widths the smoother alone is cheapest although it takes more Krylov iterations, on any grid; 0 (all levels)
+/// for longer ones on grids beyond 10000 nodes.
+int step_levels(const Grid& grid, double dT);
 
 /// The film of one contact: compact pressure, and the rate d(rho H)/dT at which it squeezes.
 struct ToothFilm {

@@ -46,7 +46,11 @@ private:
   void for_each_block_line(Copy copy) const;
   void plan_transforms();
   void transform_kernel();
+  /// Pairs of rows as reals, at a place or a wave number.
   Real* x_row(int i) const { return reinterpret_cast<Real*>(x_lines_.data() + static_cast<std::size_t>(i) * pairs_); }
+  Real* wave_row(int k) const {
+    return reinterpret_cast<Real*>(x_waves_.data() + static_cast<std::size_t>(k) * pairs_);
+  }
   /// Where the spectrum in x of all rows for one wave number goes: straight into the padded y-lines on one process.
   Complex* spectrum(int k) const {
     return alone() ? y_lines_.data() + static_cast<std::size_t>(k) * length_y_
@@ -75,7 +79,8 @@ private:
   Blocks x_side_;  ///< of x_spectrum_
   Blocks y_side_;  ///< of exchanged_
   // Work space of apply(); [x or wave number][y], y contiguous.
-  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs]
+  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs], zero from nx on
+  mutable fftw::Buffer<Complex> x_waves_;     ///< its transform
   mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
   mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
   mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y]

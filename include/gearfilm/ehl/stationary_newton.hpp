@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
 
 namespace gearfilm {
@@ -56,13 +57,13 @@ public:
 
 private:
   void evaluate(Vec state, Vec residual);
-  void update_jacobian(Vec state);
+  void update_jacobian();
   bool fixed() const { return load_.kind == LoadCondition::Kind::displacement; }
   /// The row of the load condition and its linear part: both in units of H_0 or of the force, weighted.
   double load_row(double H0, double carried) const;
   double load_row_change(double change_H0, double change_carried) const;
   double broadcast(double value) const;
-  double integral(const double* values) const;
+  double carried_by(const double* pressure) const { return integral(grid_, pressure, size_); }
 
   ContactFilm& film_;
   const Grid& grid_;
@@ -75,7 +76,7 @@ private:
   std::vector<double> storage_rate_;
   std::vector<double> column_solution_;  ///< (dG/dP)^-1 dG/dH_0, approximately
   double schur_ = 0.0;                   ///< d(load row)/dH_0 after elimination
-  OwnedVec state_, residual_, residual_at_state_;
+  OwnedVec state_, residual_;
   OwnedMat jacobian_;
   OwnedSNES snes_;
   SolveCounts counts_;

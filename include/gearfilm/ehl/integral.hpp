@@ -1,0 +1,14 @@
+// Int Int over the grid of values at its nodes, common to all processes.
+#pragma once
+
+#include <cstddef>
+
+#include "gearfilm/ehl/grid.hpp"
+
+namespace gearfilm {
+
+/// h_x h_y times the sum of `count` values of this process and those of the others: the own nodes of one field,
+/// compact, or of several fields one after the other. Collective.
+double integral(const Grid& grid, const double* values, std::size_t count);
+
+}  // namespace gearfilm
