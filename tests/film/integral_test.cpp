@@ -1,0 +1,25 @@
+// Integrals over the grid, common to all processes.
+#include "gearfilm/ehl/integral.hpp"
+
+#include "film_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+TEST(Integral, is_the_sum_over_all_nodes_of_all_processes) {
+  for (const GridShape& shape : {GridShape{17, 11, -2.0, 1.2, 1.0}, GridShape{33, 17, -4.5, 1.5, 3.0}}) {
+    const Grid grid(PETSC_COMM_WORLD, shape);
+    std::vector<double> values(grid.local_size());
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) values[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);
+    }
+    double expected = 0.0;
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int row = 0; row < grid.ny(); ++row) expected += noise(i, row);
+    }
+    EXPECT_NEAR(integral(grid, values.data(), values.size()), expected * grid.h_x() * grid.h_y(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm
