@@ -124,7 +124,7 @@ class WrongLoadSharing(ProgramTest):
                 self.assert_wrong(words, "transient", BARBIERI, *options)
 
     def test_commands_that_need_all_contacts(self):
-        for command in ("periodic", "eigen", "sweep"):
+        for command in ("periodic", "eigen", "sweep", "bench"):
             with self.subTest(command=command):
                 self.assert_wrong(["model", command], command, BARBIERI, "-model", "quasistatic")
 

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Measures gearfilm (`gearfilm bench` on the case study) on 1 and 2 processes, and compares with an earlier measurement.
+#   scripts/benchmark.sh [FOLDER [STORED]]    results go to FOLDER/np1 and FOLDER/np2; output/benchmark by default.
+#                                             STORED: the FOLDER of an earlier run, to compare with
+# Nothing else should run meanwhile. PYTHON names the Python of the comparison; Debian's own by default.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=${1:-output/benchmark}
+stored=${2:-}
+python=${PYTHON:-/usr/bin/python3}
+export OMPI_MCA_rmaps_base_oversubscribe=1
+if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+
+scripts/setup.sh release gearfilm
+for processes in 1 2; do
+  echo "benchmark: $processes process(es)"
+  mpiexec -n "$processes" build/release/bin/gearfilm bench input/barbieri2013.yaml -output_dir "$folder/np$processes"
+done
+for processes in 1 2; do
+  [ -z "$stored" ] || "$python" scripts/compare_benchmarks.py "$stored/np$processes" "$folder/np$processes"
+done
