@@ -45,10 +45,7 @@ void FilmProperties::evaluate(FilmState& state) const {
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.pressure);
-  halo.exchange(state.conductance);
-  halo.exchange(state.conductance_by_pressure);
-  halo.exchange(state.conductance_by_film);
+  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_film);
 }
 
 }  // namespace gearfilm

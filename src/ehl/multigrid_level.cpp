@@ -32,9 +32,8 @@ void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainmen
 
 template <class Real>
 void MultigridLevel<Real>::apply_operator() {
-  halo_.exchange(change_);
   deformation_.apply(change_, deformed_);
-  halo_.exchange(deformed_);
+  halo_.exchange(change_, deformed_);
   apply_stencil(linear_, change_, deformed_, rows_);
 }
 

@@ -19,14 +19,24 @@ class Halo {
 public:
   explicit Halo(const Grid& grid);
 
-  template <class Real>
-  void exchange(Field<Real>& field) const {
+  /// Fills the ghosts of all these fields; their messages travel together.
+  template <class... Fields>
+  void exchange(Fields&... fields) const {
     if (alone_) return;
-    petsc_check(PetscSFBcastBegin(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
-    petsc_check(PetscSFBcastEnd(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
+    (begin(fields), ...);
+    (end(fields), ...);
   }
 
 private:
+  template <class Real>
+  void begin(Field<Real>& field) const {
+    petsc_check(PetscSFBcastBegin(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
+  }
+  template <class Real>
+  void end(Field<Real>& field) const {
+    petsc_check(PetscSFBcastEnd(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
+  }
+
   OwnedSF forest_;  ///< roots: own edge rows; leaves: the neighbours' ghost rows
   bool alone_;
 };
