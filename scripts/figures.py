@@ -3,7 +3,7 @@
 
     scripts/figures.py FOLDER [--compute] [--only N ...]
 
-reads the runs in FOLDER (--compute makes those that are missing first: about six minutes on one core) and writes
+reads the runs in FOLDER (--compute makes those that are missing first: about two minutes on one core) and writes
 FOLDER/figures/fig01_pair.png, .pdf and so on, and FOLDER/figures/numbers.json: the positions A to F and what the
 models differ in, which it prints beside the paper's values. --only draws some of the figures.
 
