@@ -38,8 +38,8 @@ bool in_parts(double from, double to, double smallest_part, const Reach& reach) 
 }  // namespace
 
 int step_levels(const Grid& grid, double dT) {
-  constexpr double well_conditioned = 4.0;
-  return dT <= well_conditioned * grid.h_x() || grid.nx() * grid.ny() <= 10000 ? 1 : 0;
+  const bool well_conditioned = dT <= 4.0 * grid.h_x();
+  return grid.nx() * grid.ny() <= (well_conditioned ? 50000 : 10000) ? 1 : 0;
 }
 
 MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
