@@ -101,7 +101,7 @@ def compute(folder, figures):
 
 
 def find_numbers(folder):
-    """Positions, delays and contrast as named numbers in mm and 1."""
+    """Positions, delays and contrast as named numbers, SI."""
     life = read_life(folder / "periodic")
     positions = find_positions(life)
     contrast = compare(life, read_single_contact(folder / "quasistatic"),

@@ -13,6 +13,8 @@ import pathlib
 import sys
 from typing import NamedTuple
 
+from paper import printed
+
 
 class Row(NamedTuple):
     """One quantity: its key in a summary ("list.0.name" for nested ones), its value in the paper, and how both are printed."""
@@ -33,19 +35,19 @@ class Section(NamedTuple):
 
 SECTIONS = [
     Section("info", "The pair at the pitch point", [
-        Row("load group M", "M", 2401.12, digits=2),
-        Row("lubricant group L", "L", 27.4, digits=2),
-        Row("radius ratio D", "D", 0.06, digits=4),
-        Row("dimensionless inertia I_n", "I_n", 31.13, digits=2),
-        Row("natural frequency f_n", "f_n", 5142, "Hz", digits=0),
-        Row("mesh frequency f_m", "f_m", 7000, "Hz", digits=0),
+        Row("load group M", "M", printed.M, digits=2),
+        Row("lubricant group L", "L", printed.L, digits=2),
+        Row("radius ratio D", "D", printed.D, digits=4),
+        Row("dimensionless inertia I_n", "I_n", printed.I_N, digits=2),
+        Row("natural frequency f_n", "f_n", printed.NATURAL_FREQUENCY, "Hz", digits=0),
+        Row("mesh frequency f_m", "f_m", printed.MESH_FREQUENCY, "Hz", digits=0),
     ]),
     Section("steady", "Stationary film at the pitch point", [
-        Row("central film h_central", "h_central", 2.415e-6, "um", 1e6),
-        Row("smallest film h_min", "h_min", 2.163e-6, "um", 1e6),
+        Row("central film h_central", "h_central", printed.STEADY_CENTRAL, "um", 1e6),
+        Row("smallest film h_min", "h_min", printed.STEADY_SMALLEST, "um", 1e6),
     ]),
     Section("transient", "First two mesh periods, from rest", [
-        Row("first loss of contact after", "contact_losses.0.distance", 16.27e-3, "mm", 1e3, digits=2),
+        Row("first loss of contact after", "contact_losses.0.distance", printed.FIRST_LOSS, "mm", 1e3, digits=2),
     ]),
 ]
 

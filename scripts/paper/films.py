@@ -1,7 +1,7 @@
 """Figures 11 to 13: pressures, films and fields over the life of a contact in the periodic state."""
 from paper import printed
 from paper.life import find_positions, read_fields, read_life
-from plotting import BLUE, DARK, GREY, PALE, VERMILLION, add_grid, add_legend, fill, numpy, pyplot, read_summary
+from plotting import BLUE, DARK, GREY, VERMILLION, add_grid, add_legend, fill, numpy, pyplot, read_summary
 
 POSITION_AXIS = r"position $\xi$ of the contact [mm]"
 SECTION_RANGE = ((0, 5.5), (0, 4))        # µm and GPa, of film and pressure in sections
@@ -24,6 +24,14 @@ def mark_printed(axes, xi, value, text, shift=(6, 6)):
     axes.annotate(text, (xi, value), xytext=shift, textcoords="offset points", fontsize=7, color=DARK)
 
 
+def label_life(axes, quantity):
+    """Names, legend and grid of an axes over the line of action."""
+    axes.set_xlabel(POSITION_AXIS)
+    axes.set_ylabel(quantity)
+    add_legend(axes, *axes.get_legend_handles_labels())
+    add_grid(axes)
+
+
 def draw_pressures(folder):
     """Figure 11."""
     life = read_life(folder / "periodic")
@@ -34,10 +42,7 @@ def draw_pressures(folder):
     greatest = life.rows[life.rows["p_max"].argmax()]
     mark_printed(axes, 1e3 * greatest["xi"], 1e-9 * printed.LARGEST_PRESSURE, "paper: 3.28 GPa", shift=(10, -3))
     mark_events(axes, life, labelled=True)
-    axes.set_xlabel(POSITION_AXIS)
-    axes.set_ylabel("pressure [GPa]")
-    add_legend(axes, *axes.get_legend_handles_labels())
-    add_grid(axes)
+    label_life(axes, "pressure [GPa]")
     return figure
 
 
@@ -77,10 +82,7 @@ def draw_film_history(axes, life, positions):
     mark_printed(axes, entered, 1e6 * printed.ENTRY_SMALLEST, "paper: 1.9", shift=(6, -11))
     mark_events(axes, life, labelled=True)
     axes.margins(y=0.1)
-    axes.set_xlabel(POSITION_AXIS)
-    axes.set_ylabel("film [µm]")
-    add_legend(axes, *axes.get_legend_handles_labels())
-    add_grid(axes)
+    label_life(axes, "film [µm]")
 
 
 def draw_section(axes, fields, name, position, beside):

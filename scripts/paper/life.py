@@ -57,7 +57,7 @@ def one_row_a_position(rows):
 
 
 def read_single_contact(folder):
-    """Rows of the contact of a model of one contact; at a jump of its load both states stay, in their order."""
+    """Rows of the contact of a model of one contact, from entry to exit."""
     with open_results(folder / "results.h5", "transient", "it has no history") as results:
         contacts = read_table(results, "history/contacts", CONTACT_COLUMNS)
         if numpy.unique(contacts["contact"]).size != 1:

@@ -1,6 +1,6 @@
 """Figures 3, 7 and 14: load sharing, the comparison case, and the quasi-static model against the dynamic one."""
 from paper import printed
-from paper.films import POSITION_AXIS, mark_events, mark_printed
+from paper.films import POSITION_AXIS, label_life, mark_events, mark_printed
 from paper.life import read_life, read_single_contact
 from plotting import BLUE, DARK, GREEN, GREY, VERMILLION, PlotError, add_grid, add_legend, pyplot, read_summary
 
@@ -15,10 +15,7 @@ def draw_load_sharing(folder):
         axes.plot(1e3 * rows["xi"], rows["force"] / read_summary(folder / run, "transient")["static_force"],
                   color=colour, linestyle=line, label=label)
     axes.set_ylim(0, 1.1)
-    axes.set_xlabel(POSITION_AXIS)
-    axes.set_ylabel("force / static force [-]")
-    add_legend(axes, *axes.get_legend_handles_labels())
-    add_grid(axes)
+    label_life(axes, "force / static force [-]")
     return figure
 
 
@@ -29,11 +26,10 @@ def read_stationary(folder):
     return sorted((1e-3 * float(run.name), read_summary(run, "steady")) for run in folder.iterdir())
 
 
-def draw_stationary(axes, films, names, scale):
+def draw_stationary(axes, films, name, scale):
     """Marks of stationary films at the same position and load."""
-    for name in names:
-        axes.plot([xi for xi, _ in films], [scale * film[name] for _, film in films], color=DARK, marker="o",
-                  markersize=4, markerfacecolor="none", linestyle="none", label="stationary solution")
+    axes.plot([xi for xi, _ in films], [scale * film[name] for _, film in films], color=DARK, marker="o",
+              markersize=4, markerfacecolor="none", linestyle="none", label="stationary solution")
 
 
 def draw_comparison_case(folder):
@@ -49,8 +45,8 @@ def draw_comparison_case(folder):
         pressures.plot(xi, 1e-9 * rows["p_max"], color=colour, linestyle=line, linewidth=0.8, alpha=0.7,
                        label=f"{label}, largest (thin)")
     stationary = read_stationary(folder / "table2_stationary")
-    draw_stationary(films, stationary, ("h_central",), 1e6)
-    draw_stationary(pressures, stationary, ("p_central",), 1e-9)
+    draw_stationary(films, stationary, "h_central", 1e6)
+    draw_stationary(pressures, stationary, "p_central", 1e-9)
     mark_printed(films, 0, 1e6 * printed.TABLE_2_SOLVER, "paper, solver: 0.592", shift=(6, -12))
     mark_printed(films, 0, 1e6 * printed.TABLE_2_FORMULA, "paper, formula: 0.607", shift=(6, 8))
     hertz = 1e-9 * read_summary(folder / "table2_info", "info")["p_hertz"]
@@ -75,7 +71,7 @@ def draw_contrast(folder):
         axes.plot(1e3 * life.rows["xi"], scale * life.rows[name], color=BLUE, label="dynamic")
         axes.plot(1e3 * rows["xi"], scale * rows[name], color=VERMILLION, linestyle="--", linewidth=1.2,
                   label="quasi-static")
-        draw_stationary(axes, stationary, (name,), scale)
+        draw_stationary(axes, stationary, name, scale)
         mark_events(axes, life, labelled=axes is panels[0])
         axes.set_ylabel(label)
         axes.margins(x=0.02)

@@ -2,11 +2,11 @@
 import pathlib
 
 from paper import printed
-from paper.films import POSITION_AXIS, mark_events, mark_printed
+from paper.films import label_life, mark_events, mark_printed
 from paper.life import read_life
 from plot_march import draw_teeth, read_march
 from plot_orbit import draw_phases, draw_spectrum, read_orbit
-from plotting import BLUE, DARK, GREY, VERMILLION, add_grid, add_legend, numpy, pyplot, read_summary
+from plotting import BLUE, DARK, GREY, VERMILLION, add_grid, numpy, pyplot, read_summary
 
 LONG_MARCH = pathlib.Path(__file__).resolve().parents[2] / "docs/data/table3_march160"  # kept in the repository
 LONG_MARCH_PERIODS = 40  # of which it has the history
@@ -70,8 +70,5 @@ def draw_force(folder):
     mark_printed(axes, 1e3 * greatest, printed.FORCE_RATIO, "paper: 1.29", shift=(-48, -4))
     axes.axhline(1, color=GREY, linewidth=0.8, label="static force of the pair")
     mark_events(axes, life, labelled=True)
-    axes.set_xlabel(POSITION_AXIS)
-    axes.set_ylabel("force / static force [-]")
-    add_legend(axes, *axes.get_legend_handles_labels())
-    add_grid(axes)
+    label_life(axes, "force / static force [-]")
     return figure

@@ -18,23 +18,6 @@ ToothFilm still(std::vector<double> pressure) {
   return {std::move(pressure), std::move(rate)};
 }
 
-/// Takes a quantity from one value to another at once, or where `reach` fails in smaller parts.
-template <class Reach>
-bool in_parts(double from, double to, double smallest_part, const Reach& reach) {
-  double part = to - from;
-  for (double value = from; value != to;) {
-    const double next = std::abs(to - value) <= std::abs(part) * (1.0 + 1e-9) ? to : value + part;
-    if (reach(next)) {
-      value = next;
-    } else if (std::abs(part) > smallest_part) {
-      part *= 0.5;
-    } else {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 int step_levels(const Grid& grid, double dT) {
@@ -193,39 +176,46 @@ void MeshMarch::resume(double T, const PairState& state) {
   for (std::size_t k = 0; k < contacts.size(); ++k) teeth_.push_back({contacts[k], free_film(), state.films[k]});
 }
 
-// One implicit step of the change alone: G = 0 under the new load condition with
-// d(rho H)/dT = rate + shift (rho H - rho H before), so that no change of the condition is no change.
-std::optional<FilmSolution> MeshMarch::follow(const Tooth& tooth, const LoadCondition& load, double shift) const {
-  const ToothFilm& before = tooth.state;
+// One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
+// that no jump is no change.
+bool MeshMarch::follow(const Tooth& tooth, double H0, ToothFilm& after) const {
+  const double shift = 1.0 / step_options_.dT;
   tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
-  std::vector<double> mass(before.pressure.size());
-  tooth.film->storage(before.pressure.data(), motion_.H0, mass.data());
-  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= before.rate[n] / shift;
+  std::vector<double> mass(after.pressure.size());
+  tooth.film->storage(after.pressure.data(), motion_.H0, mass.data());
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= after.rate[n] / shift;
   for (const NewtonOptions& options : {step_options_.newton, film_options_.newton}) {
     StationaryNewton newton(*tooth.film, options);
-    FilmSolution moved{before.pressure, motion_.H0};
-    if (load.kind == LoadCondition::Kind::displacement) moved.H0 = load.value;
-    if (newton.solve(load, moved, shift, mass.data())) return moved;
+    FilmSolution moved{after.pressure, H0};
+    if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) continue;
+    after.pressure = std::move(moved.pressure);
+    return true;
   }
-  return {};
+  return false;
 }
 
+// A film that cannot follow at once does so in smaller jumps.
 void MeshMarch::displace(const Motion& motion) {
   constexpr double smallest_jump = 1e-3;
-  const bool arrived = in_parts(motion_.H0, motion.H0, smallest_jump, [&](double H0) {
-    std::vector<FilmSolution> moved;
+  double jump = motion.H0 - motion_.H0;
+  while (motion_.H0 != motion.H0) {
+    const double left = motion.H0 - motion_.H0;
+    const double H0 = std::abs(left) <= std::abs(jump) * (1.0 + 1e-9) ? motion.H0 : motion_.H0 + jump;
+    std::vector<ToothFilm> after;
+    bool all = true;
     for (const Tooth& tooth : teeth_) {
-      std::optional<FilmSolution> solution = follow(tooth, LoadCondition::displacement(H0), 1.0 / step_options_.dT);
-      if (!solution) return false;
-      moved.push_back(std::move(*solution));
+      after.push_back(tooth.state);
+      all = all && follow(tooth, H0, after.back());
     }
-    for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state.pressure = std::move(moved[k].pressure);
-    motion_.H0 = H0;
-    return true;
-  });
-  if (!arrived) {
-    throw SolveError(label(teeth_.front().contact) + ": the film does not follow a jump of H0 to " +
-                     std::to_string(motion.H0));
+    if (all) {
+      for (std::size_t k = 0; k < teeth_.size(); ++k) teeth_[k].state = std::move(after[k]);
+      motion_.H0 = H0;
+    } else if (std::abs(jump) > smallest_jump) {
+      jump *= 0.5;
+    } else {
+      throw SolveError(label(teeth_.front().contact) + ": the film does not follow a jump of H0 to " +
+                       std::to_string(motion.H0));
+    }
   }
   motion_ = motion;
   observe_present();

@@ -93,18 +93,6 @@ void ContactFilm::linearise(double storage_shift) {
   linearised_->film_shift(film_shift_.data());
 }
 
-void ContactFilm::deform(const double* change, double change_H0) {
-  change_.load(change);
-  deformation_.apply(change_, deformed_);
-  ++convolutions_;
-  if (change_H0 != 0.0) {
-    for (int i = 0; i < grid_.nx(); ++i) {
-      double* line = deformed_.row(i);
-      for (int j = 0; j < grid_.y_count(); ++j) line[j] += change_H0;
-    }
-  }
-}
-
 void ContactFilm::multiply(const double* change, double change_H0, double* rows) {
   const ScopedEvent event(Kernel::jacobian_apply);
   linearised_->multiply(change, rows);
@@ -114,11 +102,13 @@ void ContactFilm::multiply(const double* change, double change_H0, double* rows)
 }
 
 void ContactFilm::multiply_storage(const double* change, double change_H0, double* rows) {
-  deform(change, change_H0);
+  change_.load(change);
+  deformation_.apply(change_, deformed_);
+  ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     double* line = rows + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) {
-      const double mass = state_.density.row(i)[j] * deformed_.row(i)[j] +
+      const double mass = state_.density.row(i)[j] * (deformed_.row(i)[j] + change_H0) +
                           state_.density_by_pressure.row(i)[j] * state_.film.row(i)[j] * change_.row(i)[j];
       line[j] = state_.wet.row(i)[j] * mass;
     }

@@ -183,12 +183,7 @@ class NotSolved(ProgramTest):
         for processes in (1, 2):
             with self.subTest(options=options, processes=processes):
                 run = self.run_program("steady", BARBIERI, *options, processes=processes)
-                self.assertEqual(run.status, 2, run)
-                self.assertEqual(run.stdout, "", run)
-                self.assertEqual(run.stderr.count("\n"), 1, run)
-                self.assertTrue(run.stderr.startswith("gearfilm: not solved: "), run)
-                for word in words:
-                    self.assertIn(word, run.stderr)
+                self.assert_message(run, 2, "gearfilm: not solved: ", words)
                 self.assertEqual([path.name for path in self.folder.rglob("*") if path.is_file()], [])
 
     def test_domain_too_narrow_for_the_load(self):

@@ -64,13 +64,17 @@ class ProgramTest(unittest.TestCase):
         """Exit status 1: one line on stderr with these words, nothing written."""
         before = self.content()
         run = self.run_program(*arguments, processes=processes)
-        self.assertEqual(run.status, 1, run)
+        self.assert_message(run, 1, "gearfilm: wrong input: ", words)
+        self.assertEqual(self.content(), before, run)
+
+    def assert_message(self, run, status, beginning, words):
+        """A failed run: its exit status, and one line on stderr alone, with this beginning and these words."""
+        self.assertEqual(run.status, status, run)
         self.assertEqual(run.stdout, "", run)
         self.assertEqual(run.stderr.count("\n"), 1, run)
-        self.assertTrue(run.stderr.startswith("gearfilm: wrong input: "), run)
+        self.assertTrue(run.stderr.startswith(beginning), run)
         for word in words:
             self.assertIn(word, run.stderr)
-        self.assertEqual(self.content(), before, run)
 
     def content(self):
         """Names of everything in the folder, nested."""

@@ -68,8 +68,8 @@ private:
   /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
   Tooth enter(int contact, const std::vector<double>* neighbour);
   void balance_at_rest();
-  /// A contact's film under a new load condition, reached within 1/shift; nothing where Newton's method fails.
-  std::optional<FilmSolution> follow(const Tooth& tooth, const LoadCondition& load, double shift) const;
+  /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
+  bool follow(const Tooth& tooth, double H0, ToothFilm& after) const;
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   void observe_present() const;

@@ -62,8 +62,6 @@ public:
   long convolutions() const { return convolutions_; }
 
 private:
-  /// The change of the film, K change + change_H0, into deformed_; change itself into change_.
-  void deform(const double* change, double change_H0);
   bool is_current(const double* pressure, double H0) const;
   FilmPreconditioner& linearisation_for(double storage_shift);
 

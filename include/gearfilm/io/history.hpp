@@ -1,6 +1,6 @@
 // The history of a march in results.h5: one row a step in /history/steps, one row a contact and step in
 // /history/contacts; rows with dT = 0 are the states after a contact entered or left, or after a jump
-// of the motion or of the load. SI beside T, H0, V0.
+// of the motion in a search. SI beside T, H0, V0.
 #pragma once
 
 #include "gearfilm/dynamics/contact_path.hpp"
