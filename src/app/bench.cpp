@@ -68,7 +68,7 @@ private:
 
   template <class Real>
   void kernels(const std::string& precision) {
-    MultigridLevel<Real> level(grid_.copy(), problem_.scales.C_h);
+    MultigridLevel<Real> level(grid_, problem_.scales.C_h);
     const Deformation<Real> deformation(grid_, problem_.scales.C_h);
     Field<Real> pressure(grid_), deformed(grid_);
     report("deformation, " + precision,

@@ -42,10 +42,11 @@ int group_count(MPI_Comm comm, const Case& problem) {
   const int chains = static_cast<int>(chains_of(problem.sweep).size());
   const int groups = std::min({problem.sweep.groups > 0 ? problem.sweep.groups : chains, chains, size});
   const int largest = (size + groups - 1) / groups;
-  if (largest > problem.ny) {
+  const int rows = case_grid(problem).rows();
+  if (largest > rows) {
     throw InputError("a group of the sweep would have " + std::to_string(largest) +
-                     " processes for a grid of ny = " + std::to_string(problem.ny) +
-                     " rows; use fewer processes, or shorter chains (sweep_chain_points) for more groups");
+                     " processes for a grid of ny = " + std::to_string(problem.ny) + " (" + std::to_string(rows) +
+                     " rows with Y >= 0); use fewer processes, or shorter chains (sweep_chain_points) for more groups");
   }
   return groups;
 }

@@ -15,7 +15,7 @@ LubricatedPair::LubricatedPair(const ContactPath& path, std::vector<PairContact>
       static_force_(scales.static_force),
       approach_(scales.approach),
       sharing_(share),
-      weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.ny())),
+      weight_(std::sqrt(static_cast<double>(contacts_.size()) * grid_.nx() * grid_.rows())),
       column_solution_(motion_at()),
       work_(field_size()) {}
 

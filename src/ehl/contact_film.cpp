@@ -120,14 +120,14 @@ FilmFigures ContactFilm::figures() const {
   double sums[3] = {0.0, 0.0, 0.0};
   double maxima[2] = {-INFINITY, -INFINITY};
   const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
-  const int j_centre = grid_.local_row(static_cast<int>(std::lround(grid_.shape().y_half / grid_.h_y())));
-  if (j_centre >= 0) {
-    sums[1] = state_.film.row(i_centre)[j_centre];
-    sums[2] = state_.pressure.row(i_centre)[j_centre];
+  if (grid_.rank() == 0) {
+    sums[1] = state_.film.row(i_centre)[0];
+    sums[2] = state_.pressure.row(i_centre)[0];
   }
   for (int i = 0; i < grid_.nx(); ++i) {
+    if (grid_.rank() == 0) sums[0] -= state_.pressure.row(i)[0];  // Y = 0 is in both halves
     for (int j = 0; j < grid_.y_count(); ++j) {
-      sums[0] += state_.pressure.row(i)[j];
+      sums[0] += 2.0 * state_.pressure.row(i)[j];
       maxima[0] = std::max(maxima[0], state_.pressure.row(i)[j]);
       maxima[1] = std::max(maxima[1], -state_.film.row(i)[j]);
     }

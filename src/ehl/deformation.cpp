@@ -29,19 +29,21 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       h_x_(grid.h_x()),
       h_y_(grid.h_y()),
       nx_(grid.nx()),
-      ny_(grid.ny()),
-      rows_(grid.y_count()),
+      rows_(grid.rows()),
+      own_rows_(grid.y_count()),
       row_begin_(grid.y_begin()),
-      pairs_((rows_ + 1) / 2),
+      pairs_((own_rows_ + 1) / 2),
       length_x_(fftw::fast_length(2 * grid.nx() - 3, true)),
-      length_y_(fftw::fast_length(2 * grid.ny() - 3, false)),
+      length_y_(fftw::fast_length(2 * (grid.rows() - 1), false)),
       wave_ranges_(cut_evenly(length_x_ / 2 + 1, grid.processes())),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       x_lines_(static_cast<std::size_t>(length_x_) * pairs_),
       x_waves_(static_cast<std::size_t>(length_x_) * pairs_),
-      x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * rows_),
-      exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * ny_),
-      y_lines_(static_cast<std::size_t>(wave_count()) * length_y_) {
+      x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * own_rows_),
+      exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * rows_),
+      y_lines_(static_cast<std::size_t>(wave_count()) * length_y_),
+      y_waves_(static_cast<std::size_t>(wave_count()) * length_y_),
+      opposite_(length_y_) {
   count_blocks();
   plan_transforms();
   transform_kernel();
@@ -52,30 +54,30 @@ void Deformation<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
   // Measuring takes tenths of a second, and finds little on small grids.
-  const unsigned effort = nx_ * ny_ > largest_unmeasured ? FFTW_MEASURE : FFTW_ESTIMATE;
-  auto* rows = reinterpret_cast<Raw>(x_lines_.data());
-  auto* waves = reinterpret_cast<Raw>(x_waves_.data());
-  x_forward_ = fftw::Plan<Real>(
-      Fftw::many_c2c(1, &length_x_, pairs_, rows, nullptr, pairs_, 1, waves, nullptr, pairs_, 1, FFTW_FORWARD, effort));
-  x_backward_ = fftw::Plan<Real>(Fftw::many_c2c(1, &length_x_, pairs_, waves, nullptr, pairs_, 1, rows, nullptr, pairs_,
-                                                1, FFTW_BACKWARD, effort));
-  if (wave_count() > 0) {
-    auto* lines = reinterpret_cast<Raw>(y_lines_.data());
-    for (int sign : {FFTW_FORWARD, FFTW_BACKWARD}) {
-      (sign == FFTW_FORWARD ? y_forward_ : y_backward_) = fftw::Plan<Real>(Fftw::many_c2c(
-          1, &length_y_, wave_count(), lines, nullptr, 1, length_y_, lines, nullptr, 1, length_y_, sign, effort));
-    }
-  }
+  const unsigned effort = nx_ * 2 * rows_ > largest_unmeasured ? FFTW_MEASURE : FFTW_ESTIMATE;
+  const auto raw = [](fftw::Buffer<Complex>& buffer) { return reinterpret_cast<Raw>(buffer.data()); };
+  const auto plan_x = [&](fftw::Buffer<Complex>& from, int sign) {
+    return fftw::Plan<Real>(Fftw::many_c2c(1, &length_x_, pairs_, raw(from), nullptr, pairs_, 1, raw(x_waves_), nullptr,
+                                           pairs_, 1, sign, effort));
+  };
+  const auto plan_y = [&](fftw::Buffer<Complex>& from, int sign) {
+    return fftw::Plan<Real>(Fftw::many_c2c(1, &length_y_, wave_count(), raw(from), nullptr, 1, length_y_, raw(y_waves_),
+                                           nullptr, 1, length_y_, sign, effort));
+  };
+  x_forward_ = plan_x(x_lines_, FFTW_FORWARD);
+  x_backward_ = plan_x(x_waves_, FFTW_BACKWARD);
+  if (wave_count() == 0) return;
+  y_forward_ = plan_y(y_lines_, FFTW_FORWARD);
+  y_backward_ = plan_y(y_waves_, FFTW_BACKWARD);
 }
 
-// The kernel is even in x and y, so its transform is real. It passes through the same distributed transforms as a
-// field, with the mirrored half filled in instead of zeros. Evaluated in double: differences of nearly equal corners.
+// The kernel passes through the same distributed transforms in x as a field, with the mirrored half filled in instead
+// of zeros. Evaluated in double: differences of nearly equal corners.
 template <class Real>
-void Deformation<Real>::transform_kernel() {
-  std::fill_n(x_lines_.data(), static_cast<std::size_t>(length_x_) * pairs_, Complex(0));
+void Deformation<Real>::kernel_to_y_lines(int first) {
   for (int i = 0; i < nx_ - 1; ++i) {
-    for (int j = 0; j < rows_ && row_begin_ + j < ny_ - 1; ++j) {
-      const Real value = static_cast<Real>(coefficient(i, row_begin_ + j));
+    for (int j = 0; j < own_rows_; ++j) {
+      const Real value = static_cast<Real>(coefficient(i, first + row_begin_ + j));
       x_row(i)[j] = value;
       if (i > 0) x_row(length_x_ - i)[j] = value;
     }
@@ -83,14 +85,51 @@ void Deformation<Real>::transform_kernel() {
   x_forward_.execute();
   separate_rows();
   to_y_lines();
+}
+
+template <class Real>
+void Deformation<Real>::transform_kernel() {
+  const int loaded = rows_ - 1;
+  const std::size_t size = static_cast<std::size_t>(wave_count()) * length_y_;
+  const Real scale = Real(1.0 / (static_cast<double>(length_x_) * length_y_));
+  // V, of the distances 0..2M-1 in y; those from M on are found first, and wait in the transforms' place.
+  kernel_to_y_lines(loaded);
+  std::copy_n(y_lines_.data(), size, y_waves_.data());
+  kernel_to_y_lines(0);
+  for (int k = 0; k < wave_count(); ++k) std::copy_n(y_wave(k), loaded, y_line(k) + loaded);
+  y_forward_.execute();
+  mirror_kernel_.resize(size);
+  for (std::size_t n = 0; n < size; ++n) mirror_kernel_[n] = scale * y_waves_.data()[n];
+  // W, of the distances -M..M.
+  kernel_to_y_lines(0);
   for (int k = 0; k < wave_count(); ++k) {
-    Complex* line = y_lines_.data() + static_cast<std::size_t>(k) * length_y_;
-    for (int j = 1; j < ny_ - 1; ++j) line[length_y_ - j] = line[j];
+    std::fill(y_line(k) + rows_, y_line(k + 1), Complex(0));
+    for (int j = 1; j < loaded; ++j) y_line(k)[length_y_ - j] = y_line(k)[j];
   }
   y_forward_.execute();
-  kernel_.resize(static_cast<std::size_t>(wave_count()) * length_y_);
-  const Real scale = Real(1.0 / (static_cast<double>(length_x_) * length_y_));
-  for (std::size_t n = 0; n < kernel_.size(); ++n) kernel_[n] = scale * y_lines_.data()[n].real();
+  kernel_.resize(size);
+  for (std::size_t n = 0; n < size; ++n) kernel_[n] = scale * y_waves_.data()[n].real();
+  // Padding is zero again.
+  std::fill_n(x_lines_.data(), static_cast<std::size_t>(length_x_) * pairs_, Complex(0));
+  std::fill_n(y_lines_.data(), size, Complex(0));
+}
+
+template <class Real>
+void Deformation<Real>::multiply_by_kernel() const {
+  const Real* __restrict opposite = reinterpret_cast<const Real*>(opposite_.data());
+  for (int k = 0; k < wave_count(); ++k) {
+    opposite_[0] = y_wave(k)[0];
+    std::reverse_copy(y_wave(k) + 1, y_wave(k + 1), opposite_.data() + 1);
+    const std::size_t first = static_cast<std::size_t>(k) * length_y_;
+    const Real* __restrict even = kernel_.data() + first;
+    const Real* __restrict mirror = reinterpret_cast<const Real*>(mirror_kernel_.data() + first);
+    Real* __restrict line = reinterpret_cast<Real*>(y_wave(k));
+    for (int n = 0; n < length_y_; ++n) {
+      const Real vr = mirror[2 * n], vi = mirror[2 * n + 1], re = opposite[2 * n], im = opposite[2 * n + 1];
+      line[2 * n] = even[n] * line[2 * n] + vr * re - vi * im;
+      line[2 * n + 1] = even[n] * line[2 * n + 1] + vr * im + vi * re;
+    }
+  }
 }
 
 template <class Real>
@@ -98,8 +137,8 @@ void Deformation<Real>::separate_rows() const {
   for (int k = 0; k <= length_x_ / 2; ++k) {
     const Real* __restrict here = wave_row(k);
     const Real* __restrict mirrored = wave_row((length_x_ - k) % length_x_);
-    Real* __restrict out = reinterpret_cast<Real*>(spectrum(k));
-    const int whole = rows_ / 2;
+    Real* __restrict out = reinterpret_cast<Real*>(spectrum_before(k));
+    const int whole = own_rows_ / 2;
     for (int m = 0; m < whole; ++m) {
       const Real ar = here[2 * m], ai = here[2 * m + 1], br = mirrored[2 * m], bi = mirrored[2 * m + 1];
       out[4 * m] = Real(0.5) * (ar + br);
@@ -118,7 +157,7 @@ template <class Real>
 void Deformation<Real>::combine_rows() const {
   for (int k = 0; k <= length_x_ / 2; ++k) {
     const bool own_mirror = k == 0 || 2 * k == length_x_;
-    const Real* __restrict in = reinterpret_cast<const Real*>(spectrum(k));
+    const Real* __restrict in = reinterpret_cast<const Real*>(spectrum_after(k));
     Real* __restrict here = wave_row(k);
     Real* mirrored = own_mirror ? nullptr : wave_row(length_x_ - k);
     const auto combine = [&](int m, Real ar, Real ai, Real br, Real bi) {
@@ -128,7 +167,7 @@ void Deformation<Real>::combine_rows() const {
       mirrored[2 * m] = ar + bi;
       mirrored[2 * m + 1] = br - ai;
     };
-    const int whole = rows_ / 2;
+    const int whole = own_rows_ / 2;
     for (int m = 0; m < whole; ++m) combine(m, in[4 * m], in[4 * m + 1], in[4 * m + 2], in[4 * m + 3]);
     if (whole < pairs_) combine(whole, in[4 * whole], in[4 * whole + 1], Real(0), Real(0));
   }
@@ -139,44 +178,37 @@ void Deformation<Real>::count_blocks() {
   const int processes = static_cast<int>(wave_ranges_.size()) - 1;
   constexpr int reals = 2;  // of a complex value
   for (int p = 0; p < processes; ++p) {
-    x_side_.counts.push_back(reals * (wave_ranges_[p + 1] - wave_ranges_[p]) * rows_);
-    x_side_.offsets.push_back(reals * wave_ranges_[p] * rows_);
+    x_side_.counts.push_back(reals * (wave_ranges_[p + 1] - wave_ranges_[p]) * own_rows_);
+    x_side_.offsets.push_back(reals * wave_ranges_[p] * own_rows_);
     y_side_.counts.push_back(reals * wave_count() * (y_ranges_[p + 1] - y_ranges_[p]));
     y_side_.offsets.push_back(reals * wave_count() * y_ranges_[p]);
   }
 }
 
 // Blocks travel as [wave numbers][rows]; on the x side they already lie so, on the y side they are parts of longer
-// lines. copy(line, block, rows) moves one piece between the two.
+// lines. copy(k, first row, block, rows) moves one piece between the two.
 template <class Real>
 template <class Copy>
 void Deformation<Real>::for_each_block_line(Copy copy) const {
   for (std::size_t p = 0; p + 1 < y_ranges_.size(); ++p) {
-    const int rows = y_ranges_[p + 1] - y_ranges_[p];
-    Complex* block = exchanged_.data() + static_cast<std::size_t>(wave_count()) * y_ranges_[p];
-    for (int k = 0; k < wave_count(); ++k) {
-      copy(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + y_ranges_[p],
-           block + static_cast<std::size_t>(k) * rows, rows);
-    }
+    const int first = y_ranges_[p], rows = y_ranges_[p + 1] - first;
+    Complex* block = exchanged_.data() + static_cast<std::size_t>(wave_count()) * first;
+    for (int k = 0; k < wave_count(); ++k) copy(k, first, block + static_cast<std::size_t>(k) * rows, rows);
   }
 }
 
 template <class Real>
 void Deformation<Real>::to_y_lines() const {
-  if (!alone()) {
-    MPI_Alltoallv(x_spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(),
-                  exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), comm_);
-    for_each_block_line([](Complex* line, const Complex* block, int rows) { std::copy_n(block, rows, line); });
-  }
-  for (int k = 0; k < wave_count(); ++k) {
-    std::fill_n(y_lines_.data() + static_cast<std::size_t>(k) * length_y_ + ny_, length_y_ - ny_, Complex(0));
-  }
+  if (alone()) return;
+  MPI_Alltoallv(x_spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), exchanged_.data(),
+                y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), comm_);
+  for_each_block_line([&](int k, int first, Complex* block, int rows) { std::copy_n(block, rows, y_line(k) + first); });
 }
 
 template <class Real>
 void Deformation<Real>::to_x_lines() const {
   if (alone()) return;
-  for_each_block_line([](const Complex* line, Complex* block, int rows) { std::copy_n(line, rows, block); });
+  for_each_block_line([&](int k, int first, Complex* block, int rows) { std::copy_n(y_wave(k) + first, rows, block); });
   MPI_Alltoallv(exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), x_spectrum_.data(),
                 x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), comm_);
 }
@@ -184,29 +216,22 @@ void Deformation<Real>::to_x_lines() const {
 template <class Real>
 void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformation) const {
   const ScopedEvent event(Kernel::deformation);
-  std::fill_n(x_row(0), 2 * pairs_, Real(0));
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* row = x_row(i);
-    std::copy_n(pressure.row(i), rows_, row);
-    if (rows_ < 2 * pairs_) row[rows_] = Real(0);
-    if (row_begin_ == 0) row[0] = Real(0);
-    if (row_begin_ + rows_ == ny_) row[rows_ - 1] = Real(0);
+    std::copy_n(pressure.row(i), own_rows_, row);
+    if (row_begin_ == 0) row[0] *= Real(0.5);
+    if (row_begin_ + own_rows_ == rows_) row[own_rows_ - 1] = Real(0);
   }
-  std::fill_n(x_row(nx_ - 1), static_cast<std::size_t>(length_x_ - nx_ + 1) * 2 * pairs_, Real(0));
   x_forward_.execute();
   separate_rows();
   to_y_lines();
   y_forward_.execute();
-  Real* lines = reinterpret_cast<Real*>(y_lines_.data());
-  for (std::size_t n = 0; n < kernel_.size(); ++n) {
-    lines[2 * n] *= kernel_[n];
-    lines[2 * n + 1] *= kernel_[n];
-  }
+  multiply_by_kernel();
   y_backward_.execute();
   to_x_lines();
   combine_rows();
   x_backward_.execute();
-  for (int i = 0; i < nx_; ++i) std::copy_n(x_row(i), rows_, deformation.row(i));
+  for (int i = 0; i < nx_; ++i) std::copy_n(wave_row(i), own_rows_, deformation.row(i));
 }
 
 template class Deformation<float>;

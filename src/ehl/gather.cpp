@@ -9,7 +9,7 @@ Gather::Gather(const Grid& grid) : grid_(grid), counts_(grid.processes()), offse
     counts_[p] = grid.nx() * (grid.y_ranges()[p + 1] - grid.y_ranges()[p]);
     offsets_[p] = grid.nx() * grid.y_ranges()[p];
   }
-  blocks_.resize(static_cast<std::size_t>(grid.nx()) * grid.ny());
+  blocks_.resize(static_cast<std::size_t>(grid.nx()) * grid.rows());
 }
 
 void Gather::to_all(const double* own, double* whole) {
@@ -19,14 +19,14 @@ void Gather::to_all(const double* own, double* whole) {
     const int rows = grid_.y_ranges()[p + 1] - grid_.y_ranges()[p];
     for (int i = 0; i < grid_.nx(); ++i) {
       std::copy_n(blocks_.data() + offsets_[p] + static_cast<std::size_t>(i) * rows, rows,
-                  whole + static_cast<std::size_t>(i) * grid_.ny() + grid_.y_ranges()[p]);
+                  whole + static_cast<std::size_t>(i) * grid_.rows() + grid_.y_ranges()[p]);
     }
   }
 }
 
 void Gather::own_part(const double* whole, double* own) const {
   for (int i = 0; i < grid_.nx(); ++i) {
-    std::copy_n(whole + static_cast<std::size_t>(i) * grid_.ny() + grid_.y_begin(), grid_.y_count(),
+    std::copy_n(whole + static_cast<std::size_t>(i) * grid_.rows() + grid_.y_begin(), grid_.y_count(),
                 own + static_cast<std::size_t>(i) * grid_.y_count());
   }
 }

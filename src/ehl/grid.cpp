@@ -8,14 +8,15 @@
 namespace gearfilm {
 namespace {
 
-std::vector<int> even_ranges(MPI_Comm comm, int rows) {
+std::vector<int> even_ranges(MPI_Comm comm, const GridShape& shape) {
   int processes = 1;
   MPI_Comm_size(comm, &processes);
-  if (processes > rows) {
-    throw InputError("grid with ny = " + std::to_string(rows) + " rows cannot be cut among " +
-                     std::to_string(processes) + " processes; use at most one process per row");
+  if (processes > shape.rows()) {
+    throw InputError("grid with ny = " + std::to_string(shape.ny) + " (" + std::to_string(shape.rows()) +
+                     " rows with Y >= 0) cannot be cut among " + std::to_string(processes) +
+                     " processes; use at most one process per row");
   }
-  return cut_evenly(rows, processes);
+  return cut_evenly(shape.rows(), processes);
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny) {
   return {nx, ny, domain.x_min, domain.x_max, domain.y_half / ellipticity};
 }
 
-Grid::Grid(MPI_Comm comm, const GridShape& shape) : Grid(comm, shape, even_ranges(comm, shape.ny)) {}
+Grid::Grid(MPI_Comm comm, const GridShape& shape) : Grid(comm, shape, even_ranges(comm, shape)) {}
 
 Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
     : comm_(comm),
@@ -39,26 +40,20 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
       h_y_(2.0 * shape.y_half / (shape.ny - 1)),
       y_ranges_(std::move(y_ranges)) {
   MPI_Comm_rank(comm, &rank_);
-  std::vector<PetscInt> counts(processes());
-  for (int p = 0; p < processes(); ++p) counts[p] = y_ranges_[p + 1] - y_ranges_[p];
-  const PetscInt all_x = shape.nx;
-  petsc_check(DMDACreate2d(comm, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DMDA_STENCIL_STAR, shape.ny, shape.nx, processes(),
-                           1, 1, 1, counts.data(), &all_x, dm_.put()));
-  petsc_check(DMSetUp(dm_));
 }
 
 OwnedVec Grid::create_vec() const {
   OwnedVec vec;
-  petsc_check(DMCreateGlobalVector(dm_, vec.put()));
+  petsc_check(VecCreateMPI(comm_, local_size(), PETSC_DETERMINE, vec.put()));
   return vec;
 }
 
 bool Grid::can_coarsen() const {
-  return (nx() - 1) % 2 == 0 && (ny() - 1) % 2 == 0 && (nx() - 1) / 2 + 1 >= 5 && (ny() - 1) / 2 + 1 >= 3;
+  return (nx() - 1) % 2 == 0 && (ny() - 1) % 4 == 0 && (nx() - 1) / 2 + 1 >= 5 && (ny() - 1) / 2 + 1 >= 3;
 }
 
 int Grid::fewest_coarse_rows() const {
-  int fewest = ny();
+  int fewest = rows();
   for (int p = 0; p < processes(); ++p) fewest = std::min(fewest, (y_ranges_[p + 1] + 1) / 2 - (y_ranges_[p] + 1) / 2);
   return fewest;
 }

@@ -2,7 +2,7 @@
 
 namespace gearfilm {
 
-Halo::Halo(const Grid& grid) : alone_(grid.processes() == 1) {
+Halo::Halo(const Grid& grid) : alone_(grid.processes() == 1), first_(grid.rank() == 0) {
   if (alone_) return;
   const auto stride_of = [&](int process) { return grid.y_ranges()[process + 1] - grid.y_ranges()[process] + 2; };
   const int stride = stride_of(grid.rank());

@@ -14,6 +14,11 @@ double integral(const Grid& grid, const double* values, std::size_t count) {
   double sum = 0.0;
   for (; n < count; ++n) sum += values[n];
   for (const double part : sums) sum += part;
+  // Both halves of the domain, with the nodes on Y = 0 once.
+  sum *= 2.0;
+  if (grid.rank() == 0) {
+    for (n = 0; n < count; n += grid.y_count()) sum -= values[n];
+  }
   if (grid.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid.comm());
   return sum * grid.h_x() * grid.h_y();
 }

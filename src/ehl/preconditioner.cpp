@@ -72,7 +72,7 @@ private:
 template <class Real>
 void FilmMultigrid<Real>::build_levels(const Grid& grid, double C_h) {
   const Grid* last = &grid;
-  levels_.push_back(std::make_unique<Level>(grid.copy(), C_h));
+  levels_.push_back(std::make_unique<Level>(grid, C_h));
   while (last->can_coarsen() && (options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels)) {
     if (grid.processes() > 1 && last->fewest_coarse_rows() < fewest_rows_per_process) {
       whole_grid_.emplace(last->gathered());
@@ -255,6 +255,7 @@ void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shi
     gather_->to_all(own.data(), whole.data());
     ((*whole_state_).*field).load(whole.data());
   }
+  exchange_ghosts(Halo(*whole_grid_), *whole_state_);
   whole_->update(*whole_state_, entrainment, storage_shift);
 }
 

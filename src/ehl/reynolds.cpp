@@ -45,7 +45,7 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
   const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
   const int rows = grid.y_count();
   std::vector<double> line(rows);
-  const int first_row = grid.local_row(0), last_row = grid.local_row(grid.ny() - 1);
+  const int edge = grid.local_row(grid.rows() - 1);
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
     const double* pressure = state.pressure.row(i);
@@ -65,11 +65,9 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
       wet[j] = interior && line[j] < cavitated ? 1.0 : 0.0;
       out[j] = wet[j] != 0.0 ? line[j] : cavitated;
     }
-    for (int edge : {first_row, last_row}) {
-      if (edge < 0) continue;
-      wet[edge] = 0.0;
-      out[edge] = scale[edge] * pressure[edge];
-    }
+    if (edge < 0) continue;
+    wet[edge] = 0.0;
+    out[edge] = scale[edge] * pressure[edge];
   }
 }
 

@@ -12,7 +12,7 @@ StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& optio
       grid_(film.grid()),
       size_(grid_.local_size()),
       has_scalar_(grid_.rank() == 0),
-      load_weight_(std::sqrt(static_cast<double>(grid_.nx()) * grid_.ny())),
+      load_weight_(std::sqrt(static_cast<double>(grid_.nx()) * grid_.rows())),
       storage_rate_(size_),
       column_solution_(size_),
       jacobian_(shell_jacobian(*this)) {

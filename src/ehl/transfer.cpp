@@ -51,12 +51,12 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   const Halo halo(coarse_grid);
   Field<double> values(coarse), bend_x(coarse_grid), bend_y(coarse_grid), bend_xy(coarse_grid);
   halo.exchange(values);
-  const int last = coarse_grid.ny() - 1;
+  const int last = coarse_grid.rows() - 1;
   const auto bend_along_y = [&](const Field<double>& from, Field<double>& to) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
       for (int J = 0; J < coarse_grid.y_count(); ++J) {
         const int row = coarse_grid.y_begin() + J;
-        if (row == 0 || row == last) continue;
+        if (row == last) continue;
         to.row(I)[J] = from.row(I)[J - 1] - 2.0 * from.row(I)[J] + from.row(I)[J + 1];
       }
     }

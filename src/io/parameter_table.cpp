@@ -158,7 +158,9 @@ Records grid_records() {
   return section(
       "grid", Scope::any,
       {preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
-       preset(65, whole("ny", "N_y", odd(9, 16385), "nodes across the entrainment, boundaries included")),
+       preset(65, whole("ny", "N_y", odd(9, 16385),
+                        "nodes across the entrainment, boundaries included; the films being symmetric, those on "
+                        "one side and in the middle are computed")),
        optional(by_load(&Domain::x_min), number("x_min", "X_min", "a", below(-1), "inlet edge of the domain")),
        optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", above(1), "outlet edge of the domain")),
        optional(by_load(&Domain::y_half), number("y_half", "", "b", above(1), "half the width of the domain"))});

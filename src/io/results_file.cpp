@@ -4,6 +4,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/whole_domain.hpp"
 
 namespace gearfilm {
 
@@ -44,10 +45,7 @@ void ResultsFile::view(const std::string& group, const std::string& name, Vec ve
 
 void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit, const Grid& grid,
                         const Field<double>& values, double scale) {
-  const OwnedVec vec = grid.create_vec();
-  values.store(static_cast<double*>(VecWriting(vec)));
-  petsc_check(VecScale(vec, scale));
-  view(group, name, vec, unit);
+  view(group, name, WholeDomain(grid).unfold(values, scale), unit);
 }
 
 void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
@@ -61,24 +59,10 @@ void ResultsFile::line(const std::string& group, const std::string& name, const 
 void ResultsFile::grid(const std::string& group, const Grid& grid, const Scales& scales) {
   std::vector<double> x(grid.nx()), y(grid.ny());
   for (int i = 0; i < grid.nx(); ++i) x[i] = scales.length * grid.x(i);
-  for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * grid.y(j - grid.y_begin());
+  for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * grid.h_y() * (j - (grid.rows() - 1));
   line(group, "x", x);
   line(group, "y", y);
-  OwnedDM pairs;
-  OwnedVec mesh;
-  petsc_check(DMDACreateCompatibleDMDA(grid.dm(), 2, pairs.put()));
-  petsc_check(DMCreateGlobalVector(pairs, mesh.put()));
-  {
-    const VecWriting values(mesh);
-    double* next = values;
-    for (int i = 0; i < grid.nx(); ++i) {
-      for (int j = 0; j < grid.y_count(); ++j) {
-        *next++ = x[i];
-        *next++ = y[grid.y_begin() + j];
-      }
-    }
-  }
-  view(group, "mesh", mesh, "m");
+  view(group, "mesh", WholeDomain(grid).coordinates(scales.length), "m");
 }
 
 void ResultsFile::finish() {

@@ -4,14 +4,25 @@
 namespace gearfilm {
 namespace {
 
+/// A field of both halves of the domain, whole, index i*ny + row.
+std::vector<double> unfolded(const Grid& grid, const std::vector<double>& stored) {
+  std::vector<double> both;
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int row = 1 - grid.rows(); row < grid.rows(); ++row) both.push_back(stored[i * grid.rows() + std::abs(row)]);
+  }
+  return both;
+}
+
 /// Mass of one contact through the faces of its nodes, in whole arrays; rho H^3/(eta lambda) anew from pressure and
 /// film.
 class FaceFluxes {
 public:
   FaceFluxes(const RecordedMarch& march, const ContactFilm& film)
-      : grid_(march.grid()), U_(film.conditions().entrainment), pressure_(whole_of(grid_, film.pressure())) {
+      : grid_(march.grid()),
+        U_(film.conditions().entrainment),
+        pressure_(unfolded(grid_, whole_of(grid_, film.pressure()))) {
     const Scales& scales = march.problem().scales;
-    const std::vector<double> heights = whole_of(grid_, film.film());
+    const std::vector<double> heights = unfolded(grid_, whole_of(grid_, film.film()));
     for (std::size_t n = 0; n < heights.size(); ++n) {
       const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
       stored_.push_back(rho * heights[n]);
@@ -81,8 +92,8 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   system.pair->residual(state, rate, 1.5 / steps.last.dT, rows);
   const ContactFilm& film = system.film(0);
   const FaceFluxes fluxes(steps.march, film);
-  const std::vector<double> wet = whole_of(grid, film.state().wet),
-                            rates = [&] { return whole_of(grid, system.pair->field(rate, 0)); }();
+  const std::vector<double> wet = unfolded(grid, whole_of(grid, film.state().wet)),
+                            rates = unfolded(grid, whole_of(grid, system.pair->field(rate, 0)));
   double stored = 0.0;
   int wet_nodes = 0;
   for (std::size_t n = 0; n < wet.size(); ++n) {

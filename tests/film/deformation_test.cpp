@@ -66,7 +66,7 @@ protected:
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(DeformationOf, Precisions);
 
-TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes) {
+TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes_of_both_halves) {
   using Real = TypeParam;
   // The last one has fewer wave numbers (6) than some processes would have rows.
   for (const GridShape& shape :
@@ -88,10 +88,10 @@ TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes
       for (int j = 0; j < grid.y_count(); ++j) {
         double sum = 0.0;
         for (int k = 1; k < grid.nx() - 1; ++k) {
-          for (int row = 1; row < grid.ny() - 1; ++row) {
+          for (int row = 2 - grid.rows(); row < grid.rows() - 1; ++row) {
             const double distance_x = (i - k) * grid.h_x(), distance_y = (grid.y_begin() + j - row) * grid.h_y();
             sum += C_h * love_kernel(distance_x, distance_y, grid.h_x(), grid.h_y()) *
-                   static_cast<double>(static_cast<Real>(noise(k, row)));
+                   static_cast<double>(static_cast<Real>(noise(k, std::abs(row))));
           }
         }
         error = std::max(error, std::abs(deformed.row(i)[j] - sum));
@@ -100,23 +100,6 @@ TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes
     }
     EXPECT_LT(maximum(error), TestFixture::tolerance * maximum(top)) << shape.nx << " x " << shape.ny;
   }
-}
-
-TYPED_TEST(DeformationOf, a_pressure_symmetric_in_y_is_symmetric_in_y) {
-  using Real = TypeParam;
-  const Grid grid(PETSC_COMM_WORLD, {33, 17, -2.083, 1.25, 6.8});
-  const Deformation<Real> deformation(grid, 1.0);
-  Field<Real> pressure(grid), deformed(grid);
-  Field<double> in_double(grid);
-  fill(grid, pressure, [](double x, double y) { return std::exp(-x * x - 0.1 * y * y + 0.3 * x); });
-  deformation.apply(pressure, deformed);
-  for (int i = 0; i < grid.nx(); ++i) std::copy_n(deformed.row(i), grid.y_count(), in_double.row(i));
-  const auto whole = whole_of(grid, in_double);
-  auto mirrored = whole;
-  for (int i = 0; i < grid.nx(); ++i) {
-    std::reverse(mirrored.begin() + i * grid.ny(), mirrored.begin() + (i + 1) * grid.ny());
-  }
-  EXPECT_LT(relative_difference(mirrored, whole), TestFixture::tolerance);
 }
 
 class HertzPressure : public testing::Test {

@@ -1,6 +1,7 @@
 // What the film tests share: the contacts they solve, fields by formula, and comparisons across processes.
 //
-// Every test is collective on PETSC_COMM_WORLD. "Whole" arrays hold all nodes on every process, index i*ny + row.
+// Every test is collective on PETSC_COMM_WORLD. "Whole" arrays hold all stored nodes on every process, index i*rows +
+// row.
 #pragma once
 
 #include <cmath>
@@ -78,10 +79,10 @@ inline double maximum(double value) {
 
 /// All nodes of a compact array on every process of the grid.
 inline std::vector<double> whole_of(const Grid& grid, const std::vector<double>& compact) {
-  std::vector<double> whole(static_cast<std::size_t>(grid.nx()) * grid.ny(), 0.0);
+  std::vector<double> whole(static_cast<std::size_t>(grid.nx()) * grid.rows(), 0.0);
   for (int i = 0; i < grid.nx(); ++i) {
     std::copy_n(compact.data() + static_cast<std::size_t>(i) * grid.y_count(), grid.y_count(),
-                whole.data() + static_cast<std::size_t>(i) * grid.ny() + grid.y_begin());
+                whole.data() + static_cast<std::size_t>(i) * grid.rows() + grid.y_begin());
   }
   MPI_Allreduce(MPI_IN_PLACE, whole.data(), static_cast<int>(whole.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
   return whole;
@@ -96,7 +97,7 @@ inline std::vector<double> whole_of(const Grid& grid, const Field<double>& field
 inline std::vector<double> own_part(const Grid& grid, const std::vector<double>& whole) {
   std::vector<double> compact(grid.local_size());
   for (int i = 0; i < grid.nx(); ++i) {
-    std::copy_n(whole.data() + static_cast<std::size_t>(i) * grid.ny() + grid.y_begin(), grid.y_count(),
+    std::copy_n(whole.data() + static_cast<std::size_t>(i) * grid.rows() + grid.y_begin(), grid.y_count(),
                 compact.data() + static_cast<std::size_t>(i) * grid.y_count());
   }
   return compact;

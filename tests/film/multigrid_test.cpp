@@ -48,7 +48,7 @@ protected:
   FilmCase pitch = table3_pitch();
   Grid grid{PETSC_COMM_WORLD, pitch.shape(65, 33)};
   FilmState state{grid};
-  MultigridLevel<double> fine{grid.copy(), pitch.scales.C_h};
+  MultigridLevel<double> fine{grid, pitch.scales.C_h};
   MultigridLevel<double> coarse{grid.coarsened(), pitch.scales.C_h};
   std::vector<double> right_side = std::vector<double>(grid.local_size(), 0.0);
 };

@@ -32,22 +32,10 @@ FilmCase table2_equivalent() {
           {.x_min = -4.5, .x_max = 1.5, .y_half = 3.0}};
 }
 
-std::vector<double> mirrored(const Grid& grid, std::vector<double> whole) {
-  for (int i = 0; i < grid.nx(); ++i) {
-    std::reverse(whole.begin() + i * grid.ny(), whole.begin() + (i + 1) * grid.ny());
-  }
-  return whole;
-}
-
 /// What holds for any stationary film.
 void expect_sound(const SolvedFilm& solved) {
   const double force = solved.film.scales().static_force;
   EXPECT_NEAR(solved.result.figures.pressure_integral, force, 1e-6 * force);
-  // The equations are symmetric to round-off.
-  const auto pressure = whole_of(solved.grid, solved.film.pressure());
-  EXPECT_LT(relative_difference(mirrored(solved.grid, pressure), pressure), 1e-8);
-  const auto film = whole_of(solved.grid, solved.film.film());
-  EXPECT_LT(relative_difference(mirrored(solved.grid, film), film), 1e-8);
 }
 
 /// Solves on the grid of a row of tests/reference/table3.json and compares what the row holds.
@@ -140,7 +128,7 @@ TEST(Stationary, pressure_and_flow_are_complementary) {
       if (solved.grid.is_boundary(i, j)) continue;
       const int n = i * solved.grid.y_count() + j;
       const double flow = residual[n] + suction;
-      // A root mean square residual of 1e-8 is at most 5e-7 at one of 2145 nodes; d P >= 0.9 P.
+      // A root mean square residual of 1e-8 is at most 5e-7 at one of 1105 nodes; d P >= 0.9 P.
       EXPECT_NEAR(std::min(pressure[n], flow), 0.0, 1e-6);
       ++counts[pressure[n] > flow];
     }
@@ -148,7 +136,7 @@ TEST(Stationary, pressure_and_flow_are_complementary) {
   MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   report("%d cavitated, %d wet nodes", counts[0], counts[1]);
   EXPECT_GT(counts[0], 100);
-  EXPECT_GT(counts[1], 1000);
+  EXPECT_GT(counts[1], 500);
 }
 
 // Away from the pitch R_x and u_m differ from the reference ones. In SI it must not matter which place the scales

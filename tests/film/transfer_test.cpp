@@ -23,7 +23,7 @@ protected:
     return wet;
   }
 
-  Grid fine{PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5}};
+  Grid fine{PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5}};
   Grid coarse = fine.coarsened();
   Halo fine_halo{fine};
   Halo coarse_halo{coarse};
@@ -42,7 +42,7 @@ protected:
 using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(TransferOf, Precisions);
 
-TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours) {
+TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours_or_the_mirror_image) {
   using Real = TypeParam;
   const Grid& grid = this->fine;
   const auto number = [](int i, int row) { return static_cast<Real>(1000 * (i + 1) + row + 1); };
@@ -54,7 +54,7 @@ TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours) {
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = -1; j <= grid.y_count(); ++j) {
       const int row = grid.y_begin() + j;
-      EXPECT_EQ(field.row(i)[j], row < 0 || row >= grid.ny() ? Real(0) : number(i, row)) << i << ' ' << row;
+      EXPECT_EQ(field.row(i)[j], row == grid.rows() ? Real(0) : number(i, std::abs(row))) << i << ' ' << row;
     }
   }
 }
@@ -131,12 +131,17 @@ TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpola
   this->coarse_halo.exchange(this->on_coarse);
   restrict_residual(this->fine, this->coarse, this->on_fine, wet_coarse, restricted);
   add_interpolated(this->coarse, this->fine, this->on_coarse, wet_fine, interpolated);
+  const auto halves = [](const Grid& grid, int j) { return grid.y_begin() + j == 0 ? 1.0 : 2.0; };
   double sums[2] = {0.0, 0.0};
   for (int i = 0; i < this->coarse.nx(); ++i) {
-    for (int j = 0; j < this->coarse.y_count(); ++j) sums[0] += this->on_coarse.row(i)[j] * restricted.row(i)[j];
+    for (int j = 0; j < this->coarse.y_count(); ++j) {
+      sums[0] += halves(this->coarse, j) * this->on_coarse.row(i)[j] * restricted.row(i)[j];
+    }
   }
   for (int i = 0; i < this->fine.nx(); ++i) {
-    for (int j = 0; j < this->fine.y_count(); ++j) sums[1] += 0.25 * this->on_fine.row(i)[j] * interpolated.row(i)[j];
+    for (int j = 0; j < this->fine.y_count(); ++j) {
+      sums[1] += 0.25 * halves(this->fine, j) * this->on_fine.row(i)[j] * interpolated.row(i)[j];
+    }
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_NEAR(sums[0], sums[1], TestFixture::tolerance);
@@ -155,30 +160,30 @@ protected:
     for (int i = 2 * margin; i < fine.nx() - 2 * margin; ++i) {
       for (int j = 0; j < fine.y_count(); ++j) {
         const int row = fine.y_begin() + j;
-        if (row < 2 * margin || row >= fine.ny() - 2 * margin) continue;
+        if (row >= fine.rows() - 2 * margin) continue;
         error = std::max(error, std::abs(on_fine.row(i)[j] - f(fine.x(i), fine.y(j))));
       }
     }
     return maximum(error);
   }
 
-  Grid fine{PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5}};
+  Grid fine{PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5}};
   Grid coarse = fine.coarsened();
   static constexpr double round_off = 1e-13;  // a dozen operations on values of order ten
 };
 
-TEST_F(CubicInterpolation, is_exact_for_cubics_away_from_the_edges) {
+TEST_F(CubicInterpolation, is_exact_for_symmetric_cubics_away_from_the_edges) {
   const auto cubic = [](double t) { return 1.0 - t + 0.5 * t * t - 2.0 * t * t * t; };
-  EXPECT_LT(error_for([&](double x, double y) { return cubic(x) * cubic(0.7 * y); }, 1), round_off);
+  EXPECT_LT(error_for([&](double x, double y) { return cubic(x) * (1.0 - 0.7 * y * y); }, 1), round_off);
   EXPECT_GT(error_for([](double x, double) { return x * x * x * x; }, 1), 1e-6);
 }
 
-TEST_F(CubicInterpolation, is_exact_for_bilinear_fields_everywhere) {
-  EXPECT_LT(error_for([](double x, double y) { return 1.0 + 2.0 * x - y + 3.0 * x * y; }, 0), round_off);
+TEST_F(CubicInterpolation, is_exact_for_linear_fields_everywhere) {
+  EXPECT_LT(error_for([](double x, double) { return 1.0 + 2.0 * x; }, 0), round_off);
 }
 
 TEST(InjectState, takes_every_field_at_the_same_point) {
-  const Grid fine(PETSC_COMM_WORLD, {33, 27, -2.0, 1.2, 1.5});
+  const Grid fine(PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5});
   const Grid coarse = fine.coarsened();
   FilmState fine_state(fine), coarse_state(coarse);
   const auto value = [](std::size_t n, double x, double y) { return n + 1.0 + 0.3 * x - 0.2 * y; };

@@ -6,6 +6,11 @@
 // and a discrete convolution, done as a zero-padded Fourier transform in O(N log N). P = 0 on the boundary: what a
 // field has there is not read, so that 2^n + 1 nodes need transforms of length 2^(n+1).
 //
+// P is its own mirror image in Y = 0. With q its values at Y >= 0, those at Y = 0 halved, row j of the deformation is
+//   sum_l ( K(j-l) + K(j+l) ) q(l) ,
+// and both sums come from transforms of half the length, q^ in y:  W(n) q^(n) + V(n) q^(-n) ,
+// W and V being the transforms of K at the distances -M..M and 0..2M-1 of M rows.
+//
 // Distributed: rows are transformed in x (local, the grid is cut in y), transposed among the processes,
 // transformed in y, multiplied by the kernel's transform, and back. Padding in y is never communicated. Two rows are
 // transformed in x as one complex row, which FFTW does with vector instructions and two real ones it does not:
@@ -46,16 +51,21 @@ private:
   void for_each_block_line(Copy copy) const;
   void plan_transforms();
   void transform_kernel();
+  /// The transform in x of K at the distances first, first + 1, ... in y, into the y-lines.
+  void kernel_to_y_lines(int first);
+  void multiply_by_kernel() const;
   /// Pairs of rows as reals, at a place or a wave number.
   Real* x_row(int i) const { return reinterpret_cast<Real*>(x_lines_.data() + static_cast<std::size_t>(i) * pairs_); }
   Real* wave_row(int k) const {
     return reinterpret_cast<Real*>(x_waves_.data() + static_cast<std::size_t>(k) * pairs_);
   }
-  /// Where the spectrum in x of all rows for one wave number goes: straight into the padded y-lines on one process.
-  Complex* spectrum(int k) const {
-    return alone() ? y_lines_.data() + static_cast<std::size_t>(k) * length_y_
-                   : x_spectrum_.data() + static_cast<std::size_t>(k) * rows_;
-  }
+  Complex* y_line(int k) const { return y_lines_.data() + static_cast<std::size_t>(k) * length_y_; }
+  Complex* y_wave(int k) const { return y_waves_.data() + static_cast<std::size_t>(k) * length_y_; }
+  /// The spectrum in x of the own rows for one wave number, before and after the transforms in y: on one process it
+  /// is their line itself.
+  Complex* spectrum_before(int k) const { return alone() ? y_line(k) : own_spectrum(k); }
+  Complex* spectrum_after(int k) const { return alone() ? y_wave(k) : own_spectrum(k); }
+  Complex* own_spectrum(int k) const { return x_spectrum_.data() + static_cast<std::size_t>(k) * own_rows_; }
   void separate_rows() const;
   void combine_rows() const;
   void to_y_lines() const;
@@ -68,8 +78,8 @@ private:
   double h_x_;
   double h_y_;
   int nx_;
-  int ny_;
-  int rows_;  ///< own rows
+  int rows_;  ///< of all processes
+  int own_rows_;
   int row_begin_;
   int pairs_;     ///< of own rows; the last row may be alone
   int length_x_;  ///< padded lengths of the transforms
@@ -78,13 +88,17 @@ private:
   std::vector<int> y_ranges_;
   Blocks x_side_;  ///< of x_spectrum_
   Blocks y_side_;  ///< of exchanged_
-  // Work space of apply(); [x or wave number][y], y contiguous.
-  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs], zero from nx on
-  mutable fftw::Buffer<Complex> x_waves_;     ///< its transform
+  // Work space of apply(); [x or wave number][y], y contiguous. What pads a line stays zero.
+  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs], padded from nx - 1 on
+  mutable fftw::Buffer<Complex> x_waves_;     ///< its transform, and the result's back in place
   mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
   mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
-  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y]
-  std::vector<Real> kernel_;                  ///< transform of K, real, with the factor of the inverse transform
+  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y], padded from rows on
+  mutable fftw::Buffer<Complex> y_waves_;     ///< its transform, and the result's back in place
+  mutable std::vector<Complex> opposite_;     ///< a line of y_waves_ at the negative wave numbers
+  // [own wave numbers][length_y], with the factor of the inverse transform.
+  std::vector<Real> kernel_;            ///< W, real since K is even
+  std::vector<Complex> mirror_kernel_;  ///< V
   fftw::Plan<Real> x_forward_, x_backward_, y_forward_, y_backward_;
 };
 

@@ -1,6 +1,8 @@
 // Uniform vertex-centred grid of one contact, cut in y among the processes.
 //
-// Nodes (i, j), i = 0..nx-1 from X_min to X_max, j = 0..ny-1 from -Y_half to Y_half; boundary nodes are included.
+// A spur gear's film is its own mirror image in Y = 0: of the nodes between -Y_half and Y_half only those with Y >= 0
+// are stored. Nodes (i, j), i = 0..nx-1 from X_min to X_max, j = 0..rows-1 from 0 to Y_half; boundary nodes are
+// included, and row 0 has its neighbour 1 on either side.
 // A process owns all x for a range of j, so that x-lines and x-transforms are local. In memory y is contiguous
 // (index i*y_count + j): all x-lines are then processed together, with vector instructions across the lines.
 #pragma once
@@ -13,13 +15,16 @@
 
 namespace gearfilm {
 
-/// Size and extent of a grid; lengths in units of the Hertz half-axis a in both directions.
+/// Size and extent of the whole domain; lengths in units of the Hertz half-axis a in both directions.
 struct GridShape {
   int nx = 0;
-  int ny = 0;
+  int ny = 0;  ///< odd, so that nodes lie on Y = 0
   double x_min = 0.0;
   double x_max = 0.0;
   double y_half = 0.0;
+
+  /// Nodes with Y >= 0 in a line along Y.
+  int rows() const { return (ny + 1) / 2; }
 };
 
 /// First item of every process, and their number, when items are cut as evenly as possible.
@@ -38,38 +43,34 @@ public:
   int processes() const { return static_cast<int>(y_ranges_.size()) - 1; }
   const GridShape& shape() const { return shape_; }
   int nx() const { return shape_.nx; }
+  /// Nodes across the whole domain, and those that are stored.
   int ny() const { return shape_.ny; }
+  int rows() const { return shape_.rows(); }
   double h_x() const { return h_x_; }
   double h_y() const { return h_y_; }
   double x(int i) const { return shape_.x_min + h_x_ * i; }
   /// Y of the local row j (0 <= j < y_count).
-  double y(int j) const { return -shape_.y_half + h_y_ * (y_begin() + j); }
+  double y(int j) const { return h_y_ * (y_begin() + j); }
   int y_begin() const { return y_ranges_[rank_]; }
   int y_count() const { return y_ranges_[rank_ + 1] - y_ranges_[rank_]; }
-  /// First row of every process, and ny.
+  /// First row of every process, and their number.
   std::span<const int> y_ranges() const { return y_ranges_; }
   int local_size() const { return nx() * y_count(); }
-  bool is_boundary(int i, int j) const {
-    const int row = y_begin() + j;
-    return i == 0 || i == nx() - 1 || row == 0 || row == ny() - 1;
-  }
+  bool is_boundary(int i, int j) const { return i == 0 || i == nx() - 1 || y_begin() + j == rows() - 1; }
   /// Local row of the global row, or -1 where another process owns it.
   int local_row(int global_row) const {
     return global_row >= y_begin() && global_row < y_begin() + y_count() ? global_row - y_begin() : -1;
   }
 
-  /// The PETSc layout of a field (dimension 0 is y, the contiguous one; dimension 1 is x).
-  DM dm() const { return dm_; }
+  /// A PETSc vector laid out like compact fields.
   OwnedVec create_vec() const;
 
-  /// True when every second node is a grid of at least 5 x 3 nodes again.
+  /// True when every second node, those on Y = 0 among them, is a grid of at least 5 x 3 nodes again.
   bool can_coarsen() const;
   /// Rows that the process with the fewest would own on the coarsened grid.
   int fewest_coarse_rows() const;
   /// Every second node; a coarse row belongs to the process that owns the same fine row.
   Grid coarsened() const;
-  /// The same grid, cut alike.
-  Grid copy() const { return Grid(comm_, shape_, y_ranges_); }
   /// The same grid, whole on every process.
   Grid gathered() const;
 
@@ -82,7 +83,6 @@ private:
   double h_x_;
   double h_y_;
   std::vector<int> y_ranges_;
-  OwnedDM dm_;
 };
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-// Exchange of the ghost rows of a Field between neighbouring processes.
+// Exchange of the ghost rows of a Field between neighbouring processes, and their mirror image across Y = 0.
 #pragma once
 
 #include <type_traits>
@@ -14,7 +14,7 @@ MPI_Datatype mpi_type() {
   return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
 }
 
-/// Serves all fields of one grid, in either precision. On one process it does nothing.
+/// Serves all fields of one grid, in either precision.
 class Halo {
 public:
   explicit Halo(const Grid& grid);
@@ -22,9 +22,11 @@ public:
   /// Fills the ghosts of all these fields; their messages travel together.
   template <class... Fields>
   void exchange(Fields&... fields) const {
-    if (alone_) return;
-    (begin(fields), ...);
-    (end(fields), ...);
+    if (!alone_) {
+      (begin(fields), ...);
+      (end(fields), ...);
+    }
+    if (first_) (reflect(fields), ...);
   }
 
 private:
@@ -37,8 +39,14 @@ private:
     petsc_check(PetscSFBcastEnd(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
   }
 
+  template <class Real>
+  static void reflect(Field<Real>& field) {
+    for (int i = 0; i < field.nx(); ++i) field.row(i)[-1] = field.row(i)[1];
+  }
+
   OwnedSF forest_;  ///< roots: own edge rows; leaves: the neighbours' ghost rows
   bool alone_;
+  bool first_;  ///< holds row 0
 };
 
 }  // namespace gearfilm

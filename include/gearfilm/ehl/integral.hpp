@@ -7,8 +7,8 @@
 
 namespace gearfilm {
 
-/// h_x h_y times the sum of `count` values of this process and those of the others: the own nodes of one field,
-/// compact, or of several fields one after the other. Collective.
+/// h_x h_y times the sum of `count` values of this process, those of the others, and their mirror images: the own
+/// nodes of one field, compact, or of several fields one after the other. Collective.
 double integral(const Grid& grid, const double* values, std::size_t count);
 
 }  // namespace gearfilm

@@ -1,0 +1,33 @@
+// Fields on all nodes of a domain, for output: grids store only those with Y >= 0.
+#pragma once
+
+#include "gearfilm/ehl/field.hpp"
+
+namespace gearfilm {
+
+/// The nodes (nx, ny) between -Y_half and Y_half as a DMDA, cut evenly in y among the processes.
+class WholeDomain {
+public:
+  /// The grid must outlive the object.
+  explicit WholeDomain(const Grid& grid);
+
+  /// scale times a field of the grid, with its mirror image. Collective.
+  OwnedVec unfold(const Field<double>& values, double scale) const;
+  /// scale times X and Y of every node, as (nx, ny, 2). Collective.
+  OwnedVec coordinates(double scale) const;
+
+private:
+  using OwnedScatter = PetscHandle<VecScatter, VecScatterDestroy>;
+
+  /// Rows from the one at Y = 0 on, or before it.
+  int from_middle(int row) const { return row - (grid_.rows() - 1); }
+  PetscInt index_on_grid(int i, int row) const;
+
+  const Grid& grid_;
+  std::vector<int> ranges_;  ///< first row of every process, and their number
+  OwnedDM nodes_;
+  OwnedVec stored_;
+  OwnedScatter scatter_;
+};
+
+}  // namespace gearfilm
