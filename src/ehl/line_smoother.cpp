@@ -8,9 +8,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr double distributive_limit = 2.0;  // on xi_R/h_x^2
-constexpr double distributive_damping = 0.6;
-constexpr double plain_damping = 0.8;
+constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2
+constexpr double damping = 0.75;            // of nodes that are not cavitated
 
 }  // namespace
 
@@ -22,7 +21,6 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
       inverse_h_x2_(1.0 / (grid.h_x() * grid.h_x())),
       band_(static_cast<std::size_t>(nx_) * band_width * rows_),
       distributive_(grid),
-      damping_(grid),
       wet_(grid),
       spread_(grid) {
   const double inverse_h_y2 = 1.0 / (grid.h_y() * grid.h_y());
@@ -50,13 +48,9 @@ void LineSmoother<Real>::choose_unknowns(const FilmState& state) {
     const double* __restrict conductance = state.conductance.row(i);
     Real* __restrict wet = wet_.row(i);
     Real* __restrict distributive = distributive_.row(i);
-    Real* __restrict damping = damping_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      const double spreads = conductance[j] < largest ? wet_here[j] : 0.0;
       wet[j] = static_cast<Real>(wet_here[j]);
-      distributive[j] = static_cast<Real>(spreads);
-      damping[j] = static_cast<Real>(1.0 - (1.0 - plain_damping) * wet_here[j] -
-                                     (plain_damping - distributive_damping) * spreads);
+      distributive[j] = static_cast<Real>(conductance[j] < largest ? wet_here[j] : 0.0);
     }
   }
 }
@@ -159,9 +153,11 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* __restrict value = residual.row(i);
     Real* __restrict spread = spread_.row(i);
+    const Real* __restrict wet = wet_.row(i);
+    const Real* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      value[j] *= damping_.row(i)[j];
-      spread[j] = value[j] * distributive_.row(i)[j];
+      value[j] *= Real(1) - Real(1.0 - damping) * wet[j];
+      spread[j] = value[j] * distributive[j];
     }
   }
   halo_.exchange(spread_);

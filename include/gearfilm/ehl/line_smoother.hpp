@@ -1,13 +1,14 @@
 // Hybrid distributive line relaxation for the linearised film.
 //
 // All x-lines are relaxed at once (Jacobi), each by a direct solve of a band of half-width 3. Where conduction is
-// weak against deformation, xi_R/h_x^2 < 2, the unknown of a node is a distributive change: +1 at the node, -w_x at
+// weak against deformation, xi_R/h_x^2 < 1.5, the unknown of a node is a distributive change: +1 at the node, -w_x at
 // its x-neighbours, -w_y at its y-neighbours, w = (1/h^2)/(2 (1/h_x^2 + 1/h_y^2)). Its deformation is the discrete
 // Laplacian of the kernel and dies out within three cells, so the band is accurate. Elsewhere the change is plain. The
 // limit: by the wedge alone, a plain change of long wave length moves the row by U 2 pi C_h ~ 1 per unit, against
 // 2 xi_R/h_x^2 in the band; a limit of 0.3 lets such waves grow (films of low pressure on fine grids then fail), and
 // beyond 3 well conducting nodes are relaxed badly.
-// Damped by 0.6 (distributive) and 0.8 (plain). Lines being updated together, the number of processes is irrelevant.
+// Damped by 0.75, both kinds alike: where they meet, different dampings (0.6 and 0.8) leave errors of long wave length
+// that grow with the grid. Lines being updated together, the number of processes is irrelevant.
 // Source of the idea: Venner and Lubrecht, Multilevel Methods in Lubrication (2000), ch. 6.
 #pragma once
 
@@ -61,7 +62,6 @@ private:
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
   Field<Real> distributive_;  ///< 1 where the unknown is a distributive change
-  Field<Real> damping_;
   Field<Real> wet_;
   Field<Real> spread_;  ///< distributive changes, with ghosts
 };
