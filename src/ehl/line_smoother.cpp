@@ -106,43 +106,64 @@ void LineSmoother<Real>::factor(const LinearFilm<Real>& linear, const FilmState&
   factor_bands();
 }
 
-// LU without pivoting, all lines side by side; the diagonal is stored inverted.
+// LU without pivoting, all lines side by side; the diagonal is stored inverted. Each loop takes all it can at once:
+// few values a line are a process's own where there are many processes.
 template <class Real>
 void LineSmoother<Real>::factor_bands() {
+  static_assert(half_width == 3);
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* __restrict pivot = band(i, 0);
+    const Real* __restrict upper_1 = band(i, 1);
+    const Real* __restrict upper_2 = band(i, 2);
+    const Real* __restrict upper_3 = band(i, 3);
     for (int j = 0; j < rows_; ++j) pivot[j] = Real(1) / pivot[j];
     for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
       Real* __restrict lower = band(i + k, -k);
-      for (int j = 0; j < rows_; ++j) lower[j] *= pivot[j];
-      for (int c = 1; c <= half_width; ++c) {
-        const Real* __restrict upper = band(i, c);
-        Real* __restrict target = band(i + k, c - k);
-        for (int j = 0; j < rows_; ++j) target[j] -= lower[j] * upper[j];
+      Real* __restrict target_1 = band(i + k, 1 - k);
+      Real* __restrict target_2 = band(i + k, 2 - k);
+      Real* __restrict target_3 = band(i + k, 3 - k);
+// Different diagonals are different memory.
+#pragma GCC ivdep
+      for (int j = 0; j < rows_; ++j) {
+        const Real factor = lower[j] * pivot[j];
+        lower[j] = factor;
+        target_1[j] -= factor * upper_1[j];
+        target_2[j] -= factor * upper_2[j];
+        target_3[j] -= factor * upper_3[j];
       }
     }
   }
 }
 
+// The bands are zero where they reach beyond the inner nodes: any line may stand in there.
 template <class Real>
 void LineSmoother<Real>::solve_bands(Field<Real>& values) {
+  static_assert(half_width == 3);
   for (int i = 1; i < nx_ - 1; ++i) {
-    const Real* __restrict solved = values.row(i);
-    for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
-      const Real* __restrict lower = band(i + k, -k);
-      Real* __restrict target = values.row(i + k);
-      for (int j = 0; j < rows_; ++j) target[j] -= lower[j] * solved[j];
+    Real* __restrict value = values.row(i);
+    const Real* before_1 = values.row(i - 1);
+    const Real* before_2 = values.row(std::max(i - 2, 0));
+    const Real* before_3 = values.row(std::max(i - 3, 0));
+    const Real* lower_1 = band(i, -1);
+    const Real* lower_2 = band(i, -2);
+    const Real* lower_3 = band(i, -3);
+    for (int j = 0; j < rows_; ++j) {
+      value[j] -= lower_1[j] * before_1[j] + lower_2[j] * before_2[j] + lower_3[j] * before_3[j];
     }
   }
   for (int i = nx_ - 2; i >= 1; --i) {
     Real* __restrict value = values.row(i);
-    for (int k = 1; k <= half_width && i + k < nx_ - 1; ++k) {
-      const Real* __restrict upper = band(i, k);
-      const Real* __restrict solved = values.row(i + k);
-      for (int j = 0; j < rows_; ++j) value[j] -= upper[j] * solved[j];
+    const Real* after_1 = values.row(i + 1);
+    const Real* after_2 = values.row(std::min(i + 2, nx_ - 1));
+    const Real* after_3 = values.row(std::min(i + 3, nx_ - 1));
+    const Real* inverse_pivot = band(i, 0);
+    const Real* upper_1 = band(i, 1);
+    const Real* upper_2 = band(i, 2);
+    const Real* upper_3 = band(i, 3);
+    for (int j = 0; j < rows_; ++j) {
+      value[j] =
+          (value[j] - upper_1[j] * after_1[j] - upper_2[j] * after_2[j] - upper_3[j] * after_3[j]) * inverse_pivot[j];
     }
-    const Real* __restrict pivot = band(i, 0);
-    for (int j = 0; j < rows_; ++j) value[j] *= pivot[j];
   }
 }
 

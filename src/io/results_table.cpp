@@ -1,5 +1,6 @@
 #include "gearfilm/io/results_table.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 
 namespace gearfilm {
@@ -29,7 +30,7 @@ private:
 };
 
 constexpr hsize_t rows_per_chunk = 256;
-constexpr double seconds_between_flushes = 0.5;
+constexpr double seconds_between_writes = 0.5;
 
 }  // namespace
 
@@ -60,12 +61,28 @@ ResultsTable::ResultsTable(ResultsFile& file, const std::string& path, const std
 }
 
 ResultsTable::~ResultsTable() {
+  try {
+    write();
+  } catch (const std::runtime_error& error) {
+    if (writes_) std::fprintf(stderr, "gearfilm: the end of a table is lost: %s\n", error.what());
+  }
   H5Dclose(dataset_);
   H5Tclose(memory_type_);
 }
 
 void ResultsTable::append(const std::vector<double>& rows) {
-  const hsize_t first = length_, count = rows.size() / width_;
+  waiting_.insert(waiting_.end(), rows.begin(), rows.end());
+  // Writing and waiting for the disk takes as long as a small time step; the first process decides for all.
+  int due = MPI_Wtime() - last_write_ > seconds_between_writes;
+  MPI_Bcast(&due, 1, MPI_INT, 0, comm_);
+  if (!due) return;
+  write();
+  last_write_ = MPI_Wtime();
+}
+
+void ResultsTable::write() {
+  const hsize_t first = length_, count = waiting_.size() / width_;
+  if (count == 0) return;
   length_ += count;
   succeed(H5Dset_extent(dataset_, &length_), "extend a table");
   const Closing file_space(valid(H5Dget_space(dataset_), "extend a table"), H5Sclose);
@@ -76,13 +93,9 @@ void ResultsTable::append(const std::vector<double>& rows) {
     succeed(H5Sselect_none(file_space), "select rows");
     succeed(H5Sselect_none(memory_space), "select rows");
   }
-  succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, rows.data()), "write rows");
-  // A flush waits for the disk, as long as a small time step takes; the first process decides for all.
-  int due = MPI_Wtime() - last_flush_ > seconds_between_flushes;
-  MPI_Bcast(&due, 1, MPI_INT, 0, comm_);
-  if (!due) return;
+  succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, waiting_.data()), "write rows");
   succeed(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush a table");
-  last_flush_ = MPI_Wtime();
+  waiting_.clear();
 }
 
 }  // namespace gearfilm

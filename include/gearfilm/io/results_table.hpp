@@ -1,7 +1,8 @@
 // A table in results.h5 that grows row by row and survives a killed run.
 //
 // One compound dataset a table, so that h5py, pandas and MATLAB see named columns; the attribute "units" lists
-// "column unit" lines. Rows are written by the first process and flushed soon.
+// "column unit" lines. Rows wait in memory for up to half a second, or until the table goes; then the first process
+// writes them.
 #pragma once
 
 #include <hdf5.h>
@@ -27,18 +28,21 @@ public:
   ResultsTable(const ResultsTable&) = delete;
   ResultsTable& operator=(const ResultsTable&) = delete;
 
-  /// Appends whole rows (values row after row, one a column). Collective. Flushes the file at most twice a second.
+  /// Appends whole rows (values row after row, one a column). Collective. Writes at most twice a second.
   void append(const std::vector<double>& rows);
 
 private:
+  void write();
+
   hid_t file_ = H5I_INVALID_HID;
   hid_t dataset_ = H5I_INVALID_HID;
   hid_t memory_type_ = H5I_INVALID_HID;
   std::size_t width_;
-  hsize_t length_ = 0;
+  hsize_t length_ = 0;  ///< rows in the file
+  std::vector<double> waiting_;
   bool writes_;  ///< this process writes the rows
   MPI_Comm comm_;
-  double last_flush_ = 0.0;
+  double last_write_ = 0.0;
 };
 
 }  // namespace gearfilm
