@@ -1,0 +1,109 @@
+// What travels between processes: the model of docs/performance.md against PETSc's counters.
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Sums over all processes.
+struct Traffic {
+  double messages = 0.0;  ///< between neighbours
+  double message_bytes = 0.0;
+  double collectives = 0.0;  ///< reductions, broadcasts, transposes; one a process
+  double transposed_bytes = 0.0;
+
+  friend Traffic operator+(const Traffic& a, const Traffic& b) {
+    return {a.messages + b.messages, a.message_bytes + b.message_bytes, a.collectives + b.collectives,
+            a.transposed_bytes + b.transposed_bytes};
+  }
+  friend Traffic operator*(double factor, const Traffic& a) {
+    return {factor * a.messages, factor * a.message_bytes, factor * a.collectives, factor * a.transposed_bytes};
+  }
+};
+
+/// Of this process so far.
+Traffic counted() { return {petsc_isend_ct, petsc_isend_len, petsc_allreduce_ct, petsc_send_len}; }
+
+template <class Call>
+Traffic traffic_of(Call&& call) {
+  const Traffic before = counted();
+  call();
+  Traffic traffic = counted() + -1.0 * before;
+  MPI_Allreduce(MPI_IN_PLACE, &traffic, 4, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return traffic;
+}
+
+void expect_equal(const Traffic& counted, const Traffic& model) {
+  EXPECT_EQ(counted.messages, model.messages);
+  EXPECT_EQ(counted.message_bytes, model.message_bytes);
+  EXPECT_EQ(counted.collectives, model.collectives);
+  EXPECT_EQ(counted.transposed_bytes, model.transposed_bytes);
+}
+
+/// Two contacts on one level, as time steps have them.
+class Communication : public testing::Test {
+protected:
+  // Of a grid of nx lines, with W wave numbers in x, and R rows.
+  Traffic halo(int fields, double bytes) const {
+    const double messages = 2.0 * (processes - 1) * fields;
+    return {messages, messages * grid.nx() * bytes, 0.0, 0.0};
+  }
+  Traffic convolution(double bytes) const {
+    const double waves = fftw::fast_length(2 * grid.nx() - 3, true) / 2 + 1;
+    return processes == 1 ? Traffic{} : Traffic{0.0, 0.0, 2.0 * processes, 2.0 * waves * grid.rows() * 2.0 * bytes};
+  }
+  Traffic collective() const { return {0.0, 0.0, processes == 1 ? 0.0 : processes, 0.0}; }
+  Traffic krylov_iteration() const {
+    const Traffic product = convolution(in_single) + halo(2, in_single), sweep = halo(1, in_single);
+    return 5.0 * collective() + 2.0 * (product + sweep);
+  }
+
+  static constexpr double in_single = sizeof(float), in_double = sizeof(double);
+  const Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
+  const ContactPath path = path_of(problem);
+  const Grid grid{PETSC_COMM_WORLD, shape_of(problem)};
+  const double processes = grid.processes();
+  ContactFilm first{grid, problem.scales, {.levels = 1}}, second{grid, problem.scales, {.levels = 1}};
+  LubricatedPair pair{path, {{0, &first}, {1, &second}}, inertia_of(problem), problem.scales};
+};
+
+TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
+  Field<float> single_field(grid);
+  Field<double> one(grid), other(grid);
+  const Halo ghosts(grid);
+  ghosts.exchange(single_field, one, other);  // the first exchange sets up its messages
+  expect_equal(traffic_of([&] { ghosts.exchange(single_field, one, other); }), halo(1, in_single) + halo(2, in_double));
+  const Deformation<float> deformation(grid, 1.0);
+  Field<float> deformed(grid);
+  expect_equal(traffic_of([&] { deformation.apply(single_field, deformed); }), convolution(in_single));
+}
+
+TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
+  const double shift = 1.5 / problem.steps.dT;
+  OwnedVec state = pair.create_state(), rate = pair.create_state(), rows = pair.create_state();
+  std::vector<double> pressure(grid.local_size());
+  hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure.data());
+  const auto residual_at = [&](double H0) {
+    for (std::size_t k = 0; k < 2; ++k) pair.set_field(state, k, pressure);
+    pair.set_motion(state, {H0, 0.0});
+    return traffic_of([&] { pair.residual(state, rate, shift, rows); });
+  };
+  pair.place(0.0);
+  residual_at(-1.4);
+  // The motion, whether each film is known already, and the force carried; film, ghosts of four fields.
+  expect_equal(residual_at(-1.5), 4.0 * collective() + 2.0 * (convolution(in_double) + halo(4, in_double)));
+
+  expect_equal(traffic_of([&] { pair.linearise(shift); }), Traffic{});
+  const OwnedMat jacobian = shell_jacobian(pair);
+  OwnedKSP solver;
+  petsc_check(KSPCreate(PETSC_COMM_WORLD, solver.put()));
+  petsc_check(KSPSetOperators(solver, jacobian, jacobian));
+  const auto iterations = [&](int count) {
+    configure_krylov(solver, pair, 1e-30, count);
+    return traffic_of([&] { petsc_check(KSPSolve(solver, rows, state)); });
+  };
+  iterations(4);
+  expect_equal(iterations(9) + -1.0 * iterations(4), 5.0 * krylov_iteration());
+}
+
+}  // namespace
+}  // namespace gearfilm
