@@ -59,9 +59,10 @@ Motion LubricatedPair::unweighted(const Motion& rows) const {
   return {rows.H0 / weight_, rows.V0 / weight_ * static_force_};
 }
 
-void LubricatedPair::clip(Vec state) const {
-  const VecWriting values(state);
-  for (std::size_t n = 0; n < motion_at(); ++n) values[n] = std::max(values[n], 0.0);
+void LubricatedPair::restrain(Vec guess, Vec last) const {
+  const VecReading before(last);
+  const VecWriting values(guess);
+  for (std::size_t n = 0; n < motion_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
 }
 
 void LubricatedPair::follow_share(Vec state, double T0, double T1) const {

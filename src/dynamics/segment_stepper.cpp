@@ -102,15 +102,18 @@ void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
   configure_newton(snes, pair_, options_.newton, pair_.weight());
-  // The predictor extrapolates; where pressure ends it would go below zero. In the first stage it knows no velocity:
-  // under a rising load Newton's method would have to find the oil outside the contact that the sinking body squeezes.
+  // The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
+  // slowly. In the first stage it knows no velocity: under a rising load Newton's method would have to find the oil
+  // outside the contact that the sinking body squeezes.
   petsc_check(SNESSetComputeInitialGuess(
       snes,
       [](SNES, Vec state, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
+          Vec last = nullptr;
+          petsc_check(TSGetSolution(own->ts_, &last));
           if (own->at_start_) own->pair_.follow_share(state, own->last_time_, own->state_time_);
-          own->pair_.clip(state);
+          own->pair_.restrain(state, last);
         });
       },
       this));

@@ -44,8 +44,8 @@ public:
   std::vector<double> field(Vec state, std::size_t contact) const;
   void set_motion(Vec state, const Motion& motion) const;
   Motion motion(Vec state) const;
-  /// Makes every pressure >= 0.
-  void clip(Vec state) const;
+  /// Makes every pressure of a guess at least half of what it is in the last state, and >= 0.
+  void restrain(Vec guess, Vec last) const;
   /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
   /// share.
   void follow_share(Vec state, double T0, double T1) const;

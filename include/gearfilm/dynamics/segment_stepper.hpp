@@ -18,7 +18,7 @@ struct StepOptions {
   double dT = 0.026;  ///< nominal time step [-]
   NewtonOptions newton{.tolerance = 1e-5,
                        .max_iterations = 20,
-                       .krylov_tolerance = 0.1,
+                       .krylov_tolerance = 0.05,
                        .krylov_max_iterations = 60,
                        .limit_changes = true};
   int max_rejections = 12;  ///< halvings of one step before the run fails
