@@ -10,6 +10,13 @@ namespace {
 
 constexpr int largest_unmeasured = 10000;  // nodes
 
+/// Lines side by side, so that what follows one another in a line is not a power of two apart: a cache has few places
+/// for such.
+int uneven_stride(int lines) { return lines % 16 == 0 ? lines + 1 : lines; }
+
+/// Lines one after the other that fill FFTW's vectors: it takes a half longer for other numbers.
+int full_vectors(int lines) { return (lines + 3) / 4 * 4; }
+
 double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)); }
 
 }  // namespace
@@ -32,7 +39,7 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       rows_(grid.rows()),
       own_rows_(grid.y_count()),
       row_begin_(grid.y_begin()),
-      pairs_((own_rows_ + 1) / 2),
+      pairs_(uneven_stride((own_rows_ + 1) / 2)),
       length_x_(fftw::fast_length(2 * grid.nx() - 3, true)),
       length_y_(fftw::fast_length(2 * (grid.rows() - 1), false)),
       wave_ranges_(cut_evenly(length_x_ / 2 + 1, grid.processes())),
@@ -41,9 +48,8 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
       x_waves_(static_cast<std::size_t>(length_x_) * pairs_),
       x_spectrum_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * own_rows_),
       exchanged_(grid.processes() == 1 ? 0 : static_cast<std::size_t>(wave_count()) * rows_),
-      y_lines_(static_cast<std::size_t>(wave_count()) * length_y_),
-      y_waves_(static_cast<std::size_t>(wave_count()) * length_y_),
-      opposite_(length_y_) {
+      y_lines_(static_cast<std::size_t>(full_vectors(wave_count())) * length_y_),
+      y_waves_(static_cast<std::size_t>(full_vectors(wave_count())) * length_y_) {
   count_blocks();
   plan_transforms();
   transform_kernel();
@@ -61,8 +67,8 @@ void Deformation<Real>::plan_transforms() {
                                            pairs_, 1, sign, effort));
   };
   const auto plan_y = [&](fftw::Buffer<Complex>& from, int sign) {
-    return fftw::Plan<Real>(Fftw::many_c2c(1, &length_y_, wave_count(), raw(from), nullptr, 1, length_y_, raw(y_waves_),
-                                           nullptr, 1, length_y_, sign, effort));
+    return fftw::Plan<Real>(Fftw::many_c2c(1, &length_y_, full_vectors(wave_count()), raw(from), nullptr, 1, length_y_,
+                                           raw(y_waves_), nullptr, 1, length_y_, sign, effort));
   };
   x_forward_ = plan_x(x_lines_, FFTW_FORWARD);
   x_backward_ = plan_x(x_waves_, FFTW_BACKWARD);
@@ -114,20 +120,18 @@ void Deformation<Real>::transform_kernel() {
   std::fill_n(y_lines_.data(), size, Complex(0));
 }
 
+// K being real, V(-n) is the conjugate of V(n).
 template <class Real>
 void Deformation<Real>::multiply_by_kernel() const {
-  const Real* __restrict opposite = reinterpret_cast<const Real*>(opposite_.data());
   for (int k = 0; k < wave_count(); ++k) {
-    opposite_[0] = y_wave(k)[0];
-    std::reverse_copy(y_wave(k) + 1, y_wave(k + 1), opposite_.data() + 1);
     const std::size_t first = static_cast<std::size_t>(k) * length_y_;
-    const Real* __restrict even = kernel_.data() + first;
-    const Real* __restrict mirror = reinterpret_cast<const Real*>(mirror_kernel_.data() + first);
-    Real* __restrict line = reinterpret_cast<Real*>(y_wave(k));
-    for (int n = 0; n < length_y_; ++n) {
-      const Real vr = mirror[2 * n], vi = mirror[2 * n + 1], re = opposite[2 * n], im = opposite[2 * n + 1];
-      line[2 * n] = even[n] * line[2 * n] + vr * re - vi * im;
-      line[2 * n + 1] = even[n] * line[2 * n + 1] + vr * im + vi * re;
+    Complex* line = y_wave(k);
+    for (int n = 0; 2 * n <= length_y_; ++n) {
+      const int opposite = n == 0 ? 0 : length_y_ - n;
+      const Real ar = line[n].real(), ai = line[n].imag(), br = line[opposite].real(), bi = line[opposite].imag();
+      const Real w = kernel_[first + n], vr = mirror_kernel_[first + n].real(), vi = mirror_kernel_[first + n].imag();
+      line[n] = {w * ar + vr * br - vi * bi, w * ai + vr * bi + vi * br};
+      line[opposite] = {w * br + vr * ar + vi * ai, w * bi + vr * ai - vi * ar};
     }
   }
 }
@@ -146,7 +150,7 @@ void Deformation<Real>::separate_rows() const {
       out[4 * m + 2] = Real(0.5) * (ai + bi);
       out[4 * m + 3] = Real(0.5) * (br - ar);
     }
-    if (whole < pairs_) {
+    if (own_rows_ % 2 == 1) {
       out[4 * whole] = Real(0.5) * (here[2 * whole] + mirrored[2 * whole]);
       out[4 * whole + 1] = Real(0.5) * (here[2 * whole + 1] - mirrored[2 * whole + 1]);
     }
@@ -169,7 +173,7 @@ void Deformation<Real>::combine_rows() const {
     };
     const int whole = own_rows_ / 2;
     for (int m = 0; m < whole; ++m) combine(m, in[4 * m], in[4 * m + 1], in[4 * m + 2], in[4 * m + 3]);
-    if (whole < pairs_) combine(whole, in[4 * whole], in[4 * whole + 1], Real(0), Real(0));
+    if (own_rows_ % 2 == 1) combine(whole, in[4 * whole], in[4 * whole + 1], Real(0), Real(0));
   }
 }
 

@@ -81,7 +81,7 @@ private:
   int rows_;  ///< of all processes
   int own_rows_;
   int row_begin_;
-  int pairs_;     ///< of own rows; the last row may be alone
+  int pairs_;     ///< of own rows; the last row may be alone, the last pair empty
   int length_x_;  ///< padded lengths of the transforms
   int length_y_;
   std::vector<int> wave_ranges_;  ///< first x wave number of every process, and their number
@@ -93,9 +93,8 @@ private:
   mutable fftw::Buffer<Complex> x_waves_;     ///< its transform, and the result's back in place
   mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
   mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
-  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers][length_y], padded from rows on
+  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers and up to three][length_y], padded from rows on
   mutable fftw::Buffer<Complex> y_waves_;     ///< its transform, and the result's back in place
-  mutable std::vector<Complex> opposite_;     ///< a line of y_waves_ at the negative wave numbers
   // [own wave numbers][length_y], with the factor of the inverse transform.
   std::vector<Real> kernel_;            ///< W, real since K is even
   std::vector<Complex> mirror_kernel_;  ///< V
