@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/ehl/integral.hpp"
 
 namespace gearfilm {
 
@@ -116,27 +117,27 @@ void ContactFilm::multiply_storage(const double* change, double change_H0, doubl
 }
 
 FilmFigures ContactFilm::figures() const {
-  // Sums, then maxima (minima negated), so that two reductions serve all.
-  double sums[3] = {0.0, 0.0, 0.0};
-  double maxima[2] = {-INFINITY, -INFINITY};
-  const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
+  const double carried = integral(grid_, evaluated_pressure_.data(), evaluated_pressure_.size());
+  // The smallest film is minus the largest negative one; one reduction serves all.
+  enum { largest_pressure, negative_film, central_pressure, central_film, count };
+  double maxima[count] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
   if (grid_.rank() == 0) {
-    sums[1] = state_.film.row(i_centre)[0];
-    sums[2] = state_.pressure.row(i_centre)[0];
+    const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
+    maxima[central_pressure] = state_.pressure.row(i_centre)[0];
+    maxima[central_film] = state_.film.row(i_centre)[0];
   }
   for (int i = 0; i < grid_.nx(); ++i) {
-    if (grid_.rank() == 0) sums[0] -= state_.pressure.row(i)[0];  // Y = 0 is in both halves
     for (int j = 0; j < grid_.y_count(); ++j) {
-      sums[0] += 2.0 * state_.pressure.row(i)[j];
-      maxima[0] = std::max(maxima[0], state_.pressure.row(i)[j]);
-      maxima[1] = std::max(maxima[1], -state_.film.row(i)[j]);
+      maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.pressure.row(i)[j]);
+      maxima[negative_film] = std::max(maxima[negative_film], -state_.film.row(i)[j]);
     }
   }
-  int finite = std::isfinite(sums[0]) && std::isfinite(maxima[0]) && std::isfinite(maxima[1]);
-  MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, grid_.comm());
-  MPI_Allreduce(MPI_IN_PLACE, maxima, 2, MPI_DOUBLE, MPI_MAX, grid_.comm());
-  MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_LAND, grid_.comm());
-  return {sums[0] * grid_.h_x() * grid_.h_y(), sums[1], -maxima[1], sums[2], maxima[0], finite != 0};
+  MPI_Allreduce(MPI_IN_PLACE, maxima, count, MPI_DOUBLE, MPI_MAX, grid_.comm());
+  // A maximum may pass over what is not a number; the integral does not.
+  bool finite = std::isfinite(carried);
+  for (const double maximum : maxima) finite = finite && std::isfinite(maximum);
+  return {carried, maxima[central_film], -maxima[negative_film], maxima[central_pressure], maxima[largest_pressure],
+          finite};
 }
 
 void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, double* pressure) {

@@ -98,6 +98,11 @@ void Deformation<Real>::transform_kernel() {
   const int loaded = rows_ - 1;
   const std::size_t size = static_cast<std::size_t>(wave_count()) * length_y_;
   const Real scale = Real(1.0 / (static_cast<double>(length_x_) * length_y_));
+  const auto clear_lines = [&] {
+    std::fill_n(x_lines_.data(), static_cast<std::size_t>(length_x_) * pairs_, Complex(0));
+    std::fill_n(y_lines_.data(), size, Complex(0));
+  };
+  clear_lines();  // planning may have written there
   // V, of the distances 0..2M-1 in y; those from M on are found first, and wait in the transforms' place.
   kernel_to_y_lines(loaded);
   std::copy_n(y_lines_.data(), size, y_waves_.data());
@@ -115,9 +120,7 @@ void Deformation<Real>::transform_kernel() {
   y_forward_.execute();
   kernel_.resize(size);
   for (std::size_t n = 0; n < size; ++n) kernel_[n] = scale * y_waves_.data()[n].real();
-  // Padding is zero again.
-  std::fill_n(x_lines_.data(), static_cast<std::size_t>(length_x_) * pairs_, Complex(0));
-  std::fill_n(y_lines_.data(), size, Complex(0));
+  clear_lines();
 }
 
 // K being real, V(-n) is the conjugate of V(n).
