@@ -8,8 +8,6 @@
 namespace gearfilm {
 namespace {
 
-constexpr int largest_unmeasured = 10000;  // nodes
-
 /// Lines side by side, so that what follows one another in a line is not a power of two apart: a cache has few places
 /// for such.
 int uneven_stride(int lines) { return lines % 16 == 0 ? lines + 1 : lines; }
@@ -59,8 +57,8 @@ template <class Real>
 void Deformation<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
-  // Measuring takes tenths of a second, and finds little on small grids.
-  const unsigned effort = nx_ * 2 * rows_ > largest_unmeasured ? FFTW_MEASURE : FFTW_ESTIMATE;
+  // Not measured: a measurement may choose differently in the next run, whose results would differ in the last digits.
+  constexpr unsigned effort = FFTW_ESTIMATE;
   const auto raw = [](fftw::Buffer<Complex>& buffer) { return reinterpret_cast<Raw>(buffer.data()); };
   const auto plan_x = [&](fftw::Buffer<Complex>& from, int sign) {
     return fftw::Plan<Real>(Fftw::many_c2c(1, &length_x_, pairs_, raw(from), nullptr, pairs_, 1, raw(x_waves_), nullptr,
