@@ -17,6 +17,9 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   // Open MPI's default file layer leaves a semaphore behind when a run is killed inside a file open; every later open
   // of a file of that name then hangs.
   setenv("OMPI_MCA_io", "romio321", 0);
+  // Open MPI 4 passes more than 4 kB between processes of one machine by a system call, which takes as long as a whole
+  // transpose of 129 x 65 nodes.
+  setenv("OMPI_MCA_btl_vader_eager_limit", "16384", 0);
   petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
   // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
