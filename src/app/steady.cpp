@@ -75,9 +75,10 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   ResultsFile file(comm, problem.output_directory / "results.h5", ResultsFile::Mode::whole);
   write_identity(file, problem, "steady");
   const Scales& scales = problem.scales;
-  file.grid(group, film.grid(), scales);
-  file.field(group, "P", "Pa", film.grid(), film.pressure(), scales.pressure);
-  file.field(group, "H", "m", film.grid(), film.film(), scales.film);
+  const WholeDomain domain(film.grid());
+  file.grid(group, domain, scales);
+  file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure);
+  file.field(group, "H", "m", domain, film.film(), scales.film);
   file.attribute(group, "xi", problem.steady_position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);

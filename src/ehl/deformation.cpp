@@ -101,23 +101,24 @@ void Deformation<Real>::transform_kernel() {
     std::fill_n(y_lines_.data(), size, Complex(0));
   };
   clear_lines();  // planning may have written there
-  // V, of the distances 0..2M-1 in y; those from M on are found first, and wait in the transforms' place.
+  // The distances in y from M on are needed last, and wait where V will be.
   kernel_to_y_lines(loaded);
-  std::copy_n(y_lines_.data(), size, y_waves_.data());
+  mirror_kernel_.assign(y_lines_.data(), y_lines_.data() + size);
   kernel_to_y_lines(0);
-  for (int k = 0; k < wave_count(); ++k) std::copy_n(y_wave(k), loaded, y_line(k) + loaded);
-  y_forward_.execute();
-  mirror_kernel_.resize(size);
-  for (std::size_t n = 0; n < size; ++n) mirror_kernel_[n] = scale * y_waves_.data()[n];
   // W, of the distances -M..M.
-  kernel_to_y_lines(0);
   for (int k = 0; k < wave_count(); ++k) {
-    std::fill(y_line(k) + rows_, y_line(k + 1), Complex(0));
     for (int j = 1; j < loaded; ++j) y_line(k)[length_y_ - j] = y_line(k)[j];
   }
   y_forward_.execute();
   kernel_.resize(size);
   for (std::size_t n = 0; n < size; ++n) kernel_[n] = scale * y_waves_.data()[n].real();
+  // V, of the distances 0..2M-1.
+  for (int k = 0; k < wave_count(); ++k) {
+    const Complex* distant = mirror_kernel_.data() + static_cast<std::size_t>(k) * length_y_;
+    std::fill(std::copy_n(distant, loaded, y_line(k) + loaded), y_line(k + 1), Complex(0));
+  }
+  y_forward_.execute();
+  for (std::size_t n = 0; n < size; ++n) mirror_kernel_[n] = scale * y_waves_.data()[n];
   clear_lines();
 }
 

@@ -4,7 +4,6 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
-#include "gearfilm/io/whole_domain.hpp"
 
 namespace gearfilm {
 
@@ -43,9 +42,9 @@ void ResultsFile::view(const std::string& group, const std::string& name, Vec ve
   dataset_attribute(group + "/" + name, "unit", unit);
 }
 
-void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit, const Grid& grid,
-                        const Field<double>& values, double scale) {
-  view(group, name, WholeDomain(grid).unfold(values, scale), unit);
+void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit,
+                        const WholeDomain& domain, const Field<double>& values, double scale) {
+  view(group, name, domain.unfold(values, scale), unit);
 }
 
 void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
@@ -56,13 +55,14 @@ void ResultsFile::line(const std::string& group, const std::string& name, const 
   view(group, name, vec, "m");
 }
 
-void ResultsFile::grid(const std::string& group, const Grid& grid, const Scales& scales) {
+void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
+  const Grid& grid = domain.grid();
   std::vector<double> x(grid.nx()), y(grid.ny());
   for (int i = 0; i < grid.nx(); ++i) x[i] = scales.length * grid.x(i);
-  for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * grid.h_y() * (j - (grid.rows() - 1));
+  for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * domain.y(j);
   line(group, "x", x);
   line(group, "y", y);
-  view(group, "mesh", WholeDomain(grid).coordinates(scales.length), "m");
+  view(group, "mesh", domain.coordinates(scales.length), "m");
 }
 
 void ResultsFile::finish() {

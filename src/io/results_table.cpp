@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace gearfilm {
 namespace {
@@ -81,7 +82,8 @@ void ResultsTable::append(const std::vector<double>& rows) {
 }
 
 void ResultsTable::write() {
-  const hsize_t first = length_, count = waiting_.size() / width_;
+  const std::vector<double> rows = std::exchange(waiting_, {});  // a write that fails is not tried again
+  const hsize_t first = length_, count = rows.size() / width_;
   if (count == 0) return;
   length_ += count;
   succeed(H5Dset_extent(dataset_, &length_), "extend a table");
@@ -93,9 +95,8 @@ void ResultsTable::write() {
     succeed(H5Sselect_none(file_space), "select rows");
     succeed(H5Sselect_none(memory_space), "select rows");
   }
-  succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, waiting_.data()), "write rows");
+  succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, rows.data()), "write rows");
   succeed(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush a table");
-  waiting_.clear();
 }
 
 }  // namespace gearfilm

@@ -6,8 +6,8 @@
 namespace gearfilm {
 
 Snapshots::Snapshots(ResultsFile& file, const Grid& grid, const Scales& scales, std::filesystem::path xdmf)
-    : file_(file), grid_(grid), scales_(scales), xdmf_(std::move(xdmf)) {
-  file_.grid("/mesh", grid_, scales_);
+    : file_(file), domain_(grid), scales_(scales), xdmf_(std::move(xdmf)) {
+  file_.grid("/mesh", domain_, scales_);
 }
 
 void Snapshots::write(const StepRecord& record, const std::vector<LiveContact>& contacts) {
@@ -49,13 +49,13 @@ void Snapshots::write(double T, const std::vector<ContactFields>& contacts) {
   TimedFields fields{time, {}};
   for (const ContactFields& contact : contacts) {
     const std::string group = name.str() + "/contact" + std::to_string(contact.contact);
-    file_.field(group, "P", "Pa", grid_, *contact.pressure, scales_.pressure);
-    file_.field(group, "H", "m", grid_, *contact.film, scales_.film);
+    file_.field(group, "P", "Pa", domain_, *contact.pressure, scales_.pressure);
+    file_.field(group, "H", "m", domain_, *contact.film, scales_.film);
     file_.attribute(group, "xi", contact.position);
     fields.groups.push_back(group);
   }
   written_.push_back(std::move(fields));
-  write_xdmf(xdmf_, "results.h5", "/mesh/mesh", grid_, written_);
+  write_xdmf(xdmf_, "results.h5", "/mesh/mesh", domain_.grid(), written_);
 }
 
 }  // namespace gearfilm

@@ -61,7 +61,7 @@ OwnedVec WholeDomain::coordinates(double scale) const {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int row = ranges_[grid_.rank()]; row < ranges_[grid_.rank() + 1]; ++row) {
       *next++ = scale * grid_.x(i);
-      *next++ = scale * grid_.h_y() * from_middle(row);
+      *next++ = scale * y(row);
     }
   }
   return mesh;

@@ -16,7 +16,7 @@
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/ehl/field.hpp"
+#include "gearfilm/io/whole_domain.hpp"
 
 namespace gearfilm {
 
@@ -34,9 +34,9 @@ public:
   void dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value);
 
   /// Coordinates of a contact's grid [m].
-  void grid(const std::string& group, const Grid& grid, const Scales& scales);
+  void grid(const std::string& group, const WholeDomain& domain, const Scales& scales);
   /// One field in SI: values times scale.
-  void field(const std::string& group, const std::string& name, const std::string& unit, const Grid& grid,
+  void field(const std::string& group, const std::string& name, const std::string& unit, const WholeDomain& domain,
              const Field<double>& values, double scale);
 
   void finish();

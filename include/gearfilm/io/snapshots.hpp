@@ -44,7 +44,7 @@ private:
   void write(double T, const std::vector<ContactFields>& contacts);
 
   ResultsFile& file_;
-  const Grid& grid_;
+  WholeDomain domain_;
   Scales scales_;
   std::filesystem::path xdmf_;
   std::vector<TimedFields> written_;

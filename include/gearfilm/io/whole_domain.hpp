@@ -11,6 +11,9 @@ public:
   /// The grid must outlive the object.
   explicit WholeDomain(const Grid& grid);
 
+  const Grid& grid() const { return grid_; }
+  /// Y of a row, 0 <= row < ny.
+  double y(int row) const { return grid_.h_y() * from_middle(row); }
   /// scale times a field of the grid, with its mirror image. Collective.
   OwnedVec unfold(const Field<double>& values, double scale) const;
   /// scale times X and Y of every node, as (nx, ny, 2). Collective.
