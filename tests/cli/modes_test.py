@@ -1,0 +1,166 @@
+"""The commands that make a pair vibrate, from outside: eigen, sweep, and spectra of marches."""
+import os
+import shutil
+import unittest
+
+import numpy
+
+from films import BARBIERI, SAME, summary_in
+from vibration import MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
+
+
+class Eigen(VibrationTest):
+    def test_pair_swings_at_its_natural_frequencies_on_1_and_2_processes(self):
+        alone, shared = (self.eigen(processes=processes) for processes in (1, 2))
+        for summary in (alone, shared):
+            # Table 3 of the paper, and the mode in which the gears turn against each other: what the tooth force gives
+            # to one it takes from the other, I_1 phi_1/R_b1 = -I_2 phi_2/R_b2. In the rigid mode they turn as geared.
+            self.assertAlmostEqual(summary["f_n"] / 5138.8, 1, delta=1e-3)
+            self.assertLess(summary["rigid_frequency"], 1e-3 * summary["f_n"])
+            self.run_well("info", BARBIERI)
+            derived = summary_in(self.folder / "output/barbieri2013")
+            pinion, wheel = (summary[f"inertia_{gear}"] / derived[f"base_radius_{gear}"]
+                             for gear in ("pinion", "wheel"))
+            swinging, rigid = summary["mode_shape"], summary["rigid_mode_shape"]
+            self.assertAlmostEqual(pinion * swinging[0] / (wheel * swinging[1]), -1, delta=1e-9)
+            self.assertAlmostEqual(rigid[1] / rigid[0] / (28 / 43), 1, delta=1e-9)
+            self.assertEqual(summary["contacts"], 1)
+        for name in ("film_frequency", "film_damping_ratio"):
+            self.assertGreater(alone[name], 0)
+            self.assertAlmostEqual(shared[name] / alone[name], 1, delta=SAME, msg=name)
+        # As many as eigen.modes asks for, however many SLEPc has found beyond them.
+        for summary in (alone, shared):
+            self.assertEqual(len(summary["film_eigenvalues"]), 4)
+
+    def test_inertias_in_the_place_of_the_mass(self):
+        inertias = {"pinion": 1e-3, "wheel": 4e-3}
+        summary = self.eigen(case=self.write_case(barbieri_with_inertias(**inertias)))
+        self.run_well("info", BARBIERI)
+        derived = summary_in(self.folder / "output/barbieri2013")
+        mass = 1 / sum(derived[f"base_radius_{gear}"]**2 / inertia for gear, inertia in inertias.items())
+        self.assertAlmostEqual(summary["m_ge"] / mass, 1, delta=1e-12)
+        self.assertAlmostEqual(summary["f_n"] / (derived["f_n"] * (derived["m_ge"] / mass)**0.5), 1, delta=1e-9)
+        for gear, inertia in inertias.items():
+            self.assertEqual(summary[f"inertia_{gear}"], inertia)
+
+    def test_films_ring_down_as_the_eigenvalue_says(self):
+        summary = self.eigen()
+        frequency, damping_ratio, rest = self.ring_down(summary["film_frequency"], "-start_H0", summary["H0"] + 2e-3,
+                                                        "-output_spectrum_periods", 5)
+        # The rest is the time step's: at half of it the differences are 3e-5 and 1e-4.
+        self.assertAlmostEqual(frequency / summary["film_frequency"], 1, delta=1e-3)
+        self.assertAlmostEqual(damping_ratio / summary["film_damping_ratio"], 1, delta=0.03)
+        self.assertAlmostEqual(rest, summary["H0"], delta=1e-5)
+        # Lines are 1400 Hz apart. The mean of H0 is not an oscillation.
+        highest = summary_in(self.folder / "ringing")["spectrum_peaks"][0]
+        self.assertAlmostEqual(highest["frequency"], frequency, delta=700.1)
+        self.assertLess(highest["H0"], 2e-3)
+
+    def test_dry_pair_rings_without_damping(self):
+        frequency, damping_ratio, _ = self.ring_down(5139.07, "-model", "dry", "-start_H0", -1.648, "-time_dt", 0.2)
+        self.assertAlmostEqual(frequency / 5139.07, 1, delta=1e-4)
+        self.assertLess(abs(damping_ratio), 1e-4)
+
+
+class Sweep(VibrationTest):
+    OPTIONS = [*MARCH, "-periodic_multipliers", "no", "-output_dir", "sweep"]
+
+    def setUp(self):
+        super().setUp()
+        self.output = self.folder / "sweep"
+
+    def sweep(self, values, *options, processes=1):
+        return self.run_well("sweep", BARBIERI, *self.OPTIONS, "-sweep_values", values, *options, processes=processes)
+
+    def points(self):
+        """Time of writing and content of each point's file."""
+        return {path.name: (path.stat().st_mtime_ns, path.read_bytes()) for path in (self.output / "points").iterdir()}
+
+    def test_two_speeds_in_both_directions(self):
+        values = "16000, 15000"
+        run = self.sweep(values)
+        rows = table_in(self.output, "sweep")
+        self.assertEqual(set(os.listdir(self.output)), {"points", "results.h5", "summary.json", "sweep.json"})
+        numpy.testing.assert_array_equal(rows["speed_rpm"], [15000, 16000, 16000, 15000])
+        numpy.testing.assert_array_equal(rows["up"], [1, 1, 0, 0])
+        numpy.testing.assert_array_equal(rows["found"], 1)
+        numpy.testing.assert_allclose(rows["f_m"], rows["speed_rpm"] / 60 * 28, rtol=1e-12)
+        for name in ("H0_after_leaving", "force_ratio_max"):
+            numpy.testing.assert_allclose(rows[name][2:], rows[name][1::-1], rtol=0, atol=SAME_ORBIT, err_msg=name)
+        self.assertRegex(run.stdout, r"(?m)^up 15000 rpm: force ratio 1\.28")
+        summary = summary_in(self.output)
+        self.assertEqual((summary["points_found"], summary["points_failed"]), (4, 0))
+        for row, point in zip(rows, summary["points"]):
+            self.assertEqual(row["p_max"], point["p_max"])
+
+        with self.subTest("deals its chains out to two processes"):
+            shutil.move(self.output, self.folder / "alone")
+            self.sweep(values, "-sweep_groups", 2, processes=2)
+            shared = table_in(self.output, "sweep")
+            # What is left of the change over a period is the difference of nearly equal numbers.
+            for name in set(rows.dtype.names) - {"defect", "film_defect"}:
+                numpy.testing.assert_allclose(shared[name], rows[name], rtol=SAME, err_msg=name)
+
+        with self.subTest("goes on where it was interrupted"):
+            shutil.rmtree(self.output, ignore_errors=True)
+            shutil.move(self.folder / "alone", self.output)
+            before = self.points()
+            (self.output / "points/down_0000.json").unlink()
+            (self.output / "summary.json").unlink()
+            self.sweep(values)
+            after = self.points()
+            self.assertEqual([name for name in before if before[name] != after[name]], ["down_0000.json"])
+            again = summary_in(self.output)
+            self.assertEqual((again["points_found"], again["points_failed"]), (4, 0))
+            self.assertEqual(again["points"][:3], summary["points"][:3])
+            for name in ("H0_after_leaving", "force_ratio_max"):
+                self.assertAlmostEqual(again["points"][3][name], summary["points"][3][name], delta=SAME_ORBIT)
+
+        with self.subTest("keeps its folder from another sweep"):
+            before = self.points()
+            for processes in (1, 2):
+                other = self.run_program("sweep", BARBIERI, *self.OPTIONS, "-sweep_values", "15000, 16500",
+                                         processes=processes)
+                self.assertEqual(other.status, 1, other)
+                self.assertEqual(other.stdout, "", other)
+                self.assertRegex(other.stderr, r"\Agearfilm: wrong input: .*sweep\.values.*-output_dir.*\n\Z")
+                self.assertEqual(self.points(), before)
+                self.assertEqual(summary_in(self.output), again)
+
+    def test_a_point_that_fails_leaves_the_others(self):
+        # At 8000 rpm the dynamic force widens the contact beyond the sides of the short domain.
+        run = self.sweep("8000, 15000", "-sweep_direction", "up", "-grid_y_half", 1.1)
+        self.assertRegex(run.stdout, r"(?m)^up 8000 rpm: failed: .*grid_y_half")
+        rows = table_in(self.output, "sweep")
+        numpy.testing.assert_array_equal(rows["found"], [0, 1])
+        numpy.testing.assert_array_equal(numpy.isnan(rows["force_ratio_max"]), [True, False])
+        summary = summary_in(self.output)
+        self.assertEqual((summary["points_found"], summary["points_failed"]), (1, 1))
+        failed, found = summary["points"]
+        self.assertIn("side edge", failed["error"])
+        self.assertNotIn("force_ratio_max", failed)
+        self.assertNotIn("error", found)
+        self.assertEqual(found["start"], "dry orbit")
+
+    def test_a_sweep_without_any_state_is_not_solved(self):
+        run = self.run_program("sweep", BARBIERI, "-grid_nx", 33, "-grid_ny", 9, "-sweep_values", "15000, 16000",
+                               "-output_dir", "sweep")
+        self.assertEqual(run.status, 2, run)
+        self.assertRegex(run.stderr, r"\Agearfilm: not solved: .*summary\.json\n\Z")
+        summary = summary_in(self.output)
+        self.assertEqual((summary["points_found"], summary["points_failed"]), (0, 4))
+        numpy.testing.assert_array_equal(table_in(self.output, "sweep")["found"], 0)
+
+
+class Spectrum(VibrationTest):
+    def test_dry_march_has_the_mesh_frequency_among_its_peaks(self):
+        self.run_well("transient", BARBIERI, "-model", "dry", "-mesh_periods", 8, "-output_spectrum_periods", 8,
+                      "-time_dt", 0.1, "-output_dir", "dry")
+        lines = table_in(self.folder / "dry", "spectrum")
+        numpy.testing.assert_allclose(lines["frequency"], 875.0 * numpy.arange(len(lines)), rtol=1e-9)
+        peaks = [peak["frequency"] for peak in summary_in(self.folder / "dry")["spectrum_peaks"]]
+        self.assertLess(min(abs(frequency - 7000) for frequency in peaks), 437.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
