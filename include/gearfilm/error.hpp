@@ -1,4 +1,4 @@
-// The kinds of failure that reach the user, each with its exit status (docs/user-guide.md).
+// The ways in which a command ends early, each with its exit status (docs/user-guide.md).
 #pragma once
 
 #include <stdexcept>
@@ -12,11 +12,29 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The computation failed: not converged, or outside its model's validity. The message names the
-/// contact, the position and the remedy. Exit status 2.
-class SolveError : public std::runtime_error {
+/// The computation has come to its end before time; what it computed until then is worth writing.
+class Unfinished : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
+};
+
+/// The computation failed: not converged, or outside its model's validity. The message names the
+/// contact, the position and the remedy. Exit status 2.
+class SolveError : public Unfinished {
+public:
+  using Unfinished::Unfinished;
+};
+
+/// Results cannot be written any more: disk full, folder gone. Raised on all processes alike. Exit status 2.
+class OutputError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Stopped on request, by a signal or the time limit; can be continued. Raised on all processes alike. Exit status 3.
+class Stopped : public Unfinished {
+public:
+  using Unfinished::Unfinished;
 };
 
 }  // namespace gearfilm

@@ -147,7 +147,7 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
 
 void run_bench(MPI_Comm comm, const Case& problem) {
   require_moving_films(problem, "bench");
-  prepare_output_directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.output_directory);
   Summary summary;
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();

@@ -25,12 +25,13 @@ void require_moving_films(const Case& problem, const std::string& command) {
   if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
-MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer) {
+MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer,
+                     MarchKeeper* keeper) {
   SolverOptions films = problem.solver;
   films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid, problem.steps.dT);
   const bool inert = problem.model != MarchModel::quasistatic;
   return MeshMarch(grid, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, films,
-                   problem.steps, std::move(observer), problem.prescribed_load);
+                   problem.steps, std::move(observer), problem.prescribed_load, keeper);
 }
 
 DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {

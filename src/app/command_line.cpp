@@ -15,17 +15,18 @@ namespace {
 struct Command {
   const char* name;
   void (*run)(MPI_Comm, const Case&);
+  bool resumable;  ///< can be stopped and continued
   const char* meaning;
 };
 
 constexpr std::array<Command, 7> commands = {{
-    {"info", run_info, "derived quantities of a case, no field solve"},
-    {"steady", run_steady, "stationary film of one contact"},
-    {"transient", run_transient, "the gear pair marched in time"},
-    {"periodic", run_periodic, "periodic state by shooting, with Floquet multipliers"},
-    {"eigen", run_eigen, "natural frequencies and damping of the pair, dry and on its films"},
-    {"sweep", run_sweep, "periodic states over a range of speeds, torques or masses"},
-    {"bench", run_bench, "speed of the kernels, of stationary films and of a mesh period"},
+    {"info", run_info, false, "derived quantities of a case, no field solve"},
+    {"steady", run_steady, false, "stationary film of one contact"},
+    {"transient", run_transient, true, "the gear pair marched in time"},
+    {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
+    {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},
+    {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
+    {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 constexpr const char* parameters_command = "parameters";
 
@@ -97,7 +98,12 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     if (!command_line.surplus().empty()) {
       throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
     }
-    command.run(comm, read_case(comm, command_line.case_file()));
+    const Case problem = read_case(comm, command_line.case_file());
+    if (problem.restart && !command.resumable) {
+      throw InputError(problem.parameters.origin("restart") + ": " + command.name +
+                       " has nothing to go on from; run it without -restart");
+    }
+    command.run(comm, problem);
     for (const std::string& option : unused_options()) {
       petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: option %s was not used\n", option.c_str()));
     }

@@ -5,11 +5,11 @@
 #include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/dynamics/dry_modes.hpp"
 #include "gearfilm/dynamics/film_modes.hpp"
 #include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
 namespace {
@@ -63,9 +63,12 @@ Summary film_summary(const Case& problem, const Grid& grid, double angular_frequ
 
 /// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
 /// films by themselves.
-Summary orbit_multipliers(const Case& problem, const Grid& grid) {
+Summary orbit_multipliers(const Case& problem, const Grid& grid, ResumableRun& run) {
   const ContactPath path = path_after_leaving(problem);
-  MeshMarch march = make_march(problem, grid, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    if (!record.recalled) run.stop().check(grid.comm(), record.T / path.mesh_period());
+  };
+  MeshMarch march = make_march(problem, grid, path, on_step, &run.checkpoint());
   const PeriodicOrbit orbit =
       find_periodic_orbit(march, path, dry_guess(problem, grid, damped_dry_orbit(problem, path)), problem.periodic,
                           [](const SearchPeriod&) {});
@@ -103,14 +106,14 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   Case problem = given;
   problem.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
   const Grid grid(comm, case_grid(problem));
-  prepare_output_directory(comm, problem.output_directory);
-  remove_earlier_results(comm, problem.output_directory);
+  ResumableRun run(problem, grid, "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}};
   summary.update(dry_pair_summary(problem));
   const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
   summary.update(film_summary(problem, grid, dry_rate));
-  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, grid);
-  write_summary(comm, problem.output_directory / "summary.json", summary);
+  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, grid, run);
+  write_summary(comm, run.directory() / "summary.json", summary);
+  run.complete();
   print_result(comm, summary);
 }
 

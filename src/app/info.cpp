@@ -7,7 +7,7 @@ namespace gearfilm {
 
 void run_info(MPI_Comm comm, const Case& problem) {
   const Summary summary = derived_quantities(problem);
-  prepare_output_directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.output_directory);
   for (const auto& [name, value] : summary.items()) {
     if (value.is_number()) {
       petsc_check(PetscPrintf(comm, "%-36s %.8g\n", name.c_str(), value.get<double>()));

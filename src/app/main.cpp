@@ -2,7 +2,6 @@
 #include <petscsys.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <string>
 
@@ -12,14 +11,12 @@
 
 namespace {
 
-enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2 };
+enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2, stopped = 3 };
 
-int report(const char* kind, const std::exception& error, ExitStatus status) {
-  int rank = 0;
-  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-  std::string line = error.what();
+ExitStatus end(const gearfilm::Session& session, const char* kind, const std::exception& error, ExitStatus status) {
+  std::string line = std::string("gearfilm: ") + kind + ": " + error.what();
   std::replace(line.begin(), line.end(), '\n', ' ');
-  if (rank == 0) std::fprintf(stderr, "gearfilm: %s: %s\n", kind, line.c_str());
+  session.end_together(line, status);
   return status;
 }
 
@@ -32,12 +29,14 @@ int main(int argc, char** argv) {
     gearfilm::run(PETSC_COMM_WORLD, command_line);
     return done;
   } catch (const gearfilm::InputError& error) {
-    return report("wrong input", error, wrong_input);
+    return end(session, "wrong input", error, wrong_input);
   } catch (const gearfilm::SolveError& error) {
-    return report("not solved", error, not_solved);
+    return end(session, "not solved", error, not_solved);
+  } catch (const gearfilm::OutputError& error) {
+    return end(session, "not written", error, not_solved);
+  } catch (const gearfilm::Stopped& reason) {
+    return end(session, "stopped", reason, stopped);
   } catch (const std::exception& error) {
-    // A broken invariant need not have struck all processes: the others must not wait for this one.
-    std::fprintf(stderr, "gearfilm: internal error: %s\n", error.what());
-    MPI_Abort(PETSC_COMM_WORLD, not_solved);
+    return end(session, "internal error", error, not_solved);
   }
 }

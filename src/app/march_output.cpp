@@ -20,42 +20,48 @@ double snapshot_interval(const Case& problem, MarchPurpose purpose) {
 
 }  // namespace
 
-MarchOutput::MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path,
+MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const ContactPath& path,
                          MarchPurpose purpose, const std::string& command, double expected_periods)
-    : problem_(problem),
+    : checkpoint_(run.checkpoint()),
+      problem_(problem),
       path_(path),
       purpose_(purpose),
       lubricated_(problem.model != MarchModel::dry || purpose == MarchPurpose::search),
       expected_periods_(expected_periods),
-      file_(comm, problem.output_directory / "results.h5", ResultsFile::Mode::growing),
-      history_(file_, problem.scales, path, lubricated_),
+      file_(grid.comm(), run.directory() / "results.h5"),
+      history_(std::in_place, file_, problem.scales, path, lubricated_),
       statistics_(path.mesh_period(), problem.scales.static_force),
-      progress_(comm) {
+      progress_(grid.comm()) {
   write_identity(file_, problem, command);
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
-    snapshots_.emplace(file_, grid, problem.scales, problem.output_directory / "results.xmf");
+    snapshots_.emplace(file_, grid, problem.scales, run.directory() / "results.xmf");
   }
 }
 
-StepObserver MarchOutput::observer() {
-  return [this](const StepRecord& record, const std::vector<LiveContact>& contacts) { step(record, contacts); };
-}
-
 void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
-  history_.append(record);
+  history_->append(record);
   statistics_.add(record, lubricated_);
   signal_.add(record);
   const double period = record.T / path_.mesh_period();
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
-    if (purpose_ == MarchPurpose::search) {
-      snapshots_->hold(record, contacts);
-    } else {
-      snapshots_->write(record, contacts);
-    }
+    take_snapshot(record, contacts);
     const double interval = snapshot_interval(problem_, purpose_);
     next_snapshot_ = interval * (std::floor(period / interval + 1e-9) + 1.0);
   }
-  report(record, period);
+  if (checkpoint_.caught_up()) file_.publish();
+  if (!record.recalled) report(record, period);
+}
+
+void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  const std::optional<FilmSnapshot> snapshot =
+      record.recalled ? checkpoint_.recall_snapshot() : film_snapshot(record, contacts);
+  if (!snapshot) return;
+  if (!record.recalled) checkpoint_.attach(*snapshot);
+  if (purpose_ == MarchPurpose::search) {
+    held_.push_back(*snapshot);
+  } else {
+    snapshots_->write(*snapshot);
+  }
 }
 
 void MarchOutput::end_search_period(const SearchPeriod& period) {
@@ -64,11 +70,17 @@ void MarchOutput::end_search_period(const SearchPeriod& period) {
        << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
   progress_.note(text.str());
   if (!snapshots_) return;
-  if (period.accepted) {
-    snapshots_->write_held(period.begin);
-  } else {
-    snapshots_->drop_held();
+  for (const FilmSnapshot& snapshot : held_) {
+    if (period.accepted && snapshot.T > period.begin) snapshots_->write(snapshot);
   }
+  if (!period.accepted) checkpoint_.drop_snapshots();
+  held_.clear();
+}
+
+void MarchOutput::finish() {
+  history_->write();
+  history_.reset();
+  file_.finish();
 }
 
 Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow window) {
@@ -80,6 +92,7 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
   }
   ResultsTable table(file_, "/spectrum", {{"frequency", "Hz"}, {"H0", "-"}, {"h0", "m"}});
   table.append(rows);
+  table.write();
   Summary peaks = Summary::array();
   for (const SpectralLine& peak : spectral_peaks(lines, peak_count)) {
     peaks.push_back({{"frequency", peak.frequency / scales.time}, {"H0", peak.amplitude}});

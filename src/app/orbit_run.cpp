@@ -15,13 +15,15 @@ OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& pat
   MarchStatistics statistics(path.mesh_period(), problem.scales.static_force);
   MotionSignal signal;
   bool searching = true;
-  MeshMarch march =
-      make_march(problem, grid, path, [&](const StepRecord& record, const std::vector<LiveContact>& live) {
-        if (!searching) return;
-        statistics.add(record, true);
-        signal.add(record);
-        observers.on_step(record, live);
-      });
+  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
+    if (searching) {
+      statistics.add(record, true);
+      signal.add(record);
+      observers.on_step(record, live);
+    }
+    if (!record.recalled) observers.stop.check(grid.comm(), record.T / path.mesh_period());
+  };
+  MeshMarch march = make_march(problem, grid, path, on_step, &observers.checkpoint);
   OrbitRun run;
   run.orbit = find_periodic_orbit(march, path, guess, problem.periodic, observers.on_period);
   searching = false;

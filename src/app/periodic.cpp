@@ -4,7 +4,6 @@
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
 namespace {
@@ -32,33 +31,36 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   require_moving_films(problem, "periodic");
   const Grid grid(comm, case_grid(problem));
-  prepare_output_directory(comm, problem.output_directory);
-  remove_earlier_results(comm, problem.output_directory);
-  const auto summary_file = problem.output_directory / "summary.json";
+  ResumableRun run(problem, grid, "periodic");
+  const auto summary_file = run.directory() / "summary.json";
   const ContactPath path = path_after_leaving(problem);
   const OrbitGuess guess = dry_guess(problem, grid, damped_dry_orbit(problem, path));
-  MarchOutput output(comm, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
-  OrbitRun run;
+  MarchOutput output(run, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
+  const OrbitObservers observers = {
+      [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
+      [&](const SearchPeriod& period) { output.end_search_period(period); }, run.checkpoint(), run.stop()};
+  OrbitRun found;
   try {
-    run = run_orbit(problem, grid, path, guess,
-                    {output.observer(), [&](const SearchPeriod& period) { output.end_search_period(period); }});
-  } catch (const SolveError&) {
+    found = run_orbit(problem, grid, path, guess, observers);
+  } catch (const Unfinished&) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = false;
     write_summary(comm, summary_file, summary);  // what was marched until then
     throw;
   }
-  const double begin = run.orbit.begin, end = begin + path.mesh_period();
+  const double begin = found.orbit.begin, end = begin + path.mesh_period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}, {"dT", problem.steps.dT}};
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * path.mesh_period();
-  summary.update(orbit_summary(problem, run));
+  summary.update(orbit_summary(problem, found));
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, path);
   summary["completed"] = true;
+  output.finish();
   write_summary(comm, summary_file, summary);
+  run.complete();
 }
 
 }  // namespace gearfilm

@@ -1,12 +1,21 @@
 #include "gearfilm/app/session.hpp"
 
+#include <hdf5.h>
 #include <slepcsys.h>
 
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 #include "gearfilm/ehl/events.hpp"
 
 namespace gearfilm {
+namespace {
+
+constexpr double patience = 10.0;  // [s]
+
+}  // namespace
 
 Session::Session(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {
   for (std::string& argument : arguments_) pointers_.push_back(argument.data());
@@ -23,14 +32,33 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
   // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  // Nor HDF5.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   // A closed pipe ends the program quietly, as it ends others.
   petsc_check(PetscPopSignalHandler());
   register_events();
+  MPI_Comm_dup(PETSC_COMM_WORLD, &ending_);
 }
 
 Session::~Session() {
+  MPI_Comm_free(&ending_);
   (void)PetscPopErrorHandler();
   (void)SlepcFinalize();
+}
+
+void Session::end_together(const std::string& line, int status) const {
+  int rank = 0, together = 0;
+  MPI_Comm_rank(ending_, &rank);
+  if (rank == 0) std::fprintf(stderr, "%s\n", line.c_str());
+  MPI_Request all_here = MPI_REQUEST_NULL;
+  MPI_Ibarrier(ending_, &all_here);
+  for (const double begin = MPI_Wtime(); !together && MPI_Wtime() - begin < patience;) {
+    MPI_Test(&all_here, &together, MPI_STATUS_IGNORE);
+    if (!together) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (together) return;
+  if (rank != 0) std::fprintf(stderr, "%s\n", line.c_str());
+  MPI_Abort(ending_, status);
 }
 
 }  // namespace gearfilm

@@ -72,7 +72,7 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
 void write_results(MPI_Comm comm, const Case& problem, const Position& position, const ContactFilm& film,
                    const Summary& summary) {
   const std::string group = "/contact0";
-  ResultsFile file(comm, problem.output_directory / "results.h5", ResultsFile::Mode::whole);
+  ResultsFile file(comm, problem.output_directory / "results.h5");
   write_identity(file, problem, "steady");
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
@@ -116,8 +116,8 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
 void run_steady(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, case_grid(problem));
   const Position position = steady_position(problem);
-  prepare_output_directory(comm, problem.output_directory);
-  remove_earlier_results(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.output_directory);
+  directory.remove_earlier_results();
   ContactFilm film(grid, problem.scales, problem.solver.multigrid);
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;

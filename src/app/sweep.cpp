@@ -9,6 +9,7 @@
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/output_directory.hpp"
 #include "gearfilm/io/results_table.hpp"
 
@@ -61,7 +62,7 @@ void wait_for_all(MPI_Comm comm) {
   }
 }
 
-void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups) {
+void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups, const StopRequest& stop) {
   const std::vector<SweepChain> chains = chains_of(problem.sweep);
   int size = 1, rank = 0;
   MPI_Comm_size(comm, &size);
@@ -69,14 +70,16 @@ void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, i
   const int own = static_cast<int>(static_cast<long>(rank) * groups / size);
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Comm_split(comm, own, rank, &group);
+  std::string stopped;
   try {
-    for (std::size_t n = own; n < chains.size(); n += groups) run_chain(group, problem, points, chains[n]);
-  } catch (const std::exception& error) {
-    // What is not recorded as a point's failure has struck this group alone; the others would wait for it for ever.
-    throw std::runtime_error(std::string("in one group of the sweep: ") + error.what());
+    for (std::size_t n = own; n < chains.size(); n += groups) run_chain(group, problem, points, chains[n], stop);
+  } catch (const Stopped& reason) {
+    stopped = reason.what();
   }
   MPI_Comm_free(&group);
   wait_for_all(comm);
+  stopped = first_reason(comm, stopped);
+  if (!stopped.empty()) throw Stopped(stopped);
 }
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
@@ -124,11 +127,12 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
       rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
     }
   }
-  ResultsFile file(comm, problem.output_directory / "results.h5", ResultsFile::Mode::whole);
+  ResultsFile file(comm, problem.output_directory / "results.h5");
   write_identity(file, problem, "sweep");
   {
     ResultsTable table(file, "/sweep", columns);
     table.append(rows);
+    table.write();
   }
   file.finish();
 }
@@ -147,10 +151,10 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   }
   for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
   const int groups = group_count(comm, problem);
-  prepare_output_directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.output_directory);
   const SweepPoints points(comm, problem);
-  remove_earlier_results(comm, problem.output_directory);
-  run_chains(comm, problem, points, groups);
+  directory.remove_earlier_results();
+  run_chains(comm, problem, points, groups, StopRequest(problem.time_limit));
 
   Summary results = Summary::array();
   int failures = 0;

@@ -8,6 +8,7 @@
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/state_file.hpp"
 
 namespace gearfilm {
 namespace {
@@ -31,7 +32,7 @@ Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
 
 Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
-/// The same from a point on disk, which has no films.
+/// The same from a point on disk, but for its films.
 Neighbour read_neighbour(const Summary& point) {
   const Summary& map = point["monodromy"];
   Neighbour neighbour{point["value"].get<double>(), {}, {}};
@@ -47,21 +48,25 @@ Neighbour read_neighbour(const Summary& point) {
 
 class ChainRun {
 public:
-  ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points)
-      : group_(group), problem_(problem), points_(points) {}
+  ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points, const StopRequest& stop)
+      : group_(group), problem_(problem), points_(points), stop_(stop) {}
 
   void run(const SweepChain& chain) {
     last_.reset();
     before_.reset();
+    before_point_.reset();
     for (const SweepPoint& point : chain) {
       const double value = problem_.sweep.values[point.index];
       std::optional<Summary> result = points_.read(point);
       if (result) {
         keep(result->contains("error") ? std::nullopt : std::optional(read_neighbour(*result)));
+        if (last_) read_films(point, value);
       } else {
         result = compute(point, value);
         points_.write(group_, point, *result);
+        remove_outdated(point);
       }
+      before_point_ = point;
       report(*result);
     }
   }
@@ -71,6 +76,30 @@ private:
     before_ = found ? std::move(last_) : std::nullopt;
     last_ = std::move(found);
     if (last_ && last_->dry) film_shift_ = last_->guess.motion.H0 - last_->dry->start.H0;
+  }
+
+  void read_films(const SweepPoint& point, double value) {
+    const Grid grid(group_, case_grid(case_at(problem_, value)));
+    const std::filesystem::path file = points_.films(point);
+    const std::optional<Summary> description = read_state_description(group_, file);
+    if (!description) return;
+    last_->guess.neighbour = {{(*description)["H0"].get<double>(), (*description)["V0"].get<double>()},
+                              films_from(read_state_fields(grid, file), (*description)["films"].get<std::size_t>())};
+  }
+
+  void write_films(const Grid& grid, const SweepPoint& point, const PairState& state) const {
+    write_state(grid, points_.films(point),
+                {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", state.films.size()}}, fields_of(state));
+  }
+
+  /// What only a point that is still to be computed needs.
+  void remove_outdated(const SweepPoint& done) const {
+    int rank = 0;
+    MPI_Comm_rank(group_, &rank);
+    if (rank != 0) return;
+    std::error_code ignored;
+    std::filesystem::remove_all(points_.checkpoint(done), ignored);
+    if (before_point_) std::filesystem::remove(points_.films(*before_point_), ignored);
   }
 
   Summary compute(const SweepPoint& point, double value) {
@@ -83,9 +112,12 @@ private:
     result["f_m"] = mesh_frequency(*here.gears, here.pinion_speed);
     result["f_n"] =
         natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
+    const Grid grid(group_, case_grid(here));
+    Checkpoint checkpoint(grid, points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
     try {
       std::optional<DryOrbit> dry;
-      const OrbitRun run = search(here, value, dry, result);
+      const OrbitRun run = search(here, grid, checkpoint, value, dry, result);
+      write_films(grid, point, run.orbit.end);
       result.update(orbit_summary(here, run));
       result["monodromy"] = run.orbit.monodromy;
       if (!dry) dry = dry_beside(here, run.orbit.start.motion);
@@ -108,14 +140,15 @@ private:
   }
 
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
-  OrbitRun search(const Case& here, double value, std::optional<DryOrbit>& dry, Summary& result) const {
-    const Grid grid(group_, case_grid(here));
+  OrbitRun search(const Case& here, const Grid& grid, Checkpoint& checkpoint, double value,
+                  std::optional<DryOrbit>& dry, Summary& result) const {
     const ContactPath path = path_after_leaving(here);
     result["search"] = Summary::array();
     const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
                                       [&](const SearchPeriod& period) {
                                         result["search"].push_back({period.defect, period.film_defect});
-                                      }};
+                                      },
+                                      checkpoint, stop_};
     if (last_) {
       result["start"] = "neighbour";
       Case brief = here;
@@ -177,6 +210,8 @@ private:
   MPI_Comm group_;
   const Case& problem_;
   const SweepPoints& points_;
+  const StopRequest& stop_;
+  std::optional<SweepPoint> before_point_;
   std::optional<Neighbour> last_, before_;
   double film_shift_ = 0.0;  ///< H_0 of the last lubricated orbit less that of the dry one beside it
 };
@@ -189,8 +224,9 @@ Case case_at(const Case& problem, double value) {
   return make_case(values);
 }
 
-void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain) {
-  ChainRun(group, problem, points).run(chain);
+void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
+               const StopRequest& stop) {
+  ChainRun(group, problem, points, stop).run(chain);
 }
 
 }  // namespace gearfilm

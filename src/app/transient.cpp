@@ -4,7 +4,6 @@
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
 namespace {
@@ -25,12 +24,15 @@ void drive(March&& march, const Case& problem, const ContactPath& path) {
 void run_transient(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   const Grid grid(comm, case_grid(problem));
-  prepare_output_directory(comm, problem.output_directory);
-  remove_earlier_results(comm, problem.output_directory);
+  ResumableRun run(problem, grid, "transient");
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
   const bool lubricated = problem.model != MarchModel::dry;
-  MarchOutput output(comm, problem, grid, path, MarchPurpose::march, "transient",
+  MarchOutput output(run, problem, grid, path, MarchPurpose::march, "transient",
                      end_of(problem, path) / path.mesh_period());
+  const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+    output.step(record, contacts);
+    if (!record.recalled) run.stop().check(comm, record.T / path.mesh_period());
+  };
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = completed;
@@ -39,20 +41,22 @@ void run_transient(MPI_Comm comm, const Case& problem) {
       const double begin = end - *problem.spectrum_periods * path.mesh_period();
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }
-    write_summary(comm, problem.output_directory / "summary.json", summary);
+    output.finish();
+    write_summary(comm, run.directory() / "summary.json", summary);
   };
   try {
     if (lubricated) {
-      drive(make_march(problem, grid, path, output.observer()), problem, path);
+      drive(make_march(problem, grid, path, observer, &run.checkpoint()), problem, path);
     } else {
       const double inertia = problem.scales.inertia(*problem.equivalent_mass);
-      drive(DryMarch(problem.scales, path, inertia, problem.steps.dT, output.observer()), problem, path);
+      drive(DryMarch(problem.scales, path, inertia, problem.steps.dT, observer, 0.0, &run.checkpoint()), problem, path);
     }
-  } catch (const SolveError&) {
+  } catch (const Unfinished&) {
     write(false);  // what was computed until then
     throw;
   }
   write(true);
+  run.complete();
 }
 
 }  // namespace gearfilm

@@ -20,8 +20,14 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
 }
 
 DryMarch::DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
-                   double damping)
-    : scales_(scales), path_(path), inertia_(inertia), damping_(damping), dT_(dT), observer_(std::move(observer)) {}
+                   double damping, MarchKeeper* keeper)
+    : scales_(scales),
+      path_(path),
+      inertia_(inertia),
+      damping_(damping),
+      dT_(dT),
+      observer_(std::move(observer)),
+      keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
   double sum = 0.0;
@@ -49,6 +55,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
     live.push_back({contact, nullptr});
   }
   observer_(record, live);
+  if (keeper_) keeper_->record(record);
 }
 
 void DryMarch::start(const std::optional<Motion>& motion) {
@@ -115,6 +122,10 @@ void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
 }
 
 void DryMarch::run(double T_end) {
+  if (const auto kept = take_over(keeper_, T_, motion_, observer_)) {
+    T_ = kept->T;
+    motion_ = kept->state.motion;
+  }
   while (T_ < T_end - 1e-9) {
     const std::vector<int> contacts = path_.contacts_after(T_);
     const double begin = T_, segment_end = std::min(T_end, path_.next_event(T_));
@@ -124,6 +135,7 @@ void DryMarch::run(double T_end) {
       integrate(contacts, step == steps ? segment_end : begin + (segment_end - begin) * step / steps);
       observe(T_ - before, MPI_Wtime() - wall_start);
     }
+    if (keeper_) keeper_->keep(T_, {motion_, {}});
   }
 }
 

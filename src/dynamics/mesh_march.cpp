@@ -27,7 +27,7 @@ int step_levels(const Grid& grid, double dT) {
 
 MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
                      const SolverOptions& films, const StepOptions& steps, StepObserver observer,
-                     std::optional<PrescribedLoad> load)
+                     std::optional<PrescribedLoad> load, MarchKeeper* keeper)
     : grid_(grid),
       scales_(scales),
       path_(path),
@@ -35,7 +35,8 @@ MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& 
       film_options_(films),
       step_options_(steps),
       observer_(std::move(observer)),
-      load_(std::move(load)) {}
+      load_(std::move(load)),
+      keeper_(keeper) {}
 
 std::string MeshMarch::label(int contact) const {
   std::ostringstream text;
@@ -123,6 +124,7 @@ void MeshMarch::observe(const StepRecord& record) const {
   std::vector<LiveContact> live;
   for (const Tooth& tooth : teeth_) live.push_back({tooth.contact, tooth.film});
   observer_(record, live);
+  if (keeper_) keeper_->record(record);
 }
 
 void MeshMarch::observe_present() const {
@@ -244,6 +246,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 }
 
 void MeshMarch::run(double T_end) {
+  if (const auto kept = take_over(keeper_, T_, motion_, observer_)) resume(kept->T, kept->state);
   while (T_ < T_end - 1e-9 && !teeth_.empty()) {
     double segment_end = std::min(T_end, path_.next_event(T_));
     StepOptions steps = step_options_;
@@ -255,6 +258,7 @@ void MeshMarch::run(double T_end) {
     }
     run_segment(segment_end, steps, share);
     exchange_contacts();
+    if (keeper_) keeper_->keep(T_, state());
   }
 }
 

@@ -272,6 +272,9 @@ void set_march(Case& result) {
   result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
   if (result.model == MarchModel::simplified || result.model == MarchModel::quasistatic) set_single_contact(result);
   result.mesh_periods = values.real("mesh_periods");
+  result.restart = values.text("restart") == "yes";
+  result.time_limit = optional_real(values, "time_limit");
+  result.keep_checkpoint = values.text("keep_checkpoint") == "yes";
   result.start_motion = read_start_motion(values);
   const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
   result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,

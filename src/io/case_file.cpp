@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/options.hpp"
 
 namespace gearfilm {
@@ -130,13 +131,6 @@ std::string read_here(const std::string& file, std::string& reason) {
   if (stream.bad()) reason = "cannot be read";
   if (stream.gcount() > largest) reason = "is larger than 1 MB, which no case file is";
   return text;
-}
-
-void broadcast(MPI_Comm comm, std::string& text) {
-  int size = static_cast<int>(text.size());
-  MPI_Bcast(&size, 1, MPI_INT, 0, comm);
-  text.resize(size);
-  MPI_Bcast(text.data(), size, MPI_CHAR, 0, comm);
 }
 
 }  // namespace

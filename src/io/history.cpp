@@ -57,4 +57,9 @@ void History::append(const StepRecord& record) {
   ++step_;
 }
 
+void History::write() {
+  steps_.write();
+  contacts_.write();
+}
+
 }  // namespace gearfilm

@@ -129,6 +129,7 @@ ParameterValues merge_with_options(const std::string& file, const std::vector<Ca
   for (const Parameter& parameter : parameter_table()) {
     std::string value;
     if (!find_option(parameter.option(), value)) continue;
+    if (value.empty()) value = parameter.implied;
     const auto origin = origins.find(parameter.name);
     values.set(parameter.name, value, origin != origins.end() ? origin->second : "option " + parameter.option());
   }

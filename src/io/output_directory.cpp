@@ -1,51 +1,72 @@
 #include "gearfilm/io/output_directory.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 
 namespace gearfilm {
 namespace {
 
-/// Text of the obstacle, empty if there is none.
+int rank_in(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+
+/// Text of the obstacle to writing into a folder, empty if there is none.
 std::string obstacle(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) return error.message();
   const std::filesystem::path probe = directory / ".gearfilm_write_probe";
-  if (!std::ofstream(probe)) return "no permission to write";
+  errno = 0;
+  if (!std::ofstream(probe)) return std::generic_category().message(errno);
   std::filesystem::remove(probe, error);
   return {};
 }
 
 }  // namespace
 
-void prepare_output_directory(MPI_Comm comm, const std::filesystem::path& directory) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+OutputDirectory::OutputDirectory(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {
   std::string reason;
-  if (rank == 0) reason = obstacle(directory);
-  int length = static_cast<int>(reason.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, comm);
-  reason.resize(length);
-  MPI_Bcast(reason.data(), length, MPI_CHAR, 0, comm);
-  if (!reason.empty()) {
-    throw InputError("cannot write results into '" + directory.string() + "': " + reason +
-                     "; choose another folder with -output_dir");
-  }
-}
-
-void remove_earlier_results(MPI_Comm comm, const std::filesystem::path& directory) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  std::error_code ignored;
-  if (rank == 0) {
-    for (const char* name : {"results.h5", "results.xmf", "summary.json"}) {
-      std::filesystem::remove(directory / name, ignored);
+  if (rank_in(comm_) == 0) {
+    reason = obstacle(path_);
+    if (reason.empty()) {
+      // The system lets go of the lock with the process, however this ends. Where folders cannot be locked (some
+      // network file systems), two runs are not told apart.
+      claim_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (claim_ >= 0 && flock(claim_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        reason = "another run is at work there";
+      }
     }
   }
-  MPI_Barrier(comm);
+  broadcast(comm_, reason);
+  if (reason.empty()) return;
+  if (claim_ >= 0) close(claim_);
+  throw InputError("cannot write results into '" + path_.string() + "': " + reason +
+                   "; choose another folder with -output_dir");
+}
+
+OutputDirectory::~OutputDirectory() {
+  if (claim_ >= 0) close(claim_);
+}
+
+void OutputDirectory::remove_earlier_results() const {
+  if (rank_in(comm_) == 0) {
+    std::error_code ignored;
+    for (const char* name : {"results.h5", "results.xmf", "summary.json"}) {
+      std::filesystem::remove(path_ / name, ignored);
+    }
+  }
+  MPI_Barrier(comm_);
 }
 
 std::filesystem::path part_of(const std::filesystem::path& path) {
@@ -55,10 +76,30 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
 }
 
 void finish_part(MPI_Comm comm, const std::filesystem::path& path) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  if (rank == 0) std::filesystem::rename(part_of(path), path);
-  MPI_Barrier(comm);
+  write_together(comm, path, [&] {
+    if (rank_in(comm) == 0) std::filesystem::rename(part_of(path), path);
+  });
+}
+
+void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::string& text) {
+  write_together(comm, path, [&] {
+    if (rank_in(comm) != 0) return;
+    errno = 0;
+    std::ofstream file(part_of(path));
+    file << text;
+    file.close();
+    if (!file) throw std::system_error(errno, std::generic_category());
+  });
+  finish_part(comm, path);
+}
+
+void flush_to_disk(const std::filesystem::path& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw std::system_error(errno, std::generic_category());
+  const int error = fsync(descriptor) == 0 ? 0 : errno;
+  close(descriptor);
+  // Some file systems have nothing to flush for a folder.
+  if (error != 0 && error != EINVAL) throw std::system_error(error, std::generic_category());
 }
 
 }  // namespace gearfilm

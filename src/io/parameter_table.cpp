@@ -69,6 +69,13 @@ Parameter optional(std::string when_absent, Parameter parameter) {
   return parameter;
 }
 
+// Words of which an option alone, without a value, means the second.
+Parameter flag(std::string name, std::string meaning) {
+  Parameter parameter = choice(std::move(name), {"no", "yes"}, std::move(meaning));
+  parameter.implied = "yes";
+  return parameter;
+}
+
 // Keys of the top level have no section: name is empty.
 Records section(const std::string& name, Scope scope, Records records) {
   for (Parameter& parameter : records) {
@@ -184,6 +191,16 @@ Records march_records() {
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
        preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
+}
+
+Records run_records() {
+  return section("", Scope::gear_pair,
+                 {flag("restart", "go on where a run of the same case in the same folder stopped"),
+                  optional("none", number("time_limit", "", "s", above(0),
+                                          "wall-clock time after which a march or search stops, to be continued")),
+                  flag("keep_checkpoint",
+                       "keep what a run can go on from when it is complete too: for a march that is "
+                       "to go on beyond its end")});
 }
 
 Records load_sharing_records() {
@@ -310,8 +327,8 @@ const std::vector<Parameter>& parameter_table() {
     Records all;
     for (Records& records : std::vector<Records>{
              case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(), lubricant_records(),
-             grid_records(), steady_records(), march_records(), load_sharing_records(), start_records(), time_records(),
-             periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
+             grid_records(), steady_records(), march_records(), run_records(), load_sharing_records(), start_records(),
+             time_records(), periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

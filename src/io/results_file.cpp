@@ -1,17 +1,15 @@
 #include "gearfilm/io/results_file.hpp"
 
-#include <fstream>
+#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
 
 namespace gearfilm {
 
-ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path, Mode mode)
-    : comm_(comm), path_(std::move(path)), mode_(mode) {
+ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {
   MPI_Comm_rank(comm, &rank_);
-  const std::filesystem::path name = mode == Mode::whole ? part_of(path_) : path_;
-  petsc_check(PetscViewerHDF5Open(comm, name.c_str(), FILE_MODE_WRITE, viewer_.put()));
+  write([&] { petsc_check(PetscViewerHDF5Open(comm, part_of(path_).c_str(), FILE_MODE_WRITE, viewer_.put())); });
 }
 
 hid_t ResultsFile::hdf5_file() {
@@ -21,24 +19,32 @@ hid_t ResultsFile::hdf5_file() {
 }
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, const std::string& value) {
-  petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
-  petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  });
 }
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, double value) {
-  petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
-  petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_DOUBLE, &value));
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_DOUBLE, &value));
+  });
 }
 
 void ResultsFile::dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value) {
-  petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  });
 }
 
 void ResultsFile::view(const std::string& group, const std::string& name, Vec vec, const std::string& unit) {
-  petsc_check(PetscViewerHDF5PushGroup(viewer_, group.c_str()));
-  petsc_check(PetscObjectSetName(reinterpret_cast<PetscObject>(vec), name.c_str()));
-  petsc_check(VecView(vec, viewer_));
-  petsc_check(PetscViewerHDF5PopGroup(viewer_));
+  write([&] {
+    petsc_check(PetscViewerHDF5PushGroup(viewer_, group.c_str()));
+    petsc_check(PetscObjectSetName(reinterpret_cast<PetscObject>(vec), name.c_str()));
+    petsc_check(VecView(vec, viewer_));
+    petsc_check(PetscViewerHDF5PopGroup(viewer_));
+  });
   dataset_attribute(group + "/" + name, "unit", unit);
 }
 
@@ -65,9 +71,20 @@ void ResultsFile::grid(const std::string& group, const WholeDomain& domain, cons
   view(group, "mesh", domain.coordinates(scales.length), "m");
 }
 
+void ResultsFile::publish() {
+  if (std::exchange(published_, true)) return;
+  write([&] {
+    if (H5Fflush(hdf5_file(), H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
+  });
+  finish_part(comm_, path_);
+}
+
 void ResultsFile::finish() {
-  viewer_.reset();
-  if (mode_ == Mode::whole) finish_part(comm_, path_);
+  publish();
+  write([&] {
+    PetscViewer viewer = viewer_.release();
+    petsc_check(PetscViewerDestroy(&viewer));
+  });
 }
 
 namespace {
@@ -94,21 +111,19 @@ std::string xdmf_contact(const std::string& results_name, const std::string& mes
 
 void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
                 const Grid& grid, const std::vector<TimedFields>& series) {
-  if (grid.rank() == 0) {
-    const std::string size = std::to_string(grid.nx()) + " " + std::to_string(grid.ny());
-    std::ofstream file(part_of(path));
-    file.precision(12);
-    file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
-         << "    <Grid Name=\"films\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-    for (const TimedFields& fields : series) {
-      file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
-           << "        <Time Value=\"" << fields.time << "\"/>\n";
-      for (const std::string& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
-      file << "      </Grid>\n";
-    }
-    file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
+  const std::string size = std::to_string(grid.nx()) + " " + std::to_string(grid.ny());
+  std::ostringstream file;
+  file.precision(12);
+  file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
+       << "    <Grid Name=\"films\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (const TimedFields& fields : series) {
+    file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+         << "        <Time Value=\"" << fields.time << "\"/>\n";
+    for (const std::string& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
+    file << "      </Grid>\n";
   }
-  finish_part(grid.comm(), path);
+  file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
+  write_whole(grid.comm(), path, file.str());
 }
 
 }  // namespace gearfilm

@@ -36,20 +36,25 @@ constexpr double seconds_between_writes = 0.5;
 }  // namespace
 
 ResultsTable::ResultsTable(ResultsFile& file, const std::string& path, const std::vector<TableColumn>& columns)
-    : file_(file.hdf5_file()), width_(columns.size()), writes_(file.rank() == 0), comm_(file.comm()) {
+    : file_(file), width_(columns.size()) {
+  std::string units;
+  for (const TableColumn& column : columns) units += column.name + " " + column.unit + "\n";
+  file_.write([&] { create(path, columns); });
+  file_.dataset_attribute(path, "units", units);
+}
+
+void ResultsTable::create(const std::string& path, const std::vector<TableColumn>& columns) {
   memory_type_ = valid(H5Tcreate(H5T_COMPOUND, width_ * sizeof(double)), "create a table type");
   std::size_t file_width = 0;
   for (const TableColumn& column : columns) file_width += column.integer ? sizeof(int) : sizeof(double);
   const Closing file_type(valid(H5Tcreate(H5T_COMPOUND, file_width), "create a table type"), H5Tclose);
   std::size_t file_offset = 0;
-  std::string units;
   for (std::size_t n = 0; n < width_; ++n) {
     const TableColumn& column = columns[n];
     succeed(H5Tinsert(memory_type_, column.name.c_str(), n * sizeof(double), H5T_NATIVE_DOUBLE), "add a column");
     const hid_t type = column.integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
     succeed(H5Tinsert(file_type, column.name.c_str(), file_offset, type), "add a column");
     file_offset += H5Tget_size(type);
-    units += column.name + " " + column.unit + "\n";
   }
   const hsize_t empty = 0, unlimited = H5S_UNLIMITED, chunk = rows_per_chunk;
   const Closing space(valid(H5Screate_simple(1, &empty, &unlimited), "create a table"), H5Sclose);
@@ -57,15 +62,15 @@ ResultsTable::ResultsTable(ResultsFile& file, const std::string& path, const std
   succeed(H5Pset_chunk(layout, 1, &chunk), "create a table");
   const Closing links(valid(H5Pcreate(H5P_LINK_CREATE), "create a table"), H5Pclose);
   succeed(H5Pset_create_intermediate_group(links, 1), "create a table");
-  dataset_ = valid(H5Dcreate2(file_, path.c_str(), file_type, space, links, layout, H5P_DEFAULT), "create a table");
-  file.dataset_attribute(path, "units", units);
+  dataset_ = valid(H5Dcreate2(file_.hdf5_file(), path.c_str(), file_type, space, links, layout, H5P_DEFAULT),
+                   "create a table");
 }
 
 ResultsTable::~ResultsTable() {
   try {
-    write();
-  } catch (const std::runtime_error& error) {
-    if (writes_) std::fprintf(stderr, "gearfilm: the end of a table is lost: %s\n", error.what());
+    if (!file_.damaged()) write();
+  } catch (const OutputError& error) {
+    if (file_.rank() == 0) std::fprintf(stderr, "gearfilm: the end of a table is lost: %s\n", error.what());
   }
   H5Dclose(dataset_);
   H5Tclose(memory_type_);
@@ -75,7 +80,7 @@ void ResultsTable::append(const std::vector<double>& rows) {
   waiting_.insert(waiting_.end(), rows.begin(), rows.end());
   // Writing and waiting for the disk takes as long as a small time step; the first process decides for all.
   int due = MPI_Wtime() - last_write_ > seconds_between_writes;
-  MPI_Bcast(&due, 1, MPI_INT, 0, comm_);
+  MPI_Bcast(&due, 1, MPI_INT, 0, file_.comm());
   if (!due) return;
   write();
   last_write_ = MPI_Wtime();
@@ -83,20 +88,23 @@ void ResultsTable::append(const std::vector<double>& rows) {
 
 void ResultsTable::write() {
   const std::vector<double> rows = std::exchange(waiting_, {});  // a write that fails is not tried again
+  if (!rows.empty()) file_.write([&] { put_rows(rows); });
+}
+
+void ResultsTable::put_rows(const std::vector<double>& rows) {
   const hsize_t first = length_, count = rows.size() / width_;
-  if (count == 0) return;
   length_ += count;
   succeed(H5Dset_extent(dataset_, &length_), "extend a table");
   const Closing file_space(valid(H5Dget_space(dataset_), "extend a table"), H5Sclose);
   const Closing memory_space(valid(H5Screate_simple(1, &count, nullptr), "extend a table"), H5Sclose);
-  if (writes_) {
+  if (file_.rank() == 0) {
     succeed(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, &first, nullptr, &count, nullptr), "select rows");
   } else {
     succeed(H5Sselect_none(file_space), "select rows");
     succeed(H5Sselect_none(memory_space), "select rows");
   }
   succeed(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, rows.data()), "write rows");
-  succeed(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush a table");
+  succeed(H5Fflush(file_.hdf5_file(), H5F_SCOPE_GLOBAL), "flush a table");
 }
 
 }  // namespace gearfilm

@@ -1,7 +1,6 @@
 #include "gearfilm/io/summary.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
@@ -21,10 +20,7 @@ void require_finite(const Summary& value, const std::string& name) {
 
 void write_summary(MPI_Comm comm, const std::filesystem::path& path, const Summary& summary) {
   require_finite(summary, "");
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  if (rank == 0) std::ofstream(part_of(path)) << summary.dump(2) << '\n';
-  finish_part(comm, path);
+  write_whole(comm, path, summary.dump(2) + '\n');
 }
 
 }  // namespace gearfilm

@@ -14,7 +14,8 @@ void require_inertia(const Case& problem);
 /// lubricated ones that travel.
 void require_moving_films(const Case& problem, const std::string& command);
 /// A march of the case's lubricated pair.
-MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer);
+MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer,
+                     MarchKeeper* keeper = nullptr);
 /// The dry pair's orbit, damped about as films do.
 DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path);
 /// Where the search for the case's periodic state begins: that orbit, its H_0 shifted by the film.

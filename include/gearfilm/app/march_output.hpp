@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/dynamics/spectrum.hpp"
 #include "gearfilm/io/case.hpp"
@@ -19,33 +20,38 @@ enum class MarchPurpose { march, search };
 
 class MarchOutput {
 public:
-  /// Creates results.h5 in the case's output folder. expected_periods: the whole of the work, for the time left.
-  MarchOutput(MPI_Comm comm, const Case& problem, const Grid& grid, const ContactPath& path, MarchPurpose purpose,
+  /// Creates results.h5 in the run's folder; where a run goes on, it takes the place of the earlier one as soon as it
+  /// holds the same. expected_periods: the whole of the work, for the time left.
+  MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const ContactPath& path, MarchPurpose purpose,
               const std::string& command, double expected_periods);
 
   void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
-  /// As an observer of a march; this must outlive it.
-  StepObserver observer();
 
   /// A period of a search is over: its fields are written where it is the wanted one, else dropped.
   void end_search_period(const SearchPeriod& period);
   /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
   Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
 
+  /// Writes and closes results.h5.
+  void finish();
+
   const MarchStatistics& statistics() const { return statistics_; }
   ResultsFile& file() { return file_; }
 
 private:
+  void take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
   void report(const StepRecord& record, double period);
 
+  Checkpoint& checkpoint_;
   const Case& problem_;
   const ContactPath& path_;
   MarchPurpose purpose_;
   bool lubricated_;
   double expected_periods_;
   ResultsFile file_;
-  History history_;
+  std::optional<History> history_;
   std::optional<Snapshots> snapshots_;
+  std::vector<FilmSnapshot> held_;  ///< of a search's present period: only at its end is known whether they are wanted
   MarchStatistics statistics_;
   MotionSignal signal_;
   Progress progress_;

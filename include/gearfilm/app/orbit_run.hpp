@@ -9,6 +9,8 @@
 #include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/dynamics/spectrum.hpp"
 #include "gearfilm/io/case.hpp"
+#include "gearfilm/io/checkpoint.hpp"
+#include "gearfilm/io/stop_request.hpp"
 #include "gearfilm/io/summary.hpp"
 
 namespace gearfilm {
@@ -21,13 +23,16 @@ struct OrbitRun {
   std::optional<std::array<std::complex<double>, 2>> multipliers;
 };
 
-/// Watches a search: every accepted step, and every marched period. Nothing is reported once the orbit is found.
+/// Watches a search: every accepted step, and every marched period. Nothing is reported once the orbit is found. The
+/// checkpoint keeps all of it, and may know a part.
 struct OrbitObservers {
   StepObserver on_step;
   SearchObserver on_period;
+  Checkpoint& checkpoint;
+  const StopRequest& stop;
 };
 
-/// Throws SolveError where no orbit is found.
+/// Throws SolveError where no orbit is found, and Stopped.
 OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& path, const OrbitGuess& guess,
                    const OrbitObservers& observers);
 

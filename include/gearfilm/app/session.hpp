@@ -1,6 +1,8 @@
 // The life of MPI, PETSc and SLEPc around one run.
 #pragma once
 
+#include <mpi.h>
+
 #include <string>
 #include <vector>
 
@@ -14,11 +16,16 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// Prints the last line of a run that ends early, once. Where not all processes come here, since what went wrong has
+  /// struck some of them alone, the others, who would wait for these for ever, are ended with that status.
+  void end_together(const std::string& line, int status) const;
+
 private:
   std::vector<std::string> arguments_;  ///< PETSc keeps pointers to them
   std::vector<char*> pointers_;
   int count_ = 0;
   char** values_ = nullptr;
+  MPI_Comm ending_ = MPI_COMM_NULL;  ///< of all processes, used by end_together() alone
 };
 
 }  // namespace gearfilm

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gearfilm/app/sweep_points.hpp"
+#include "gearfilm/io/stop_request.hpp"
 
 namespace gearfilm {
 
@@ -14,7 +15,8 @@ using SweepChain = std::vector<SweepPoint>;
 Case case_at(const Case& problem, double value);
 
 /// Computes the points that are still missing, writes each when it is done, and prints a line on it. A point without a
-/// periodic state is recorded with its error, and the next one starts anew. Collective on the group.
-void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain);
+/// periodic state is recorded with its error, and the next one starts anew. Throws Stopped. Collective on the group.
+void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
+               const StopRequest& stop);
 
 }  // namespace gearfilm

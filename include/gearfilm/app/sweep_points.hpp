@@ -3,6 +3,8 @@
 //
 //   sweep.json                the parameters of the sweep; another sweep must not mix its points with these
 //   points/up_0003.json       the fourth point of the way up: its results, or the error that ended it
+//   points/up_0003.films      the films of its periodic state, until the next point is done
+//   points/up_0003.checkpoint the search for it, as long as it goes on
 #pragma once
 
 #include <filesystem>
@@ -28,6 +30,8 @@ public:
   SweepPoints(MPI_Comm comm, const Case& problem);
 
   std::filesystem::path file(const SweepPoint& point) const;
+  std::filesystem::path films(const SweepPoint& point) const;
+  std::filesystem::path checkpoint(const SweepPoint& point) const;
   /// What is known of a point, read by every process for itself; nothing where it is still to be computed.
   std::optional<Summary> read(const SweepPoint& point) const;
   /// Collective on a group of processes.

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "gearfilm/dynamics/contact_path.hpp"
-#include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/dynamics/march_keeper.hpp"
 
 namespace gearfilm {
 
@@ -17,12 +17,14 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
 
 class DryMarch {
 public:
-  /// Inertia I_n; steps of the record at most dT long (the integration itself adapts its steps to 1e-10).
+  /// Inertia I_n; steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A keeper
+  /// must outlive the march.
   DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
-           double damping = 0.0);
+           double damping = 0.0, MarchKeeper* keeper = nullptr);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);
+  /// One run of the march (march_keeper.hpp).
   void run(double T_end);
 
   double T() const { return T_; }
@@ -39,6 +41,7 @@ private:
   double damping_;  ///< c
   double dT_;
   StepObserver observer_;
+  MarchKeeper* keeper_;
   double T_ = 0.0;
   Motion motion_;
 };

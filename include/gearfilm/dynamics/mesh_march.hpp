@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "gearfilm/dynamics/march_keeper.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/stationary.hpp"
@@ -19,28 +20,17 @@ namespace gearfilm {
 /// conditioned: it takes more Krylov iterations, but cheap ones; 0, all levels, beyond.
 int step_levels(const Grid& grid, double dT);
 
-/// The film of one contact: compact pressure, and the rate d(rho H)/dT at which it squeezes.
-struct ToothFilm {
-  std::vector<double> pressure;
-  std::vector<double> rate;
-};
-
-/// Motion and films of all present contacts, leading contact first.
-struct PairState {
-  Motion motion;
-  std::vector<ToothFilm> films;
-};
-
 class MeshMarch {
 public:
   /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers. With a prescribed load the path
-  /// has a single contact, and an inertia of zero means the quasi-static balance.
+  /// has a single contact, and an inertia of zero means the quasi-static balance. A keeper must outlive the march.
   MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia, const SolverOptions& films,
-            const StepOptions& steps, StepObserver observer, std::optional<PrescribedLoad> load = {});
+            const StepOptions& steps, StepObserver observer, std::optional<PrescribedLoad> load = {},
+            MarchKeeper* keeper = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
-  /// Integrates up to T_end.
+  /// Integrates up to T_end: one run, of which a keeper may know a part.
   void run(double T_end);
 
   /// The present state.
@@ -85,6 +75,7 @@ private:
   StepOptions step_options_;
   StepObserver observer_;
   std::optional<PrescribedLoad> load_;
+  MarchKeeper* keeper_;
   std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
   std::vector<Tooth> teeth_;                         ///< leading contact first
   double T_ = 0.0;

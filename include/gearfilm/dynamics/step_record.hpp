@@ -28,6 +28,7 @@ struct StepRecord {
   int newton = 0;
   int krylov = 0;
   double wall_seconds = 0.0;
+  bool recalled = false;  ///< computed by an earlier program (march_keeper.hpp): its films are not at hand
 
   double pressure_integral() const {
     double sum = 0.0;

@@ -66,6 +66,8 @@ public:
     reset();
     return &object_;
   }
+  /// Gives the reference away.
+  Object release() { return std::exchange(object_, nullptr); }
   void reset() {
     if (object_) destroy(&object_);
     object_ = nullptr;

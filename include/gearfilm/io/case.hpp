@@ -67,6 +67,10 @@ struct Case {
   std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
   std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken
 
+  bool restart = false;              ///< go on where the run stopped
+  std::optional<double> time_limit;  ///< [s] of wall-clock time
+  bool keep_checkpoint = false;      ///< when the run is complete
+
   std::filesystem::path output_directory;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
 };

@@ -15,6 +15,8 @@ public:
   History(ResultsFile& file, const Scales& scales, const ContactPath& path, bool lubricated);
 
   void append(const StepRecord& record);
+  /// Writes what waits in memory.
+  void write();
 
 private:
   Scales scales_;

@@ -2,20 +2,41 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "gearfilm/ehl/petsc.hpp"
 
 namespace gearfilm {
 
-/// Creates the folder where it is missing and makes sure that files can be written into it. Throws InputError on all
-/// processes alike where that is not so.
-void prepare_output_directory(MPI_Comm comm, const std::filesystem::path& directory);
+class OutputDirectory {
+public:
+  /// Creates the folder where it is missing, makes sure that files can be written into it, and claims it until the
+  /// object goes: two runs in one folder would spoil each other's results. Throws InputError on all processes alike.
+  OutputDirectory(MPI_Comm comm, std::filesystem::path path);
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
 
-/// Removes results.h5, results.xmf and summary.json of an earlier run, which would outlive a failure of this one.
-void remove_earlier_results(MPI_Comm comm, const std::filesystem::path& directory);
+  /// Path of a file in the folder.
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-/// Files are written as part_of(path) and renamed when whole, so that a reader never meets half a file. Collective.
+  /// Removes results.h5, results.xmf and summary.json of an earlier run, which would outlive a failure of this one.
+  void remove_earlier_results() const;
+
+private:
+  MPI_Comm comm_;
+  std::filesystem::path path_;
+  int claim_ = -1;  ///< descriptor that holds the lock on the folder, on the first process
+};
+
+/// Files are written as part_of(path) and renamed when whole, so that a reader never meets half a file. Collective;
+/// throws OutputError.
 std::filesystem::path part_of(const std::filesystem::path& path);
 void finish_part(MPI_Comm comm, const std::filesystem::path& path);
+/// The same for a text, which the first process writes.
+void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::string& text);
+
+/// Makes sure that a file, or the names in a folder, outlive a failure of the machine. Throws std::system_error.
+void flush_to_disk(const std::filesystem::path& path);
 
 }  // namespace gearfilm

@@ -42,6 +42,7 @@ struct Parameter {
   std::string fallback = {};  ///< preset: the default, as a user would write it; optional: what its absence means
   Range range = {};
   std::vector<std::string> choices = {};
+  std::string implied = {};  ///< what the option means without a value; empty: it needs one
   std::string meaning = {};
 
   /// The part before the first dot: the section of the case file; empty for a key without section.

@@ -6,7 +6,7 @@
 //   /contact0/P, H        pressure [Pa] and film thickness [m] as (nx, ny)
 //   /contact0/x, y        coordinates along and across entrainment [m]
 //   /contact0/mesh        the same as (nx, ny, 2), for ParaView through results.xmf
-// Written by all processes together through PETSc's HDF5 viewer.
+// Written by all processes together through PETSc's HDF5 viewer; every write that fails is an OutputError on all.
 #pragma once
 
 #include <hdf5.h>
@@ -16,17 +16,16 @@
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/whole_domain.hpp"
 
 namespace gearfilm {
 
 class ResultsFile {
 public:
-  /// whole: the file takes its name only in finish(). growing: it has its name from the start, for runs that append to
-  /// it and may be stopped.
-  enum class Mode { whole, growing };
-
-  ResultsFile(MPI_Comm comm, std::filesystem::path path, Mode mode);
+  /// Opens the file as part_of(path): it takes the place of an earlier one in publish() or finish().
+  ResultsFile(MPI_Comm comm, std::filesystem::path path);
 
   void attribute(const std::string& group, const std::string& name, const std::string& value);
   void attribute(const std::string& group, const std::string& name, double value);
@@ -39,7 +38,22 @@ public:
   void field(const std::string& group, const std::string& name, const std::string& unit, const WholeDomain& domain,
              const Field<double>& values, double scale);
 
+  /// Gives the open file its name: for runs that append to it for long.
+  void publish();
   void finish();
+
+  /// Collective write to the file: OutputError on all processes where it fails on any.
+  template <class Action>
+  void write(Action&& action) {
+    try {
+      write_together(comm_, path_, action);
+    } catch (const OutputError&) {
+      damaged_ = true;
+      throw;
+    }
+  }
+  /// After a failed write; nothing more can be expected of the file.
+  bool damaged() const { return damaged_; }
 
   hid_t hdf5_file();
   int rank() const { return rank_; }
@@ -54,8 +68,9 @@ private:
   MPI_Comm comm_;
   int rank_ = 0;
   std::filesystem::path path_;
-  Mode mode_;
   OwnedViewer viewer_;
+  bool published_ = false;
+  bool damaged_ = false;
 };
 
 /// Groups of results.h5 that hold P and H of the contacts at one time [s].

@@ -30,18 +30,19 @@ public:
 
   /// Appends whole rows (values row after row, one a column). Collective. Writes at most twice a second.
   void append(const std::vector<double>& rows);
-
-private:
+  /// Writes what waits. Collective.
   void write();
 
-  hid_t file_ = H5I_INVALID_HID;
+private:
+  void create(const std::string& path, const std::vector<TableColumn>& columns);
+  void put_rows(const std::vector<double>& rows);
+
+  ResultsFile& file_;
   hid_t dataset_ = H5I_INVALID_HID;
   hid_t memory_type_ = H5I_INVALID_HID;
   std::size_t width_;
   hsize_t length_ = 0;  ///< rows in the file
   std::vector<double> waiting_;
-  bool writes_;  ///< this process writes the rows
-  MPI_Comm comm_;
   double last_write_ = 0.0;
 };
 

@@ -1,0 +1,37 @@
+// What a command needs that can be stopped and continued: its folder, what it keeps there, and ears for the wish to
+// stop.
+//
+//   DIR/checkpoint/run.json    the command and its parameters
+//   DIR/checkpoint/...         checkpoint.hpp
+#pragma once
+
+#include "gearfilm/io/case.hpp"
+#include "gearfilm/io/checkpoint.hpp"
+#include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/stop_request.hpp"
+
+namespace gearfilm {
+
+class ResumableRun {
+public:
+  /// Begins anew, without what an earlier run has left in the folder; or goes on (restart). Throws InputError where
+  /// there is nothing to go on from, or another run.
+  ResumableRun(const Case& problem, const Grid& grid, const std::string& command);
+
+  const OutputDirectory& directory() const { return directory_; }
+  Checkpoint& checkpoint() { return *checkpoint_; }
+  const StopRequest& stop() const { return stop_; }
+
+  /// All results are written: the checkpoint goes, unless it is to be kept.
+  void complete();
+
+private:
+  MPI_Comm comm_;
+  bool keep_;
+  OutputDirectory directory_;
+  std::filesystem::path folder_;
+  StopRequest stop_;
+  std::optional<Checkpoint> checkpoint_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,37 @@
+// How a march that was stopped with its program is done again without being computed again.
+//
+// A march is a series of runs; between two runs its state may be set anew (a jump of the motion, another period of a
+// search). A run is a series of segments, between which contacts enter or leave and the time scheme starts afresh: the
+// points at which a march can be taken up with not a bit changed. A program that is started again asks for the same
+// runs in the same order. What is kept of a run is taken over; the rest is computed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearfilm/dynamics/pair_state.hpp"
+
+namespace gearfilm {
+
+/// What is kept of a run: its steps up to the end of a segment, and the state there.
+struct KeptRun {
+  std::vector<StepRecord> records;
+  double T = 0.0;
+  PairState state;
+};
+
+class MarchKeeper {
+public:
+  virtual ~MarchKeeper() = default;
+  /// A run begins with this motion at T. Collective, as are the others.
+  virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
+  /// A step of the run, or its state after an entering or leaving.
+  virtual void record(const StepRecord& record) = 0;
+  /// A segment ends at T with this state; contacts have been exchanged.
+  virtual void keep(double T, const PairState& state) = 0;
+};
+
+/// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.
+std::optional<KeptRun> take_over(MarchKeeper* keeper, double T, const Motion& motion, const StepObserver& observer);
+
+}  // namespace gearfilm

@@ -1,0 +1,29 @@
+// The wish from outside that a long run should stop: SIGTERM and SIGUSR1, which batch systems send before their limit,
+// or a limit of the program's own.
+#pragma once
+
+#include <csignal>
+#include <optional>
+
+#include "gearfilm/ehl/petsc.hpp"
+
+namespace gearfilm {
+
+class StopRequest {
+public:
+  /// From here on the signals end the run at its next check(). time_limit [s], counted from here.
+  explicit StopRequest(std::optional<double> time_limit);
+  ~StopRequest();
+  StopRequest(const StopRequest&) = delete;
+  StopRequest& operator=(const StopRequest&) = delete;
+
+  /// Throws Stopped on all processes where any of them is to stop. where: how far the run is. Collective.
+  void check(MPI_Comm comm, double mesh_period) const;
+
+private:
+  std::optional<double> time_limit_;
+  double start_;
+  struct sigaction before_[2];  ///< what the signals did before
+};
+
+}  // namespace gearfilm

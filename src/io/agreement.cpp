@@ -1,0 +1,50 @@
+#include "gearfilm/io/agreement.hpp"
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr std::uintmax_t almost_full = 1 << 16;  // [bytes]
+
+/// Why a write failed, as far as the file system shows it; otherwise what the failed call said.
+std::string cause(const std::filesystem::path& path, const std::string& reason) {
+  std::error_code error;
+  const std::filesystem::path folder = path.parent_path();
+  if (!std::filesystem::is_directory(folder, error)) return "its folder is gone";
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  if (!error && space.available < almost_full) return "the disk is full";
+  return reason;
+}
+
+}  // namespace
+
+void broadcast(MPI_Comm comm, std::string& text) {
+  unsigned long long length = text.size();
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
+  text.resize(length);
+  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, comm);
+}
+
+std::string first_reason(MPI_Comm comm, const std::string& own) {
+  int rank = 0, size = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  int first = own.empty() ? size : rank;
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
+  if (first == size) return {};
+  std::string reason = own;
+  int length = static_cast<int>(reason.size());
+  MPI_Bcast(&length, 1, MPI_INT, first, comm);
+  reason.resize(length);
+  MPI_Bcast(reason.data(), length, MPI_CHAR, first, comm);
+  return reason;
+}
+
+void require_written(MPI_Comm comm, const std::filesystem::path& path, const std::string& own_reason) {
+  const std::string reason = first_reason(comm, own_reason.empty() ? own_reason : cause(path, own_reason));
+  if (reason.empty()) return;
+  throw OutputError("cannot write '" + path.string() + "': " + reason);
+}
+
+}  // namespace gearfilm

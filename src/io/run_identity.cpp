@@ -1,0 +1,45 @@
+#include "gearfilm/io/run_identity.hpp"
+
+#include <algorithm>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
+#include "gearfilm/io/case_file.hpp"
+
+namespace gearfilm {
+
+Summary identity_of(const Case& problem, const std::string& command, std::span<const char* const> free_parameters) {
+  Summary identity = {{"command", command}};
+  for (const EchoedValue& echoed : problem.parameters.echo()) {
+    const bool free = std::ranges::any_of(free_parameters, [&](const char* name) { return echoed.name == name; });
+    if (!free) identity[echoed.name] = echoed.value;
+  }
+  return identity;
+}
+
+std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path& file) {
+  int rank = 0, exists = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::error_code ignored;
+  if (rank == 0) exists = std::filesystem::exists(file, ignored);
+  MPI_Bcast(&exists, 1, MPI_INT, 0, comm);
+  if (!exists) return {};
+  const Summary identity = Summary::parse(read_text(comm, file.string()), nullptr, false);
+  if (!identity.is_object()) {
+    throw InputError("'" + file.string() + "' cannot be read; delete its folder, or choose another one");
+  }
+  return identity;
+}
+
+void require_same_identity(const Summary& before, const Summary& now, const std::filesystem::path& file) {
+  for (const Summary* side : {&before, &now}) {
+    for (const auto& [name, value] : side->items()) {
+      const std::string then = before.value(name, "absent"), today = now.value(name, "absent");
+      if (then == today) continue;
+      throw InputError("'" + file.parent_path().string() + "' holds another run, with " + name + " " + then +
+                       " instead of " + today + "; choose another folder with -output_dir, or delete that one");
+    }
+  }
+}
+
+}  // namespace gearfilm
