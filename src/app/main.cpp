@@ -2,6 +2,8 @@
 #include <petscsys.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 
@@ -33,7 +35,10 @@ int main(int argc, char** argv) {
   } catch (const gearfilm::SolveError& error) {
     return end(session, "not solved", error, not_solved);
   } catch (const gearfilm::OutputError& error) {
-    return end(session, "not written", error, not_solved);
+    end(session, "not written", error, not_solved);
+    // HDF5 can neither close nor give up a file that it could not write, and would crash in MPI_Finalize.
+    std::fflush(stdout);
+    std::_Exit(not_solved);
   } catch (const gearfilm::Stopped& reason) {
     return end(session, "stopped", reason, stopped);
   } catch (const std::exception& error) {

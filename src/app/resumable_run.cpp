@@ -1,7 +1,5 @@
 #include "gearfilm/app/resumable_run.hpp"
 
-#include <array>
-
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/run_identity.hpp"
 
@@ -9,18 +7,24 @@ namespace gearfilm {
 namespace {
 
 // What may differ between a run and its continuation. A march can go on beyond its first end.
-constexpr std::array<const char*, 7> free_parameters = {
+const std::vector<std::string> free_parameters = {
     "output.dir", "restart", "time_limit", "keep_checkpoint", "mesh_periods", "output.spectrum_periods", "case.name"};
+
+std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
 
 }  // namespace
 
-ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::string& command)
+ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::string& command,
+                           const std::vector<std::string>& free_sections)
     : comm_(grid.comm()),
       keep_(problem.keep_checkpoint),
       directory_(comm_, problem.output_directory),
       folder_(directory_ / "checkpoint"),
       stop_(problem.time_limit) {
-  const Summary identity = identity_of(problem, command, free_parameters);
+  const Summary identity = identity_of(problem, command, joined(free_parameters, free_sections));
   const std::filesystem::path file = folder_ / "run.json";
   if (problem.restart) {
     const std::optional<Summary> before = read_identity(comm_, file);

@@ -173,6 +173,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
                      {"points_failed", failures}};
   summary["points"] = std::move(results);
   write_summary(comm, problem.output_directory / "summary.json", summary);
+  points.complete(comm);
   petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
   if (failures == static_cast<int>(count))
     throw SolveError("no point of the sweep has a periodic state; see the errors in " +

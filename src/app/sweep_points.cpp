@@ -1,6 +1,5 @@
 #include "gearfilm/app/sweep_points.hpp"
 
-#include <array>
 #include <cstdio>
 #include <fstream>
 
@@ -11,8 +10,8 @@ namespace gearfilm {
 namespace {
 
 // What may differ between a sweep and its continuation.
-constexpr std::array<const char*, 5> free_parameters = {"output.dir", "sweep.groups", "restart", "time_limit",
-                                                        "keep_checkpoint"};
+const std::vector<std::string> free_parameters = {"output.dir", "sweep.groups", "restart", "time_limit",
+                                                  "keep_checkpoint"};
 
 std::string name_of(const SweepPoint& point) {
   char name[32];
@@ -56,6 +55,19 @@ std::optional<Summary> SweepPoints::read(const SweepPoint& point) const {
 
 void SweepPoints::write(MPI_Comm group, const SweepPoint& point, const Summary& result) const {
   write_summary(group, file(point), result);
+}
+
+void SweepPoints::complete(MPI_Comm comm) const {
+  write_together(comm, folder_, [&] {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    if (rank != 0) return;
+    std::vector<std::filesystem::path> films;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "points")) {
+      if (entry.path().extension() == ".films") films.push_back(entry.path());
+    }
+    for (const std::filesystem::path& file : films) std::filesystem::remove(file);
+  });
 }
 
 }  // namespace gearfilm

@@ -24,7 +24,8 @@ void drive(March&& march, const Case& problem, const ContactPath& path) {
 void run_transient(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   const Grid grid(comm, case_grid(problem));
-  ResumableRun run(problem, grid, "transient");
+  // A march that failed may go on with other steps.
+  ResumableRun run(problem, grid, "transient", {"time", "solver"});
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
   const bool lubricated = problem.model != MarchModel::dry;
   MarchOutput output(run, problem, grid, path, MarchPurpose::march, "transient",

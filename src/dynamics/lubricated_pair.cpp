@@ -36,6 +36,10 @@ std::vector<double> LubricatedPair::field(Vec state, std::size_t contact) const 
   return {first, first + field_size()};
 }
 
+WorstNode LubricatedPair::worst_node(Vec rows, std::size_t contact) const {
+  return gearfilm::worst_node(grid_, VecReading(rows) + contact * field_size());
+}
+
 void LubricatedPair::set_motion(Vec state, const Motion& motion) const {
   const VecWriting values(state);
   if (!has_motion()) return;

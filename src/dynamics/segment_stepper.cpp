@@ -168,13 +168,20 @@ void SegmentStepper::run(Vec state, double T0, double T1) {
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));
   if (reason > 0) return;
+  SNES snes = nullptr;
+  const char* newton = nullptr;
+  petsc_check(TSGetSNES(ts_, &snes));
+  petsc_check(SNESGetConvergedReasonString(snes, &newton));
   std::ostringstream message;
   message << "no time step converged from T = " << last_time_ << " on, down to " << step_ << "/2^"
           << options_.max_rejections << ", with";
-  for (const ContactRecord& contact : pair_.records(last_time_)) {
-    message << " contact " << contact.contact << " at xi = " << 1e3 * contact.position << " mm";
+  const std::vector<ContactRecord> contacts = pair_.records(last_time_);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    message << (k > 0 ? ", contact " : " contact ") << contacts[k].contact << " at xi = " << 1e3 * contacts[k].position
+            << " mm (largest " << describe(pair_.worst_node(rows_, k)) << ")";
   }
-  message << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
+  message << "; Newton's method ended with " << newton
+          << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
   throw SolveError(message.str());
 }
 

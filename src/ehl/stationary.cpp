@@ -79,11 +79,13 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
   return fine;
 }
 
-[[noreturn]] void report_failure(const Grid& grid, const SolveCounts& counts) {
+[[noreturn]] void report_failure(const Grid& grid, const StationaryNewton& newton) {
+  const SolveCounts& counts = newton.counts();
   std::ostringstream message;
   message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
-          << counts.residual << " after " << counts.newton
-          << " Newton iterations; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
+          << counts.residual << " after " << counts.newton << " Newton iterations, the largest "
+          << describe(newton.worst())
+          << "; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
              "grid_y_half), or raise solver_newton_max_iterations";
   throw SolveError(message.str());
 }
@@ -111,7 +113,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     StationaryNewton newton(present, options.newton);
     result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
     const bool solved = solve_on_grid(present, newton, load, result.solution, before != nullptr);
-    if (!solved && n == 0) report_failure(present.grid(), newton.counts());
+    if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
     before = solved ? &present.grid() : nullptr;

@@ -1,11 +1,25 @@
 #include "gearfilm/io/agreement.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {
 
 constexpr std::uintmax_t almost_full = 1 << 16;  // [bytes]
+
+constexpr double patience = 10.0;  // [s]
+
+bool wait_briefly(MPI_Request& request) {
+  int done = 0;
+  for (const double begin = MPI_Wtime(); !done && MPI_Wtime() - begin < patience;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return done != 0;
+}
 
 /// Why a write failed, as far as the file system shows it; otherwise what the failed call said.
 std::string cause(const std::filesystem::path& path, const std::string& reason) {
@@ -30,8 +44,15 @@ std::string first_reason(MPI_Comm comm, const std::string& own) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  int first = own.empty() ? size : rank;
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
+  const int own_place = own.empty() ? size : rank;
+  int first = size;
+  MPI_Request agreement = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&own_place, &first, 1, MPI_INT, MPI_MIN, comm, &agreement);
+  if (own.empty()) {
+    MPI_Wait(&agreement, MPI_STATUS_IGNORE);
+  } else if (!wait_briefly(agreement)) {
+    return own;  // the others are stuck in what failed here
+  }
   if (first == size) return {};
   std::string reason = own;
   int length = static_cast<int>(reason.size());

@@ -12,6 +12,10 @@ ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path) : comm_(comm
   write([&] { petsc_check(PetscViewerHDF5Open(comm, part_of(path_).c_str(), FILE_MODE_WRITE, viewer_.put())); });
 }
 
+// Closing takes all processes, but an error may have struck this one alone; and HDF5 cannot close what it could not
+// write. Without finish() the file is left to the end of the program.
+ResultsFile::~ResultsFile() { (void)viewer_.release(); }
+
 hid_t ResultsFile::hdf5_file() {
   hid_t file = H5I_INVALID_HID;
   petsc_check(PetscViewerHDF5GetFileId(viewer_, &file));
@@ -72,19 +76,24 @@ void ResultsFile::grid(const std::string& group, const WholeDomain& domain, cons
 }
 
 void ResultsFile::publish() {
-  if (std::exchange(published_, true)) return;
+  if (published_) return;
   write([&] {
     if (H5Fflush(hdf5_file(), H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
   });
+  take_name();
+}
+
+void ResultsFile::take_name() {
   finish_part(comm_, path_);
+  published_ = true;
 }
 
 void ResultsFile::finish() {
-  publish();
   write([&] {
     PetscViewer viewer = viewer_.release();
     petsc_check(PetscViewerDestroy(&viewer));
   });
+  if (!published_) take_name();
 }
 
 namespace {

@@ -1,6 +1,5 @@
 #include "gearfilm/io/results_table.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -67,12 +66,7 @@ void ResultsTable::create(const std::string& path, const std::vector<TableColumn
 }
 
 ResultsTable::~ResultsTable() {
-  try {
-    if (!file_.damaged()) write();
-  } catch (const OutputError& error) {
-    if (file_.rank() == 0) std::fprintf(stderr, "gearfilm: the end of a table is lost: %s\n", error.what());
-  }
-  H5Dclose(dataset_);
+  if (!file_.damaged()) H5Dclose(dataset_);
   H5Tclose(memory_type_);
 }
 

@@ -8,11 +8,13 @@
 
 namespace gearfilm {
 
-Summary identity_of(const Case& problem, const std::string& command, std::span<const char* const> free_parameters) {
+Summary identity_of(const Case& problem, const std::string& command, const std::vector<std::string>& free) {
   Summary identity = {{"command", command}};
   for (const EchoedValue& echoed : problem.parameters.echo()) {
-    const bool free = std::ranges::any_of(free_parameters, [&](const char* name) { return echoed.name == name; });
-    if (!free) identity[echoed.name] = echoed.value;
+    const std::string section = find_parameter(echoed.name)->section();
+    const bool may_differ =
+        std::ranges::any_of(free, [&](const std::string& name) { return name == echoed.name || name == section; });
+    if (!may_differ) identity[echoed.name] = echoed.value;
   }
   return identity;
 }

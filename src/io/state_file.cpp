@@ -45,6 +45,10 @@ MPI_Offset fields_begin(std::size_t description) {
   return static_cast<MPI_Offset>(sizeof(std::uint64_t) + description);
 }
 
+InputError unusable(const std::filesystem::path& path, const std::string& reason) {
+  return InputError("'" + path.string() + "' " + reason + "; start anew, without -restart");
+}
+
 /// The description as it stands in the file; empty where the file is not whole.
 std::string description_in(const std::filesystem::path& path) {
   std::error_code error;
@@ -68,6 +72,46 @@ std::string shared_description(MPI_Comm comm, const std::filesystem::path& path)
   std::string text = rank == 0 ? description_in(path) : std::string();
   broadcast(comm, text);
   return text;
+}
+
+/// Writes the fields behind the description, down to the disk.
+void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, const CompactFields& fields) {
+  std::vector<double> values;
+  for (const std::vector<double>& field : fields) values.insert(values.end(), field.begin(), field.end());
+  write_together(grid.comm(), path, [&] {
+    MPI_File file = MPI_FILE_NULL;
+    mpi_check(MPI_File_open(grid.comm(), path.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file));
+    const FieldsView view(grid, fields.size());
+    // All processes take part in every call, whatever came of the one before.
+    const int codes[] = {
+        view.show(file, begin),
+        MPI_File_write_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE),
+        MPI_File_sync(file), MPI_File_close(&file)};
+    for (int code : codes) mpi_check(code);
+  });
+}
+
+/// The same back.
+CompactFields extract_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, std::size_t count) {
+  const auto size = static_cast<std::size_t>(grid.local_size());
+  std::vector<double> values(count * size);
+  MPI_File file = MPI_FILE_NULL;
+  int code = MPI_File_open(grid.comm(), path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file);
+  if (code == MPI_SUCCESS) {
+    const FieldsView view(grid, count);
+    code = view.show(file, begin);
+    const int read =
+        MPI_File_read_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE);
+    MPI_File_close(&file);
+    code = code == MPI_SUCCESS ? read : code;
+  }
+  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) throw unusable(path, "cannot be read");
+  CompactFields fields;
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(n * size);
+    fields.emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
+  }
+  return fields;
 }
 
 }  // namespace
@@ -102,22 +146,9 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
     file << text;
     file.close();
     if (!file) throw std::system_error(errno, std::generic_category());
+    flush_to_disk(part);
   });
-  std::vector<double> values;
-  for (const std::vector<double>& field : fields) values.insert(values.end(), field.begin(), field.end());
-  write_together(grid.comm(), path, [&] {
-    MPI_File file = MPI_FILE_NULL;
-    mpi_check(MPI_File_open(grid.comm(), part.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file));
-    const FieldsView view(grid, fields.size());
-    int code = view.show(file, fields_begin(text.size()));
-    // All processes take part in every call, whatever came of the one before.
-    const int written =
-        MPI_File_write_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE);
-    const int synced = MPI_File_sync(file);
-    const int closed = MPI_File_close(&file);
-    for (int next : {written, synced, closed}) code = code == MPI_SUCCESS ? next : code;
-    mpi_check(code);
-  });
+  if (!fields.empty()) append_fields(grid, part, fields_begin(text.size()), fields);
   finish_part(grid.comm(), path);
   write_together(grid.comm(), path, [&] {
     if (grid.rank() == 0) flush_to_disk(path.parent_path());
@@ -132,36 +163,15 @@ std::optional<Summary> read_state_description(MPI_Comm comm, const std::filesyst
 
 CompactFields read_state_fields(const Grid& grid, const std::filesystem::path& path) {
   const std::string text = shared_description(grid.comm(), path);
-  const Summary description = Summary::parse(text, nullptr, false);
-  const std::string remedy = "; start anew, without -restart";
-  if (!description.is_object()) throw InputError("'" + path.string() + "' cannot be read" + remedy);
+  if (text.empty()) throw unusable(path, "cannot be read");
+  const Summary description = Summary::parse(text);
   const int nx = description["nodes"][0].get<int>(), rows = description["nodes"][1].get<int>();
   if (nx != grid.nx() || rows != grid.rows()) {
-    throw InputError("'" + path.string() + "' is of a grid of " + std::to_string(nx) + " x " +
-                     std::to_string(2 * rows - 1) + " nodes" + remedy);
+    throw unusable(path, "is of a grid of " + std::to_string(nx) + " x " + std::to_string(2 * rows - 1) + " nodes");
   }
   const auto count = description["fields"].get<std::size_t>();
-  const std::size_t size = static_cast<std::size_t>(grid.local_size());
-  std::vector<double> values(count * size);
-  MPI_File file = MPI_FILE_NULL;
-  int code = MPI_File_open(grid.comm(), path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file);
-  if (code == MPI_SUCCESS) {
-    const FieldsView view(grid, count);
-    code = view.show(file, fields_begin(text.size()));
-    const int read =
-        MPI_File_read_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE);
-    MPI_File_close(&file);
-    code = code == MPI_SUCCESS ? read : code;
-  }
-  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) {
-    throw InputError("'" + path.string() + "' cannot be read" + remedy);
-  }
-  CompactFields fields;
-  for (std::size_t n = 0; n < count; ++n) {
-    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(n * size);
-    fields.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
-  }
-  return fields;
+  if (count == 0) return {};
+  return extract_fields(grid, path, fields_begin(text.size()), count);
 }
 
 }  // namespace gearfilm

@@ -15,8 +15,9 @@ namespace gearfilm {
 class ResumableRun {
 public:
   /// Begins anew, without what an earlier run has left in the folder; or goes on (restart). Throws InputError where
-  /// there is nothing to go on from, or another run.
-  ResumableRun(const Case& problem, const Grid& grid, const std::string& command);
+  /// there is nothing to go on from, or another run. free_sections: parameters that may differ from it.
+  ResumableRun(const Case& problem, const Grid& grid, const std::string& command,
+               const std::vector<std::string>& free_sections = {});
 
   const OutputDirectory& directory() const { return directory_; }
   Checkpoint& checkpoint() { return *checkpoint_; }

@@ -20,6 +20,7 @@
 #include "gearfilm/dynamics/step_record.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
+#include "gearfilm/ehl/worst_node.hpp"
 #include "gearfilm/gear/load_sharing.hpp"
 
 namespace gearfilm {
@@ -68,6 +69,8 @@ public:
 
   /// Figures of every contact at the last state.
   std::vector<ContactRecord> records(double T) const;
+  /// Where the rows of one contact are largest. Collective.
+  WorstNode worst_node(Vec rows, std::size_t contact) const;
   /// sqrt(nodes of all films): the weight of the motion's rows.
   double weight() const { return weight_; }
   PetscInt local_size() const override { return pressure_count() + (has_motion() ? 2 : 0); }

@@ -11,6 +11,7 @@
 #include "gearfilm/ehl/contact_film.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
+#include "gearfilm/ehl/worst_node.hpp"
 
 namespace gearfilm {
 
@@ -48,6 +49,8 @@ public:
   bool solve(const LoadCondition& load, FilmSolution& guess, double shift = 0.0, const double* storage = nullptr);
 
   const SolveCounts& counts() const { return counts_; }
+  /// Where the last solve() left the largest residual. Collective.
+  WorstNode worst() const { return worst_node(grid_, VecReading(residual_)); }
 
   MPI_Comm comm() const override { return grid_.comm(); }
   PetscInt local_size() const override { return size_ + (has_scalar_ ? 1 : 0); }

@@ -26,6 +26,9 @@ class ResultsFile {
 public:
   /// Opens the file as part_of(path): it takes the place of an earlier one in publish() or finish().
   ResultsFile(MPI_Comm comm, std::filesystem::path path);
+  ~ResultsFile();
+  ResultsFile(const ResultsFile&) = delete;
+  ResultsFile& operator=(const ResultsFile&) = delete;
 
   void attribute(const std::string& group, const std::string& name, const std::string& value);
   void attribute(const std::string& group, const std::string& name, double value);
@@ -62,6 +65,7 @@ public:
 private:
   using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
 
+  void take_name();
   void view(const std::string& group, const std::string& name, Vec vec, const std::string& unit);
   void line(const std::string& group, const std::string& name, const std::vector<double>& values);
 

@@ -1,8 +1,8 @@
 // A table in results.h5 that grows row by row and survives a killed run.
 //
 // One compound dataset a table, so that h5py, pandas and MATLAB see named columns; the attribute "units" lists
-// "column unit" lines. Rows wait in memory for up to half a second, or until the table goes; then the first process
-// writes them.
+// "column unit" lines. Rows wait in memory for up to half a second, or until write(); then the first process writes
+// them. What still waits when the table goes is lost.
 #pragma once
 
 #include <hdf5.h>

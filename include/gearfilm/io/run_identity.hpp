@@ -2,15 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
+#include <string>
+#include <vector>
 
 #include "gearfilm/io/case.hpp"
 #include "gearfilm/io/summary.hpp"
 
 namespace gearfilm {
 
-/// The command and all parameters but those that may differ.
-Summary identity_of(const Case& problem, const std::string& command, std::span<const char* const> free_parameters);
+/// The command and all parameters but those that may differ: names, or whole sections ("time").
+Summary identity_of(const Case& problem, const std::string& command, const std::vector<std::string>& free);
 
 /// Nothing where the file is missing. Throws InputError where it cannot be read. Collective, as are the others.
 std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path& file);
