@@ -1,14 +1,14 @@
 // gearfilm: lubricant films and vibration of spur-gear pairs.   gearfilm COMMAND CASE.yaml [-option value ...]
 #include <petscsys.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <string>
+#include <optional>
 
 #include "gearfilm/app/command_line.hpp"
 #include "gearfilm/app/session.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/plain_text.hpp"
 
 namespace {
 
@@ -16,10 +16,8 @@ enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2 };
 
 int report(const char* kind, const std::exception& error, ExitStatus status) {
   int rank = 0;
-  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-  std::string line = error.what();
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  if (rank == 0) std::fprintf(stderr, "gearfilm: %s: %s\n", kind, line.c_str());
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) std::fprintf(stderr, "gearfilm: %s: %s\n", kind, gearfilm::one_line(error.what()).c_str());
   return status;
 }
 
@@ -27,8 +25,9 @@ int report(const char* kind, const std::exception& error, ExitStatus status) {
 
 int main(int argc, char** argv) {
   const gearfilm::CommandLine command_line(argc, argv);
-  const gearfilm::Session session(command_line.petsc_arguments());
+  std::optional<gearfilm::Session> session;  // outlives the messages, which only one process gives
   try {
+    session.emplace(command_line.petsc_arguments());
     gearfilm::run(PETSC_COMM_WORLD, command_line);
     return done;
   } catch (const gearfilm::InputError& error) {
