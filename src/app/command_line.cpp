@@ -6,6 +6,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/oddities.hpp"
 #include "gearfilm/io/options.hpp"
 #include "gearfilm/io/plain_text.hpp"
 #include "gearfilm/version.hpp"
@@ -106,6 +107,7 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     }
     require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
+    for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
     command.run(comm, problem);
     for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
     return;
