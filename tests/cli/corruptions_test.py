@@ -24,9 +24,10 @@ KEYS = re.findall(r"^\| `([\w.]+)`", subprocess.run([PROGRAM, "parameters"], cap
                                                    timeout=SECONDS).stdout, re.MULTILINE)
 NUMBER = re.compile(rb"(?<=: )[-+.\de]+(?= *$)", re.MULTILINE)
 WORDS = [b"nan", b"-nan", b"inf", b".inf", b"1e400", b"-1e400", b"1e-400", b"1e300", b"1e-300", b"1e-310", b"0", b"-0",
-         b"-1", b"1", b"2", b"0x10", b"1,5", b"1_0", b"true", b"yes", b"no", b"~", b"''", b"null", b"28.5", b"20 mm", b"9" * 40,
-         b"3e", b"e3", b"+-3", b"--3", b"[1]", b"{a: 1}", b"*a", b"&a 1", b"!!int 1", b"|", b">", b"'", b'"', b"%", b"@", b"`",
-         b"contact", b"gear_pair", b"table", b"line_equivalent", b"barus", b"quasistatic", b"position", b"\xff", b"\x00"]
+         b"-1", b"1", b"2", b"0x10", b"1,5", b"1_0", b"true", b"yes", b"no", b"~", b"''", b"null", b"28.5", b"20 mm",
+         b"9" * 40, b"3e", b"e3", b"+-3", b"--3", b"[1]", b"{a: 1}", b"*a", b"&a 1", b"!!int 1", b"|", b">", b"'", b'"',
+         b"%", b"@", b"`", b"contact", b"gear_pair", b"table", b"line_equivalent", b"barus", b"quasistatic",
+         b"position", b"\xff", b"\x00"]
 # Positive in every result.
 POSITIVE = ["a", "b", "p_hertz", "hertz_approach", "M", "L", "D", "kappa", "load", "R_x", "R_y", "E_prime",
             "entrainment_velocity", "hamrock_dowson_h_central", "nijenbanning_venner_moes_h_central"]
@@ -115,7 +116,7 @@ def random_value(dice):
 
 
 MUTATIONS = [flip_byte, insert_bytes, cut_end, cut_middle, delete_line, repeat_line, swap_lines, swap_values,
-             scale_number, scale_number, shift_number, shift_number, negate_number, replace_number, replace_number, add_key]
+             negate_number, add_key, *2 * [scale_number, shift_number, replace_number]]
 
 
 def mutant(number):

@@ -7,14 +7,16 @@ from program import ProgramTest
 
 # Case, options, words of each warning in turn.
 ODD = [
-    (BARBIERI, ["-pinion_torque", 20000], [["Hertz pressure is 9.993 GPa", "hardened steel"], ["24.47 mm", "longer than the face"]]),
+    (BARBIERI, ["-pinion_torque", 20000],
+     [["Hertz pressure is 9.993 GPa", "hardened steel"], ["24.47 mm", "longer than the face"]]),
     (BARBIERI, ["-pinion_torque", 0.002], [["Hertz pressure is 0.04639 GPa"], ["central film", "um", "thicker"]]),
     (CIRCULAR, ["-contact_radius_x", 12.5, "-contact_radius_y", 12.5],
      [["Hertz pressure is 0.004496 GPa", "below 0.05 GPa"], ["central film", "thicker"]]),
     (CIRCULAR, ["-contact_entrainment_velocity", 250],
      [["'contact.entrainment_velocity' is 250 m/s", "faster"], ["central film", "thicker"]]),
     (BARBIERI, ["-lubricant_viscosity", 1e-3], [["'lubricant.viscosity' is 0.001 Pa s", "water"]]),
-    (BARBIERI, ["-lubricant_viscosity", 40], [["'lubricant.viscosity' is 40 Pa s", "mPa s"], ["central film", "thicker"]]),
+    (BARBIERI, ["-lubricant_viscosity", 40],
+     [["'lubricant.viscosity' is 40 Pa s", "mPa s"], ["central film", "thicker"]]),
     (BARBIERI, ["-lubricant_pressure_viscosity", 2e-9], [["'lubricant.pressure_viscosity' is 2e-09 1/Pa"]]),
     (BARBIERI, ["-lubricant_pressure_viscosity", 1e-7], [["'lubricant.pressure_viscosity' is 1e-07 1/Pa"]]),
     (WANG, ["-wheel_youngs_modulus", 30e9], [["'wheel.youngs_modulus' is 3e+10 Pa", "softer"]]),
