@@ -116,20 +116,20 @@ def random_value(dice):
 
 
 MUTATIONS = [flip_byte, insert_bytes, cut_end, cut_middle, delete_line, repeat_line, swap_lines, swap_values,
-             negate_number, add_key, *2 * [scale_number, shift_number, replace_number]]
+             negate_number, add_key, *4 * [scale_number, shift_number, replace_number]]
 
 
 def mutant(number):
     """Content of a case file, and options."""
     dice = random.Random(number)
     text = dice.choice(CASES)
-    for _ in range(dice.choice([0, 1, 1, 1, 2, 3])):
+    for _ in range(dice.choice([0, 1, 1, 1, 1, 2, 3])):
         try:
             text = dice.choice(MUTATIONS)(text, dice) or b"\n"
         except ValueError:  # an earlier mutation left no number there
             pass
     options = []
-    for key in dice.sample(KEYS, dice.choice([0, 0, 1, 2])):
+    for key in dice.sample(KEYS, dice.choice([0, 0, 0, 1, 2])):
         value = random_value(dice).replace(b"\x00", b"")
         options += ["-" + key.replace(".", "_"), os.fsdecode(value)]
     return text, options
