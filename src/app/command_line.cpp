@@ -6,7 +6,9 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/oddities.hpp"
 #include "gearfilm/io/options.hpp"
+#include "gearfilm/io/plain_text.hpp"
 #include "gearfilm/version.hpp"
 
 namespace gearfilm {
@@ -42,8 +44,14 @@ std::string usage() {
   return text + "  parameters  the table of all parameters in Markdown (needs no case)\n\n";
 }
 
+// A dash or two and a letter. PETSc skips words with a dash and something else without a word, unless they are values.
 bool starts_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && !(std::isdigit(static_cast<unsigned char>(word[1])) || word[1] == '.');
+  const std::size_t letter = word.starts_with("--") ? 2 : 1;
+  return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
+}
+
+void warn(MPI_Comm comm, const std::string& text) {
+  petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: %s\n", one_line(text).c_str()));
 }
 
 bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }
@@ -98,15 +106,15 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     if (!command_line.surplus().empty()) {
       throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
     }
+    require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
     if (problem.restart && !command.resumable) {
       throw InputError(problem.parameters.origin("restart") + ": " + command.name +
                        " has nothing to go on from; run it without -restart");
     }
+    for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
     command.run(comm, problem);
-    for (const std::string& option : unused_options()) {
-      petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: option %s was not used\n", option.c_str()));
-    }
+    for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
     return;
   }
   throw InputError(

@@ -1,24 +1,31 @@
 // gearfilm: lubricant films and vibration of spur-gear pairs.   gearfilm COMMAND CASE.yaml [-option value ...]
 #include <petscsys.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <string>
+#include <optional>
 
 #include "gearfilm/app/command_line.hpp"
 #include "gearfilm/app/session.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/plain_text.hpp"
 
 namespace {
 
 enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2, stopped = 3 };
 
-ExitStatus end(const gearfilm::Session& session, const char* kind, const std::exception& error, ExitStatus status) {
-  std::string line = std::string("gearfilm: ") + kind + ": " + error.what();
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  session.end_together(line, status);
+using Session = std::optional<gearfilm::Session>;  // absent where PETSc did not start
+
+ExitStatus end(const Session& session, const char* kind, const std::exception& error, ExitStatus status) {
+  const std::string line = std::string("gearfilm: ") + kind + ": " + gearfilm::one_line(error.what());
+  if (session) {
+    session->end_together(line, status);
+  } else {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (rank == 0) std::fprintf(stderr, "%s\n", line.c_str());
+  }
   return status;
 }
 
@@ -26,8 +33,9 @@ ExitStatus end(const gearfilm::Session& session, const char* kind, const std::ex
 
 int main(int argc, char** argv) {
   const gearfilm::CommandLine command_line(argc, argv);
-  const gearfilm::Session session(command_line.petsc_arguments());
+  Session session;  // outlives the messages, which only one process gives
   try {
+    session.emplace(command_line.petsc_arguments());
     gearfilm::run(PETSC_COMM_WORLD, command_line);
     return done;
   } catch (const gearfilm::InputError& error) {

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {
@@ -29,7 +30,7 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   // Open MPI 4 passes more than 4 kB between processes of one machine by a system call, which takes as long as a whole
   // transpose of 129 x 65 nodes.
   setenv("OMPI_MCA_btl_vader_eager_limit", "16384", 0);
-  petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
+  start_petsc();
   // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   // Nor HDF5.
@@ -38,6 +39,18 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   petsc_check(PetscPopSignalHandler());
   register_events();
   MPI_Comm_dup(PETSC_COMM_WORLD, &ending_);
+}
+
+// Before it has started PETSc takes no error handler; what keeps it from starting is an option.
+void Session::start_petsc() {
+  PetscErrorPrintf = PetscErrorPrintfNone;
+  try {
+    petsc_check(SlepcInitialize(&count_, &values_, nullptr, nullptr));
+  } catch (const PetscFailure& failure) {
+    throw InputError(std::string("PETSc does not start with these options: ") + failure.what() +
+                     "; check -options_file, -prefix_push and the like");
+  }
+  PetscErrorPrintf = PetscErrorPrintfDefault;
 }
 
 Session::~Session() {

@@ -86,6 +86,28 @@ void check_flank(double smallest_radius, const std::string& gear, const std::str
   throw InputError(message.str());
 }
 
+double involute(double angle) { return std::tan(angle) - angle; }
+
+// Towards the tip the flanks of a tooth approach each other: at the angle alpha_a = acos(R_b/R_a) it is thinner than on
+// the working pitch circle R_w by 2 R_w (inv alpha_a - inv alpha'), relative to its radius. Both teeth together have at
+// most the pitch 2 pi R_w1/Z_1 there. How they share it is not given; what both lose must be less.
+void check_tips(const SpurGearPair& pair, double working_pressure_angle) {
+  const int teeth = pair.pinion.teeth + pair.wheel.teeth;
+  const auto loss = [&](const SpurGear& gear) {
+    const double tip_angle = std::acos(base_radius(gear, pair) / gear.outer_radius);
+    const double pitch_radius = pair.centre_distance * gear.teeth / teeth;
+    return 2.0 * pitch_radius * (involute(tip_angle) - involute(working_pressure_angle));
+  };
+  const double lost = loss(pair.pinion) + loss(pair.wheel), pitch = 2.0 * pi * pair.centre_distance / teeth;
+  if (lost < pitch) return;
+  std::ostringstream message;
+  message << "the teeth would be pointed below the tip circles: towards them they lose " << lost
+          << " m of thickness, and have the working pitch of " << pitch
+          << " m together; reduce pinion_outer_radius, wheel_outer_radius, or check gear_module and "
+          << "gear_centre_distance";
+  throw InputError(message.str());
+}
+
 void check_path(double entry, double exit, double base_pitch) {
   std::ostringstream message;
   const double contact_ratio = (exit - entry) / base_pitch;
@@ -131,6 +153,7 @@ LineOfAction::LineOfAction(const SpurGearPair& pair) {
   check_flank(radius_pinion(entry_), "pinion", "wheel");
   check_flank(radius_wheel(exit_), "wheel", "pinion");
   check_path(entry_, exit_, base_pitch_);
+  check_tips(pair, working_pressure_angle_);
 
   // R_iy = F_w^2/(8 mag_i); the curvatures 1/R_iy add, so one straight flank or two need no special case.
   const double crowning = pair.pinion.crowning + pair.wheel.crowning;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/case_file.hpp"
+#include "gearfilm/io/memory.hpp"
+#include "gearfilm/io/text_file.hpp"
 
 namespace gearfilm {
 namespace {
@@ -160,6 +161,26 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
               values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
 }
 
+// Hertz's theory is for small strains, which are of the order of p_h/E'.
+void check_strain(const Scales& scales) {
+  constexpr double largest = 0.1;
+  const double strain = scales.hertz.pressure / scales.solids.reduced_modulus;
+  if (strain <= largest) return;
+  std::ostringstream message;
+  message << "the Hertz pressure is " << scales.hertz.pressure * 1e-9 << " GPa, " << strain
+          << " of the reduced modulus: no elastic contact carries it; lower the load of " << scales.operation.load
+          << " N (torque in N m, forces in N, lengths in m), or raise the moduli or radii";
+  throw InputError(message.str());
+}
+
+// The folder of the results is named after the case.
+std::string read_name(const ParameterValues& values) {
+  const std::string& name = values.text("case.name");
+  if (name.find('/') == std::string::npos && name != "." && name != "..") return name;
+  throw InputError(values.origin("case.name") + ": 'case.name' is '" + name +
+                   "', which is no name of a folder; give a word without '/', and folders as output.dir");
+}
+
 // A position on the line of action, which a bare contact has not.
 double read_position(const Case& result, const std::string& name) {
   const double position = result.parameters.real(name);
@@ -197,6 +218,16 @@ std::optional<Motion> read_start_motion(const ParameterValues& values) {
   throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
 }
 
+// Every step would be stored, or, where the next time is lost in round-off, none.
+void check_snapshot_interval(const Case& result) {
+  if (!result.snapshot_interval || *result.snapshot_interval == 0.0) return;
+  const double step = result.steps.dT * result.scales.time * mesh_frequency(*result.gears, result.pinion_speed);
+  if (*result.snapshot_interval >= step) return;
+  throw InputError(result.parameters.origin("output.snapshot_interval") + ": 'output.snapshot_interval' is " +
+                   format_value(*result.snapshot_interval) + " mesh periods, shorter than the time step of " +
+                   format_value(step) + "; give 0 for no fields, or at least that");
+}
+
 std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
   if (!values.has(name)) return {};
   return values.real(name);
@@ -217,9 +248,9 @@ std::vector<std::pair<double, double>> read_share_table(const ParameterValues& v
                      "missing; give the file of the table");
   }
   const std::string& file = values.text(name);
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError(values.origin(name) + ": cannot read the table '" + file + "'; give the path of a file");
+  const TextFile content = read_text_file(file);
+  if (!content.obstacle.empty()) throw InputError(values.origin(name) + ": table '" + file + "' " + content.obstacle);
+  std::istringstream stream(content.text);
   std::vector<std::pair<double, double>> points;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -289,6 +320,7 @@ void set_march(Case& result) {
   result.eigen_periods = values.integer("eigen.periods");
   result.step_levels = values.integer("time.levels");
   result.snapshot_interval = optional_real(values, "output.snapshot_interval");
+  check_snapshot_interval(result);
   result.spectrum_periods = optional_real(values, "output.spectrum_periods");
   if (result.spectrum_periods && *result.spectrum_periods > result.mesh_periods) {
     throw InputError(values.origin("output.spectrum_periods") + ": 'output.spectrum_periods' is " +
@@ -302,7 +334,7 @@ void set_march(Case& result) {
 Case make_case(const ParameterValues& values) {
   Case result;
   result.parameters = values;
-  result.name = values.text("case.name");
+  result.name = read_name(values);
   result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
   result.oil = read_lubricant(values);
   if (result.kind == CaseKind::gear_pair) {
@@ -312,6 +344,7 @@ Case make_case(const ParameterValues& values) {
   }
   in_file_of(values, [&] {
     result.scales = make_scales(result.solids, result.oil, result.operation);
+    check_strain(result.scales);
     result.domain = read_domain(values, moes_groups(result.solids, result.oil, result.operation).M);
   });
   result.nx = values.integer("grid.nx");
@@ -324,6 +357,10 @@ Case make_case(const ParameterValues& values) {
   return result;
 }
 
-Case read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
+Case read_case(MPI_Comm comm, const std::string& file) {
+  Case result = make_case(read_parameters(comm, file));
+  require_memory(comm, result.nx, result.ny);
+  return result;
+}
 
 }  // namespace gearfilm

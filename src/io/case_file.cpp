@@ -6,14 +6,13 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/options.hpp"
+#include "gearfilm/io/text_file.hpp"
 
 namespace gearfilm {
 namespace {
@@ -42,7 +41,9 @@ public:
     reject_empty(mark);
   }
 
-  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string& text) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& text) override {
+    reject_decoration(mark, tag, anchor);
     if (text.find('\n') != std::string::npos)
       fail(mark, "a key or value goes over several lines; close its quotes in the line where they open");
     if (open_maps_.empty()) fail(mark, "'" + text + "' is not a case; give keys with values, 'section: {key: value}'");
@@ -55,7 +56,10 @@ public:
     key_.clear();
   }
 
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    reject_decoration(mark, tag, anchor);
+    if (open_maps_.size() > deepest) fail(mark, "keys are nested too deeply; a section has keys, but no sections");
     if (!open_maps_.empty() && expects_key()) fail(mark, "a key is itself a list of keys; give it a name");
     open_maps_.push_back(std::exchange(key_, {}));
   }
@@ -72,10 +76,19 @@ public:
   }
 
 private:
+  static constexpr std::size_t deepest = 2;
+
   bool expects_key() const { return key_.empty(); }
   std::string place(const YAML::Mark& mark) const { return file_ + ":" + std::to_string(mark.line + 1); }
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
     throw InputError(place(mark) + ": " + message);
+  }
+
+  // They would change what a value means elsewhere, and here do nothing. A plain scalar has the tag "?", a quoted one
+  // "!".
+  void reject_decoration(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
+    if (anchor != 0) fail(mark, "YAML anchors ('&name') are not read; delete it");
+    if (!tag.empty() && tag != "?" && tag != "!") fail(mark, "YAML tags ('" + tag + "') are not read; delete it");
   }
 
   [[noreturn]] void reject_empty(const YAML::Mark& mark) const {
@@ -101,42 +114,25 @@ private:
   int documents_ = 0;
 };
 
-// yaml-cpp reads an indenting tab as part of the value before, and complains about something else.
-void reject_indenting_tabs(const std::string& file, const std::string& text) {
+// yaml-cpp reads an indenting tab as part of the value before, a no-break space as part of the key, and complains about
+// something else.
+void reject_odd_indents(const std::string& file, const std::string& text) {
   std::istringstream stream(text);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     const std::size_t content = line.find_first_not_of(" \t\r");
-    if (content != std::string::npos && line.substr(0, content).find('\t') != std::string::npos)
-      throw InputError(file + ":" + std::to_string(number) + ": malformed YAML (a tab indents the line); use spaces");
+    if (content == std::string::npos) continue;
+    const bool tab = line.substr(0, content).find('\t') != std::string::npos;
+    if (tab || line.compare(content, 2, "\u00a0") == 0)
+      throw InputError(file + ":" + std::to_string(number) + ": malformed YAML (a " + (tab ? "tab" : "no-break space") +
+                       " indents the line); use spaces");
   }
-}
-
-// Empty with a reason when the file cannot be read.
-std::string read_here(const std::string& file, std::string& reason) {
-  constexpr std::streamsize largest = 1 << 20;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    reason = "is a directory";
-    return {};
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    reason = std::filesystem::exists(file, ignored) ? "cannot be opened" : "does not exist";
-    return {};
-  }
-  std::string text(largest + 1, '\0');
-  stream.read(text.data(), largest + 1);
-  text.resize(stream.gcount());
-  if (stream.bad()) reason = "cannot be read";
-  if (stream.gcount() > largest) reason = "is larger than 1 MB, which no case file is";
-  return text;
 }
 
 }  // namespace
 
 std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::string& text) {
-  reject_indenting_tabs(file, text);
+  reject_odd_indents(file, text);
   EntryCollector collector(file);
   // yaml-cpp lets a quote run on to the end of the text, taking all further keys for its content; an end-of-document
   // mark stops it.
@@ -147,7 +143,8 @@ std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::s
     while (parser.HandleNextDocument(collector)) {
     }
   } catch (const YAML::Exception& error) {
-    if (error.mark.line >= lines) throw InputError(file + ": malformed YAML (the end comes inside a quote); close it");
+    if (error.mark.line >= lines)
+      throw InputError(file + ": malformed YAML (the end comes inside a quote or brackets); close them");
     throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": malformed YAML (" + error.msg +
                      "); check indentation, colons and quotes");
   }
@@ -157,12 +154,11 @@ std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::s
 std::string read_text(MPI_Comm comm, const std::string& file) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  std::string reason;
-  std::string text = rank == 0 ? read_here(file, reason) : std::string();
-  broadcast(comm, reason);
-  if (!reason.empty()) throw InputError("case file '" + file + "' " + reason + "; check its path");
-  broadcast(comm, text);
-  return text;
+  TextFile content = rank == 0 ? read_text_file(file) : TextFile();
+  broadcast(comm, content.obstacle);
+  if (!content.obstacle.empty()) throw InputError("case file '" + file + "' " + content.obstacle);
+  broadcast(comm, content.text);
+  return content.text;
 }
 
 ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <set>
 
 #include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
@@ -110,6 +111,14 @@ void require_known_options() {
     if (is_petsc_option(option.name) || is_parameter_option(option.name)) continue;
     throw InputError("command line: unknown option '" + as_typed(option) + "'; did you mean '" +
                      nearest_parameter_by_option(option.name).option() + "'?");
+  }
+}
+
+void require_single_options(const std::vector<std::string>& arguments) {
+  std::set<std::string> given;
+  for (const std::string& argument : arguments) {
+    if (!is_parameter_option(argument) || given.insert(lower_case(argument)).second) continue;
+    throw InputError("command line: option '" + argument + "' is given twice; delete one of the two");
   }
 }
 

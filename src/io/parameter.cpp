@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/plain_text.hpp"
 
 namespace gearfilm {
 namespace {
@@ -44,7 +45,7 @@ const Parameter& nearest_by(std::string_view name, Spelling spelling) {
 
 template <class Number>
 std::optional<ParameterValue> read_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   // "inf" and "nan" are read as numbers, but no parameter can be either.
@@ -64,6 +65,12 @@ bool is_allowed(const Parameter& parameter, const ParameterValue& value) {
   if (const double* number = std::get_if<double>(&value)) return parameter.range.contains(*number);
   return parameter.type == ParameterType::text ||
          std::ranges::find(parameter.choices, std::get<std::string>(value)) != parameter.choices.end();
+}
+
+// Words become names of files, and strings in JSON and HDF5.
+void require_readable(const std::string& text, const std::string& given) {
+  if (first_unreadable(text) == std::string::npos) return;
+  throw InputError(given + " is '" + text + "', with a control character or not UTF-8; give plain words in one line");
 }
 
 std::string describe_range(const Range& range) {
@@ -123,14 +130,14 @@ const Parameter& nearest_parameter_by_option(std::string_view option) {
 }
 
 ParameterValue parse_value(const Parameter& parameter, const std::string& text, const std::string& origin) {
-  if (text.empty())
-    throw InputError(origin + ": '" + parameter.name + "' has no value; give " + describe_allowed(parameter));
+  const std::string given = origin + ": '" + parameter.name + "'";
+  if (text.empty()) throw InputError(given + " has no value; give " + describe_allowed(parameter));
+  require_readable(text, given);
   const std::string remedy = "; give " + describe_allowed(parameter) + " (" + parameter.meaning + ")";
   const std::optional<ParameterValue> value = read_value(parameter.type, text);
-  if (!value)
-    throw InputError(origin + ": '" + parameter.name + "' is '" + text + "', not " + describe_type(parameter) + remedy);
+  if (!value) throw InputError(given + " is '" + text + "', not " + describe_type(parameter) + remedy);
   if (!is_allowed(parameter, *value))
-    throw InputError(origin + ": '" + parameter.name + "' is " + with_unit(text, parameter) + ", " +
+    throw InputError(given + " is " + with_unit(text, parameter) + ", " +
                      (parameter.type == ParameterType::choice ? "not a choice" : "out of range") + remedy);
   return *value;
 }

@@ -1,5 +1,5 @@
-// The records. Units are SI; an angle or a speed in another unit says so in its name. Upper ends of ranges catch a
-// wrong unit (millimetres for metres, GPa for Pa); the physics needs none.
+// The records. Units are SI; an angle or a speed in another unit says so in its name. Ends of ranges catch a wrong unit
+// (millimetres for metres, GPa for Pa) and numbers that are none of a machine (1e-300 N m); the physics needs none.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -18,14 +18,9 @@ using Records = std::vector<Parameter>;
 using Words = std::vector<std::string>;
 
 Range at_least(double lower) { return {.lower = lower}; }
-Range above(double lower) { return {.lower = lower, .lower_open = true}; }
-Range below(double upper) { return {.upper = upper, .upper_open = true}; }
 Range closed(double lower, double upper) { return {.lower = lower, .upper = upper}; }
 Range left_open(double lower, double upper) { return {.lower = lower, .upper = upper, .lower_open = true}; }
 Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
-Range open(double lower, double upper) {
-  return {.lower = lower, .upper = upper, .lower_open = true, .upper_open = true};
-}
 Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
 
 // One record; section() puts the section before the name.
@@ -97,19 +92,19 @@ Records one_gear_records(const std::string& subscript) {
   const std::string without_inertia = "none; give both inertias, gear.equivalent_mass, or neither";
   return {
       whole("teeth", "Z_" + subscript, closed(3, 10000), "number of teeth"),
-      number("outer_radius", "R_a" + subscript, "m", left_open(0, 10), "radius of the tip circle"),
+      number("outer_radius", "R_a" + subscript, "m", closed(1e-4, 10), "radius of the tip circle"),
       number("crowning", "mag_" + subscript, "m", closed(0, 0.01), "lead crowning over half the face width"),
       number("youngs_modulus", "E_" + subscript, "Pa", left_open(1e5, 1e13), "Young's modulus"),
       number("poisson_ratio", "nu_" + subscript, "-", right_open(0, 0.5), "Poisson's ratio"),
       optional(without_inertia,
-               number("inertia", "I_g" + subscript, "kg m^2", above(0), "moment of inertia about its axis")),
+               number("inertia", "I_g" + subscript, "kg m^2", closed(1e-15, 1e9), "moment of inertia about its axis")),
   };
 }
 
 Records pinion_records() {
   Records records = one_gear_records("1");
-  records.push_back(number("speed_rpm", "Omega_1", "rpm", left_open(0, 1e6), "rotational speed of the pinion"));
-  records.push_back(number("torque", "T_g1", "N m", above(0), "torque on the pinion"));
+  records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
+  records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
   return section("pinion", Scope::gear_pair, std::move(records));
 }
 
@@ -118,12 +113,13 @@ Records wheel_records() { return section("wheel", Scope::gear_pair, one_gear_rec
 Records gear_records() {
   return section(
       "gear", Scope::gear_pair,
-      {number("module", "m_n", "m", left_open(0, 0.1), "normal module"),
-       number("pressure_angle_deg", "alpha", "deg", open(0, 45), "pressure angle of the basic rack"),
-       number("centre_distance", "a_w", "m", left_open(0, 20), "working centre distance"),
-       number("face_width", "F_w", "m", left_open(0, 5), "face width"),
-       optional("from both inertias; without them no vibration",
-                number("equivalent_mass", "m_ge", "kg", above(0), "mass of both gears along the line of action")),
+      {number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
+       number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
+       number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
+       number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
+       optional(
+           "from both inertias; without them no vibration",
+           number("equivalent_mass", "m_ge", "kg", closed(1e-9, 1e9), "mass of both gears along the line of action")),
        choice("load_model", {"point", "line_equivalent"},
               "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
               "half-axis a of the line contact under that force")});
@@ -133,25 +129,26 @@ Records contact_records() {
   const std::string unless_reduced = "needed without contact.reduced_modulus";
   const Range modulus = left_open(1e5, 1e13);
   const Range ratio = right_open(0, 0.5);
-  return section("contact", Scope::contact,
-                 {number("radius_x", "R_x", "m", left_open(0, 1000), "reduced radius along the entrainment"),
-                  number("radius_y", "R_y", "m", left_open(0, 1000), "reduced radius across the entrainment"),
-                  optional("from the moduli and ratios of both bodies",
-                           number("reduced_modulus", "E'", "Pa", modulus,
-                                  "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
-                  optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
-                  optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
-                  optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
-                  optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
-                  number("load", "w", "N", above(0), "load"),
-                  number("entrainment_velocity", "u_m", "m/s", above(0), "mean velocity of the two surfaces")});
+  return section(
+      "contact", Scope::contact,
+      {number("radius_x", "R_x", "m", closed(1e-6, 1000), "reduced radius along the entrainment"),
+       number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"),
+       optional(
+           "from the moduli and ratios of both bodies",
+           number("reduced_modulus", "E'", "Pa", modulus, "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
+       optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
+       optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
+       optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
+       optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
+       number("load", "w", "N", closed(1e-9, 1e9), "load"),
+       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces")});
 }
 
 Records lubricant_records() {
   return section(
       "lubricant", Scope::any,
-      {number("viscosity", "eta_0", "Pa s", left_open(0, 1e4), "viscosity at ambient pressure"),
-       number("pressure_viscosity", "alpha_B", "1/Pa", left_open(0, 1e-6), "pressure-viscosity coefficient"),
+      {number("viscosity", "eta_0", "Pa s", closed(1e-5, 1e4), "viscosity at ambient pressure"),
+       number("pressure_viscosity", "alpha_B", "1/Pa", closed(1e-11, 1e-6), "pressure-viscosity coefficient"),
        choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
        choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")});
 }
@@ -168,16 +165,19 @@ Records grid_records() {
        preset(65, whole("ny", "N_y", odd(9, 16385),
                         "nodes across the entrainment, boundaries included; the films being symmetric, those on "
                         "one side and in the middle are computed")),
-       optional(by_load(&Domain::x_min), number("x_min", "X_min", "a", below(-1), "inlet edge of the domain")),
-       optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", above(1), "outlet edge of the domain")),
-       optional(by_load(&Domain::y_half), number("y_half", "", "b", above(1), "half the width of the domain"))});
+       optional(by_load(&Domain::x_min),
+                number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
+       optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
+       optional(by_load(&Domain::y_half),
+                number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});
 }
 
 Records steady_records() {
   return section(
       "steady", Scope::any,
       {preset(0.0, number("position", "xi", "m", {}, "position on the path of contact, zero at the pitch point")),
-       preset(1.0, number("load_ratio", "F/F*", "-", above(0), "force on the contact over its reference load"))});
+       preset(1.0,
+              number("load_ratio", "F/F*", "-", closed(1e-6, 1e6), "force on the contact over its reference load"))});
 }
 
 Records march_records() {
@@ -190,7 +190,7 @@ Records march_records() {
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
-       preset(2.0, number("mesh_periods", "", "-", left_open(0, 1e6), "mesh periods to march"))});
+       preset(2.0, number("mesh_periods", "", "-", closed(1e-3, 1e6), "mesh periods to march"))});
 }
 
 Records run_records() {
@@ -210,10 +210,10 @@ Records load_sharing_records() {
            "kind", {"step", "trapezoid", "table"},
            "share of the static force in the models of one contact: 1/n where n contacts exist, ramps while there are "
            "two, or from load_sharing.file"),
-       preset(1.0 / 3.0, number("at_end", "", "-", left_open(0, 10), "trapezoid: where a contact enters or leaves")),
-       preset(2.0 / 3.0, number("at_inner_edge", "", "-", left_open(0, 10), "trapezoid: where it becomes alone")),
+       preset(1.0 / 3.0, number("at_end", "", "-", closed(1e-3, 10), "trapezoid: where a contact enters or leaves")),
+       preset(2.0 / 3.0, number("at_inner_edge", "", "-", closed(1e-3, 10), "trapezoid: where it becomes alone")),
        optional("none", word("file", "table: position [m] and share, one point a line; # begins a remark")),
-       preset(0.025, number("jump_time", "", "-", left_open(0, 1),
+       preset(0.025, number("jump_time", "", "-", closed(1e-6, 1),
                             "time that a jump of the share takes, in units of a/u_m as time.dt")),
        preset(10, whole("jump_refinement", "", closed(1, 10000), "least number of time steps in it"))});
 }
@@ -226,19 +226,20 @@ Records start_records() {
               "start.position"),
        optional("0", number("position", "xi", "m", {}, "start on the line of action, with start.place position")),
        optional("stationary films at rest that carry the static force",
-                number("H0", "H_0", "-", {}, "rigid displacement at the start; the films are stationary there")),
-       optional("0", number("V0", "dH_0/dT", "-", {}, "velocity at the start, with start.H0"))});
+                number("H0", "H_0", "-", closed(-1e3, 1e3),
+                       "rigid displacement at the start; the films are stationary there")),
+       optional("0", number("V0", "dH_0/dT", "-", closed(-1e3, 1e3), "velocity at the start, with start.H0"))});
 }
 
 Records time_records() {
   const StepOptions standard;
   return section("time", Scope::gear_pair,
-                 {optional("the grid's h_x", number("dt", "dT", "-", left_open(0, 1), "time step in units of a/u_m")),
-                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", open(0, 1),
+                 {optional("the grid's h_x", number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
                                                            "on the root mean square of a step's scaled residual")),
                   preset(standard.newton.max_iterations,
                          whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
-                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", open(0, 1),
+                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
                                                                   "relative, of each linear solve in a time step")),
                   preset(standard.newton.krylov_max_iterations,
                          whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
@@ -249,9 +250,9 @@ Records time_records() {
 Records periodic_records() {
   const PeriodicOptions standard;
   return section("periodic", Scope::gear_pair,
-                 {preset(standard.tolerance,
-                         number("tolerance", "", "-", open(0, 1), "on the change of H0 and V0 over one mesh period")),
-                  preset(standard.film_tolerance, number("film_tolerance", "", "-", open(0, 1),
+                 {preset(standard.tolerance, number("tolerance", "", "-", right_open(1e-15, 1),
+                                                    "on the change of H0 and V0 over one mesh period")),
+                  preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
                                                          "on the largest change of any pressure, in units of p_h")),
                   preset(standard.max_periods,
                          whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
@@ -293,12 +294,12 @@ Records solver_records() {
   if (standard.multigrid.precision == Precision::double_precision) precision.fallback = "double";
   return section(
       "solver", Scope::any,
-      {preset(standard.newton.tolerance,
-              number("newton_tolerance", "", "-", open(0, 1), "on the root mean square of the scaled residual")),
+      {preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                                                "on the root mean square of the scaled residual")),
        preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
        preset(standard.newton.krylov_tolerance,
-              number("krylov_tolerance", "", "-", open(0, 1), "relative, of each linear solve")),
+              number("krylov_tolerance", "", "-", right_open(1e-15, 1), "relative, of each linear solve")),
        preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
        preset(standard.multigrid.levels,
@@ -316,7 +317,7 @@ Records output_records() {
       {optional("output/ and case.name", word("dir", "directory that receives the results")),
        optional("none in a march, 0.05 in a periodic state",
                 number("snapshot_interval", "", "-", at_least(0), "mesh periods between stored fields; 0: none")),
-       optional("no spectrum", number("spectrum_periods", "", "-", above(0),
+       optional("no spectrum", number("spectrum_periods", "", "-", closed(1e-3, 1e6),
                                       "mesh periods at the end of a march whose spectrum of H0 is computed"))});
 }
 

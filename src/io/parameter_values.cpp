@@ -29,7 +29,7 @@ void ParameterValues::complete() {
       set(parameter.name, parameter.fallback, "default");
   }
   check_required();
-  if (!has("case.name")) set("case.name", std::filesystem::path(file_).stem().string(), "default");
+  if (!has("case.name")) set("case.name", std::filesystem::path(file_).stem().string(), "name of the case file");
   if (!has("output.dir")) set("output.dir", "output/" + text("case.name"), "default");
 }
 

@@ -31,7 +31,10 @@ std::vector<double> read_list(const ParameterValues& values, const Parameter& va
   return list;
 }
 
-std::vector<double> read_range(const ParameterValues& values) {
+std::vector<double> read_range(const ParameterValues& values, const Parameter& varied) {
+  for (const std::string name : {"sweep.from", "sweep.to"}) {
+    parse_value(varied, format_value(values.real(name)), values.origin(name) + ": '" + name + "'");
+  }
   const double from = values.real("sweep.from"), to = values.real("sweep.to");
   const int points = values.integer("sweep.points");
   if (!(from < to)) {
@@ -61,7 +64,7 @@ SweepOptions read_sweep(const ParameterValues& values) {
                      ": both 'sweep.values' and 'sweep.from' are given; delete the list or the range");
   }
   if (list) sweep.values = read_list(values, varied);
-  if (from) sweep.values = read_range(values);
+  if (from) sweep.values = read_range(values, varied);
   const std::string& direction = values.text("sweep.direction");
   sweep.up = direction != "down";
   sweep.down = direction != "up";

@@ -111,7 +111,7 @@ class WrongLoadSharing(ProgramTest):
 
     def test_tables(self):
         options = ["-model", "quasistatic", "-load_sharing_kind", "table", "-load_sharing_file", "shares.txt"]
-        self.assert_wrong(["cannot read", "shares.txt"], "transient", BARBIERI, *options)
+        self.assert_wrong(["does not exist", "shares.txt"], "transient", BARBIERI, *options)
         for words, text in ((["shares.txt:2", "two numbers"], "-6e-3 1\nhalf\n"),
                             (["shares.txt:1", "two numbers"], "-6e-3 1 2\n6e-3 1\n"),
                             (["fewer than two"], "# nothing\n"),

@@ -203,6 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"gear_centre_distance = 0.1 m", [](SpurGearPair& pair) { pair.centre_distance = 0.1; }},
         Spoiled{"pinion_outer_radius = 0.039 m", [](SpurGearPair& pair) { pair.pinion.outer_radius = 0.039; }},
         Spoiled{"wheel_outer_radius = 0.06 m", [](SpurGearPair& pair) { pair.wheel.outer_radius = 0.06; }},
+        Spoiled{"teeth would be pointed", [](SpurGearPair& pair) { pair.module_length = 0.002; }},
         // xi_s below -R_b1 tan(alpha'), and xi_e above R_b2 tan(alpha')
         Spoiled{"reduce wheel_outer_radius", [](SpurGearPair& pair) { pair.wheel.outer_radius = 0.08; }},
         Spoiled{"reduce pinion_outer_radius", [](SpurGearPair& pair) { pair.pinion.outer_radius = 0.07; }}));

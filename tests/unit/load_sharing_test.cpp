@@ -90,11 +90,12 @@ TEST(LoadSharing, wrong_tables_are_refused) {
 }
 
 TEST(LoadSharing, trapezoid_needs_a_contact_ratio_below_two) {
-  SpurGearPair slender{.pinion = {.teeth = 28, .outer_radius = 48.2e-3, .crowning = 0.131e-3},
-                       .wheel = {.teeth = 43, .outer_radius = 71.4e-3, .crowning = 0.131e-3},
-                       .module_length = 3e-3,
-                       .pressure_angle = 20.0 * std::numbers::pi / 180.0,
-                       .centre_distance = 107.5e-3,
+  // input/high_contact_ratio.yaml
+  SpurGearPair slender{.pinion = {.teeth = 40, .outer_radius = 53.25e-3, .crowning = 0.060e-3},
+                       .wheel = {.teeth = 60, .outer_radius = 78.25e-3, .crowning = 0.060e-3},
+                       .module_length = 2.5e-3,
+                       .pressure_angle = 17.5 * std::numbers::pi / 180.0,
+                       .centre_distance = 125e-3,
                        .face_width = 20e-3};
   const LineOfAction line(slender);
   ASSERT_GT(line.contact_ratio(), 2.0);

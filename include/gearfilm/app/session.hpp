@@ -10,7 +10,8 @@ namespace gearfilm {
 
 class Session {
 public:
-  /// arguments: the program's name, and what PETSc's options database is to read.
+  /// arguments: the program's name, and what PETSc's options database is to read. Throws InputError for options with
+  /// which PETSc does not start.
   explicit Session(std::vector<std::string> arguments);
   ~Session();
   Session(const Session&) = delete;
@@ -21,6 +22,8 @@ public:
   void end_together(const std::string& line, int status) const;
 
 private:
+  void start_petsc();
+
   std::vector<std::string> arguments_;  ///< PETSc keeps pointers to them
   std::vector<char*> pointers_;
   int count_ = 0;

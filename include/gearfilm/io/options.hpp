@@ -17,6 +17,10 @@ bool is_petsc_option(std::string_view option);
 /// Throws InputError for the first option that is neither in the table of parameters nor one of PETSc's.
 void require_known_options();
 
+/// Throws InputError for an option of ours that stands twice among the words of the command line: PETSc would take the
+/// last one without a word.
+void require_single_options(const std::vector<std::string>& arguments);
+
 /// Puts the entries into the database where the command line has no such option, reads the values of all parameters
 /// back, and leaves the database as it was. file names the case file in messages.
 ParameterValues merge_with_options(const std::string& file, const std::vector<CaseFileEntry>& entries);
