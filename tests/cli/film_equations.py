@@ -1,0 +1,85 @@
+"""The discrete equations of a film as docs/theory.md has them, written again in numpy for fields of results.h5.
+
+Dimensionless throughout; fields are those of the whole domain, [x, y].
+"""
+import math
+
+import numpy
+
+
+def love_corner(x, y):
+    return x * numpy.arcsinh(y / abs(x)) + y * numpy.arcsinh(x / abs(y))
+
+
+def at_faces(values, axis):
+    """Means of neighbours along an axis."""
+    ahead, behind = numpy.split(values, [1], axis)[1], numpy.split(values, [-1], axis)[0]
+    return 0.5 * (ahead + behind)
+
+
+def conditions(parameters, derived, xi):
+    """R_x and u_m at a place on the line of action, over those at the pitch point."""
+    angle = math.radians(derived["working_pressure_angle_deg"])
+    R_1, R_2 = (derived[f"base_radius_{gear}"] * math.tan(angle) for gear in ("pinion", "wheel"))
+    speed_ratio = parameters["pinion.teeth"] / parameters["wheel.teeth"]
+    return (R_1 + xi) * (R_2 - xi) / (R_1 * R_2), 1 + 0.5 * (1 - speed_ratio) * xi / R_1
+
+
+class FilmEquations:
+    """Of one gear pair: its parameters, what `info` derives from them, and the nodes x, y [m] of its grid."""
+
+    def __init__(self, parameters, derived, x, y):
+        self.parameters, self.derived = parameters, derived
+        a, R_x, u = derived["a"], derived["R_x"], derived["entrainment_velocity"]
+        self.pressure, self.film, self.time = derived["p_hertz"], a ** 2 / R_x, a / u
+        self.C_h = 2 * self.pressure * R_x / (math.pi * derived["E_prime"] * a)
+        self.wedge_number = 12 * u * parameters["lubricant.viscosity"] * R_x ** 2 / (a ** 3 * self.pressure)  # lambda
+        self.static_force = 2 * math.pi / (3 * derived["kappa"])
+        self.X, self.Y = x[:, None] / a, y[None, :] / a
+        self.h_x, self.h_y = (x[-1] - x[0]) / a / (len(x) - 1), (y[-1] - y[0]) / a / (len(y) - 1)
+
+    def force(self, P):
+        """The integral of P: every node stands for its cell."""
+        return P.sum() * self.h_x * self.h_y
+
+    def gap(self, P, H0, xi):
+        """H: rigid displacement, paraboloid and deformation, pressure being constant on the cell of each node."""
+        edges = [h * (numpy.arange(1 - n, n + 1) - 0.5) for h, n in zip((self.h_x, self.h_y), P.shape)]
+        kernel = numpy.diff(numpy.diff(love_corner(edges[0][:, None], edges[1][None, :]), axis=0), axis=1)
+        deformed = numpy.fft.irfft2(numpy.fft.rfft2(kernel) * numpy.fft.rfft2(P, kernel.shape), kernel.shape)
+        radius_ratio, _ = conditions(self.parameters, self.derived, xi)
+        return (H0 + 0.5 * self.X ** 2 / radius_ratio + 0.5 * self.derived["D"] * self.Y ** 2
+                + self.C_h * deformed[P.shape[0] - 1:, P.shape[1] - 1:])
+
+    def density(self, P):
+        if self.parameters["lubricant.density_law"] == "incompressible":
+            return numpy.ones_like(P)
+        p = self.pressure * P
+        return (5.9e8 + 1.34 * p) / (5.9e8 + p)
+
+    def log_viscosity(self, P):
+        p, alpha = self.pressure * P, self.parameters["lubricant.pressure_viscosity"]
+        if self.parameters["lubricant.viscosity_law"] == "barus":
+            return alpha * p
+        span = math.log(self.parameters["lubricant.viscosity"]) + 9.67
+        return span * numpy.expm1(alpha * 1.96e8 / span * numpy.log1p(p / 1.96e8))
+
+    def mass(self, P, H):
+        """rho H."""
+        return self.density(P) * H
+
+    def rows(self, P, H, xi, rate=0.0, shift=0.0):
+        """G = min(d P, R) at inner nodes; rate is d(rho H)/dT there, shift its derivative by rho H."""
+        _, U = conditions(self.parameters, self.derived, xi)
+        conductance = self.density(P) * H ** 3 * numpy.exp(-self.log_viscosity(P)) / self.wedge_number
+        flow_x = -at_faces(conductance, 0) * numpy.diff(P, axis=0) / self.h_x
+        flow_y = -at_faces(conductance, 1) * numpy.diff(P, axis=1) / self.h_y
+        mass = self.mass(P, H)
+        wedge = numpy.empty_like(mass[1:-1])
+        wedge[0] = mass[1] - mass[0]
+        wedge[1:] = 1.5 * mass[2:-1] - 2 * mass[1:-2] + 0.5 * mass[:-3]
+        inner = (slice(1, -1), slice(1, -1))
+        residual = (rate + (numpy.diff(flow_x, axis=0) / self.h_x)[:, 1:-1]
+                    + (numpy.diff(flow_y, axis=1) / self.h_y)[1:-1] + U / self.h_x * wedge[:, 1:-1])
+        scale = 2 * conductance[inner] * (self.h_x ** -2 + self.h_y ** -2) + 0.05 * (U / self.h_x + shift)
+        return numpy.minimum(scale * P[inner], residual)
