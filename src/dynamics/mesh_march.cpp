@@ -99,6 +99,9 @@ void MeshMarch::balance_at_rest() {
     if (iteration == 30) throw SolveError("the contacts' forces at rest could not be balanced with the static force");
     const double next = H0 - residual / slope;
     const double next_residual = excess(next);
+    // Films known to Newton's tolerance balance no better than that.
+    const bool stalled = std::abs(next_residual) > 0.5 * std::abs(residual);
+    if (stalled && std::abs(next_residual) < 1e-6 * scales_.static_force) return;
     slope = (next_residual - residual) / (next - H0);
     H0 = next;
     residual = next_residual;

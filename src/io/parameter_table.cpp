@@ -196,7 +196,7 @@ Records march_records() {
 Records run_records() {
   return section("", Scope::gear_pair,
                  {flag("restart", "go on where a run of the same case in the same folder stopped"),
-                  optional("none", number("time_limit", "", "s", above(0),
+                  optional("none", number("time_limit", "", "s", left_open(0, 1e9),
                                           "wall-clock time after which a march or search stops, to be continued")),
                   flag("keep_checkpoint",
                        "keep what a run can go on from when it is complete too: for a march that is "
