@@ -14,7 +14,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double patience = 10.0;  // [s]
+constexpr double patience = 5.0;  // [s]
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uintmax_t almost_full = 1 << 16;  // [bytes]
 
-constexpr double patience = 10.0;  // [s]
+constexpr double patience = 5.0;  // [s]
 
 bool wait_briefly(MPI_Request& request) {
   int done = 0;

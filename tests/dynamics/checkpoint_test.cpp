@@ -1,0 +1,145 @@
+// What is kept on disk of a march comes back to the bit, or not at all.
+#include "gearfilm/io/checkpoint.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/io/state_file.hpp"
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// A folder of the test's own, common to all processes.
+class CheckpointTest : public testing::Test {
+protected:
+  CheckpointTest() : grid_(PETSC_COMM_WORLD, {33, 17, -2.0, 1.5, 1.2}) {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("gearfilm_" + std::string(test->name()) + "_" + std::to_string(grid_.processes()));
+    if (grid_.rank() == 0) {
+      std::filesystem::remove_all(folder_);
+      std::filesystem::create_directories(folder_);
+    }
+    MPI_Barrier(PETSC_COMM_WORLD);
+  }
+  ~CheckpointTest() override {
+    MPI_Barrier(PETSC_COMM_WORLD);
+    std::error_code ignored;
+    if (grid_.rank() == 0) std::filesystem::remove_all(folder_, ignored);
+  }
+
+  /// Different at every node of the whole grid, and on no process a round number.
+  std::vector<double> field(double seed) const {
+    std::vector<double> values;
+    for (int i = 0; i < grid_.nx(); ++i) {
+      for (int j = 0; j < grid_.y_count(); ++j)
+        values.push_back(std::sin(seed + 0.1 * i + 7.0 * (grid_.y_begin() + j)));
+    }
+    return values;
+  }
+
+  StepRecord step(double T) const {
+    StepRecord record;
+    record.T = T;
+    record.dT = 0.1 / 3.0;
+    record.motion = {-1.0 / 3.0, T / 7.0};
+    record.newton = 3;
+    record.krylov = 17;
+    FilmFigures figures;
+    figures.pressure_integral = T / 3.0;
+    figures.smallest_film = T / 11.0;
+    record.contacts = {{4, T / 13.0, figures}};
+    return record;
+  }
+
+  Grid grid_;
+  std::filesystem::path folder_;
+};
+
+TEST_F(CheckpointTest, state_comes_back_to_the_bit) {
+  const CompactFields fields = {field(1.0), field(2.0), field(3.0)};
+  write_state(grid_, folder_ / "a.state", {{"T", 1.0 / 3.0}}, fields);
+  EXPECT_EQ(read_state_description(grid_.comm(), folder_ / "a.state")->at("T").get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(read_state_fields(grid_, folder_ / "a.state"), fields);
+}
+
+TEST_F(CheckpointTest, state_is_read_by_another_number_of_processes) {
+  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
+  const Grid alone(PETSC_COMM_SELF, grid_.shape());
+  const CompactFields whole = read_state_fields(alone, folder_ / "a.state");
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      EXPECT_EQ(whole.front()[i * grid_.rows() + grid_.y_begin() + j], field(1.0)[i * grid_.y_count() + j]);
+    }
+  }
+}
+
+TEST_F(CheckpointTest, state_that_was_cut_off_is_none) {
+  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
+  const auto size = std::filesystem::file_size(folder_ / "a.state");
+  for (const std::uintmax_t cut : {size - 1, size / 2, std::uintmax_t{20}, std::uintmax_t{3}, std::uintmax_t{0}}) {
+    MPI_Barrier(PETSC_COMM_WORLD);
+    if (grid_.rank() == 0) std::filesystem::resize_file(folder_ / "a.state", cut);
+    EXPECT_FALSE(read_state_description(grid_.comm(), folder_ / "a.state"));
+    EXPECT_THROW(read_state_fields(grid_, folder_ / "a.state"), InputError);
+  }
+}
+
+TEST_F(CheckpointTest, state_of_another_grid_is_refused) {
+  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
+  const Grid other(PETSC_COMM_WORLD, {33, 19, -2.0, 1.5, 1.2});
+  EXPECT_THROW(read_state_fields(other, folder_ / "a.state"), InputError);
+}
+
+TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
+  const auto state_at = [&](double T) { return PairState{{T / 3.0, T / 9.0}, {{field(T), field(T + 0.5)}}}; };
+  {
+    Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);
+    for (int run = 0; run < 3; ++run) {
+      EXPECT_FALSE(checkpoint.begin_run(run, {0.1 * run, 0.0}));
+      for (int segment = 0; segment < 4; ++segment) {
+        const double T = run + 0.2 * (segment + 1);
+        checkpoint.record(step(T - 0.1));
+        checkpoint.record(step(T));
+        checkpoint.keep(T, state_at(T));
+      }
+      checkpoint.record(step(run + 0.95));  // never kept
+    }
+  }
+  Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
+  for (int run = 0; run < 3; ++run) {
+    EXPECT_EQ(checkpoint.caught_up(), false);
+    const std::optional<KeptRun> kept = checkpoint.begin_run(run, {0.1 * run, 0.0});
+    ASSERT_TRUE(kept);
+    const double T = run + 0.2 * 4;
+    EXPECT_EQ(kept->T, T);
+    EXPECT_EQ(kept->state.motion.H0, T / 3.0);
+    EXPECT_EQ(kept->state.films.front().pressure, field(T));
+    EXPECT_EQ(kept->state.films.front().rate, field(T + 0.5));
+    ASSERT_EQ(kept->records.size(), 8U);
+    EXPECT_EQ(kept->records.back().motion.V0, T / 7.0);
+    EXPECT_EQ(kept->records.back().contacts.front().figures.smallest_film, T / 11.0);
+  }
+  EXPECT_TRUE(checkpoint.caught_up());
+  EXPECT_FALSE(checkpoint.begin_run(3.0, {0.3, 0.0}));
+}
+
+TEST_F(CheckpointTest, run_that_begins_otherwise_is_not_taken_over) {
+  const auto keep_one_run = [&](Checkpoint& checkpoint, double H0) {
+    const bool known = checkpoint.begin_run(0.0, {H0, 0.0}).has_value();
+    checkpoint.record(step(0.1));
+    checkpoint.keep(0.1, {{H0, 0.0}, {}});
+    return known;
+  };
+  Checkpoint first(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);
+  EXPECT_FALSE(keep_one_run(first, 0.1));
+  Checkpoint within_tolerance(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
+  EXPECT_TRUE(within_tolerance.begin_run(0.0, {0.1 + 1e-9, 0.0}));
+  Checkpoint other(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
+  EXPECT_FALSE(keep_one_run(other, 0.2));
+}
+
+}  // namespace
+}  // namespace gearfilm
