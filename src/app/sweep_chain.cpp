@@ -8,6 +8,7 @@
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/state_file.hpp"
 
 namespace gearfilm {
@@ -94,9 +95,7 @@ private:
 
   /// What only a point that is still to be computed needs.
   void remove_outdated(const SweepPoint& done) const {
-    int rank = 0;
-    MPI_Comm_rank(group_, &rank);
-    if (rank != 0) return;
+    if (rank_in(group_) != 0) return;
     std::error_code ignored;
     std::filesystem::remove_all(points_.checkpoint(done), ignored);
     if (before_point_) std::filesystem::remove(points_.films(*before_point_), ignored);

@@ -59,9 +59,7 @@ void SweepPoints::write(MPI_Comm group, const SweepPoint& point, const Summary& 
 
 void SweepPoints::complete(MPI_Comm comm) const {
   write_together(comm, folder_, [&] {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    if (rank != 0) return;
+    if (rank_in(comm) != 0) return;
     std::vector<std::filesystem::path> films;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "points")) {
       if (entry.path().extension() == ".films") films.push_back(entry.path());

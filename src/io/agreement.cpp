@@ -33,6 +33,12 @@ std::string cause(const std::filesystem::path& path, const std::string& reason) 
 
 }  // namespace
 
+int rank_in(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+
 void broadcast(MPI_Comm comm, std::string& text) {
   unsigned long long length = text.size();
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
@@ -41,10 +47,9 @@ void broadcast(MPI_Comm comm, std::string& text) {
 }
 
 std::string first_reason(MPI_Comm comm, const std::string& own) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank);
+  int size = 1;
   MPI_Comm_size(comm, &size);
-  const int own_place = own.empty() ? size : rank;
+  const int own_place = own.empty() ? size : rank_in(comm);
   int first = size;
   MPI_Request agreement = MPI_REQUEST_NULL;
   MPI_Iallreduce(&own_place, &first, 1, MPI_INT, MPI_MIN, comm, &agreement);

@@ -152,9 +152,7 @@ std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::s
 }
 
 std::string read_text(MPI_Comm comm, const std::string& file) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  TextFile content = rank == 0 ? read_text_file(file) : TextFile();
+  TextFile content = rank_in(comm) == 0 ? read_text_file(file) : TextFile();
   broadcast(comm, content.obstacle);
   if (!content.obstacle.empty()) throw InputError("case file '" + file + "' " + content.obstacle);
   broadcast(comm, content.text);

@@ -15,12 +15,6 @@
 namespace gearfilm {
 namespace {
 
-int rank_in(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
-
 /// Text of the obstacle to writing into a folder, empty if there is none.
 std::string obstacle(const std::filesystem::path& directory) {
   std::error_code error;

@@ -11,12 +11,6 @@
 namespace gearfilm {
 namespace {
 
-int rank_in(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
-
 void pack(const StepRecord& record, std::vector<double>& values) {
   values.insert(values.end(),
                 {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
@@ -91,7 +85,7 @@ std::vector<StepRecord> RecordJournal::read(std::uint64_t begin, std::uint64_t e
     std::ifstream file(path_, std::ios::binary);
     file.seekg(static_cast<std::streamoff>(begin));
     file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(end - begin));
-    if (!file) reason = "'" + path_.string() + "' lacks steps that were there; start anew, without -restart";
+    if (!file) reason = path_.string() + " lacks steps that were there; start anew, without -restart";
   }
   broadcast(comm_, reason);
   if (!reason.empty()) throw InputError(reason);

@@ -20,10 +20,9 @@ Summary identity_of(const Case& problem, const std::string& command, const std::
 }
 
 std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path& file) {
-  int rank = 0, exists = 0;
-  MPI_Comm_rank(comm, &rank);
+  int exists = 0;
   std::error_code ignored;
-  if (rank == 0) exists = std::filesystem::exists(file, ignored);
+  if (rank_in(comm) == 0) exists = std::filesystem::exists(file, ignored);
   MPI_Bcast(&exists, 1, MPI_INT, 0, comm);
   if (!exists) return {};
   const Summary identity = Summary::parse(read_text(comm, file.string()), nullptr, false);

@@ -67,9 +67,7 @@ std::string description_in(const std::filesystem::path& path) {
 }
 
 std::string shared_description(MPI_Comm comm, const std::filesystem::path& path) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  std::string text = rank == 0 ? description_in(path) : std::string();
+  std::string text = rank_in(comm) == 0 ? description_in(path) : std::string();
   broadcast(comm, text);
   return text;
 }

@@ -8,6 +8,9 @@
 
 namespace gearfilm {
 
+/// This process's number.
+int rank_in(MPI_Comm comm);
+
 /// The first process's text, on all. Collective, as are the others.
 void broadcast(MPI_Comm comm, std::string& text);
 
