@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/agreement.hpp"
@@ -73,14 +74,11 @@ void Checkpoint::find_states() {
       names += entry.path().filename().string() + "\n";
   }
   broadcast(grid_.comm(), names);
-  for (std::size_t begin = 0; begin < names.size();) {
-    const std::size_t end = names.find('\n', begin);
+  std::istringstream lines(names);
+  for (std::string name; std::getline(lines, name);) {
     KeptState state;
-    if (std::sscanf(names.substr(begin, end - begin).c_str(), "run%d_%d.state", &state.run, &state.number) == 2 &&
-        names.substr(begin, end - begin) == file(state).filename()) {
-      kept_.push_back(state);
-    }
-    begin = end + 1;
+    const int numbers = std::sscanf(name.c_str(), "run%d_%d.state", &state.run, &state.number);
+    if (numbers == 2 && name == file(state).filename()) kept_.push_back(state);
   }
   std::ranges::sort(kept_, {}, &KeptState::number);
   for (std::size_t n = 0; n < kept_.size(); ++n) {

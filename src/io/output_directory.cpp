@@ -15,6 +15,9 @@
 namespace gearfilm {
 namespace {
 
+// Less room than this would end a run that has just removed earlier results.
+constexpr std::size_t least_room = 1 << 18;  // [bytes]
+
 /// Text of the obstacle to writing into a folder, empty if there is none.
 std::string obstacle(const std::filesystem::path& directory) {
   std::error_code error;
@@ -22,9 +25,12 @@ std::string obstacle(const std::filesystem::path& directory) {
   if (error) return error.message();
   const std::filesystem::path probe = directory / ".gearfilm_write_probe";
   errno = 0;
-  if (!std::ofstream(probe)) return std::generic_category().message(errno);
+  std::ofstream file(probe);
+  file << std::string(least_room, ' ');
+  file.close();
+  const std::string reason = file ? std::string() : std::generic_category().message(errno);
   std::filesystem::remove(probe, error);
-  return {};
+  return reason;
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class Disk(FaultTest):
     @unittest.skipUnless("GEARFILM_FULL_DISK" in os.environ, "needs the library of full_disk.c")
     def test_full_disk_ends_a_march_that_can_go_on(self):
         self.run_well(*MARCH, "-output_dir", "whole")
-        for processes, size in [(1, 100), (1, 30000), (1, 150000), (1, 400000), (1, 700000), (2, 30000), (2, 300000)]:
+        for processes, size in [(1, 263000), (1, 300000), (1, 500000), (1, 900000), (2, 300000), (2, 600000)]:
             with self.subTest(processes=processes, size=size):
                 shutil.rmtree(self.output, ignore_errors=True)
                 failed = self.run_on_disk(size, *MARCH, "-output_dir", self.output, processes=processes)
@@ -86,10 +86,13 @@ class Disk(FaultTest):
     @unittest.skipUnless("GEARFILM_FULL_DISK" in os.environ, "needs the library of full_disk.c")
     def test_full_disk_leaves_earlier_results(self):
         steady = ["steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-output_dir", self.output]
-        failed = self.run_on_disk(1000, *steady)
-        self.assertEqual(failed.returncode, 2, failed)
-        self.assertIn("the disk is full", failed.stderr)
-        self.assertFalse((self.output / "summary.json").exists())
+        self.run_well(*steady)
+        before = {path.name: path.read_bytes() for path in self.output.iterdir()}
+        for command in (steady, [*MARCH, "-output_dir", self.output]):
+            failed = self.run_on_disk(1000, *command)
+            self.assertEqual(failed.returncode, 1, failed)
+            self.assertRegex(failed.stderr, r"\Agearfilm: wrong input: cannot write results into .*: No space left .*\n\Z")
+            self.assertEqual({path.name: path.read_bytes() for path in self.output.iterdir()}, before)
 
     def test_folder_that_vanishes(self):
         for processes in (1, 2):
