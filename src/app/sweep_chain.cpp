@@ -74,9 +74,9 @@ public:
 
 private:
   void keep(std::optional<Neighbour> found) {
+    if (found && found->dry) film_shift_ = found->guess.motion.H0 - found->dry->start.H0;
     before_ = found ? std::move(last_) : std::nullopt;
     last_ = std::move(found);
-    if (last_ && last_->dry) film_shift_ = last_->guess.motion.H0 - last_->dry->start.H0;
   }
 
   void read_films(const SweepPoint& point, double value) {

@@ -39,7 +39,7 @@ std::vector<double> MotionSignal::uniform(double T_begin, double T_end) const {
 SignalDeviation MotionSignal::deviation(double T_begin, double T_end) const {
   const std::vector<double> values = uniform(T_begin, T_end);
   const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-  const double count = static_cast<double>(values.size());
+  const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double squares = 0.0;
   for (double v : values) squares += (v - mean) * (v - mean);

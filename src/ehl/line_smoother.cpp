@@ -11,6 +11,8 @@ namespace {
 constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2
 constexpr double damping = 0.75;            // of nodes that are not cavitated
 
+constexpr int lines_between(int i, int k) { return i < k ? k - i : i - k; }
+
 }  // namespace
 
 template <class Real>
@@ -66,13 +68,14 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
     return;
   }
   const Real* __restrict distributive = distributive_.row(column);
-  std::array<const Real*, neighbour_count> v, u;
+  std::array<const Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
     u[n] = linear.by_film[n].row(i);
   }
-  constexpr int distance[4] = {std::abs(-2 - offset), std::abs(-1 - offset), std::abs(offset), std::abs(1 - offset)};
-  constexpr int own = std::abs(offset);
+  constexpr std::array distance = {lines_between(-2, offset), lines_between(-1, offset), lines_between(0, offset),
+                                   lines_between(1, offset)};
+  constexpr int own = lines_between(0, offset);
   const auto [plain_line, plain_next] = plain_;
   const auto [spread_line, spread_next] = correction_;
 // The band is not part of the stencil.

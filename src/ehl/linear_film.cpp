@@ -43,7 +43,7 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
                     LinearFilm<Real>& linear) {
   const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
   const double *wet = state.wet.row(i), *scale = state.row_scale.row(i);
-  std::array<Real*, neighbour_count> v, u;
+  std::array<Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
     u[n] = linear.by_film[n].row(i);

@@ -214,7 +214,7 @@ void FilmMultigrid<Real>::build_cycle() {
   for (int l = 0; l < count; ++l) {
     const int petsc_level = count - 1 - l;
     matrices_.push_back(level_operator(*shells_[l]));
-    const Mat matrix = matrices_.back();
+    Mat matrix = matrices_.back();
     if (l == 0) petsc_check(PCSetOperators(cycle_, matrix, matrix));
     if (petsc_level == 0) {
       KSP coarse = nullptr;

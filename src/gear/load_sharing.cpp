@@ -12,8 +12,10 @@ namespace {
 /// Positions where the number of contacts changes, entry and exit included.
 std::vector<double> changes_of(const LineOfAction& line) {
   std::vector<double> changes;
-  for (double xi = line.entry(); xi < line.exit(); xi += line.base_pitch()) changes.push_back(xi);
-  for (double xi = line.exit(); xi > line.entry(); xi -= line.base_pitch()) changes.push_back(xi);
+  for (int n = 0; n < line.contact_ratio(); ++n) {
+    changes.push_back(line.entry() + n * line.base_pitch());
+    changes.push_back(line.exit() - n * line.base_pitch());
+  }
   std::sort(changes.begin(), changes.end());
   const double same = 1e-9 * line.base_pitch();
   changes.erase(std::unique(changes.begin(), changes.end(), [&](double a, double b) { return b - a < same; }),

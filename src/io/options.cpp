@@ -61,6 +61,7 @@ std::vector<Option> options_left() {
   char** values = nullptr;
   petsc_check(PetscOptionsLeftGet(nullptr, &count, &names, &values));
   std::vector<Option> options;
+  options.reserve(count);
   for (PetscInt n = 0; n < count; ++n) options.push_back({std::string("-") + names[n], values[n] ? values[n] : ""});
   petsc_check(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
   return options;

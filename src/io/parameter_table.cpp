@@ -44,12 +44,12 @@ Parameter word(std::string name, std::string meaning) {
 
 // The first choice is the default.
 Parameter choice(std::string name, Words choices, std::string meaning) {
-  return {.name = std::move(name),
-          .type = ParameterType::choice,
-          .presence = Presence::preset,
-          .fallback = choices.front(),
-          .choices = std::move(choices),
-          .meaning = std::move(meaning)};
+  Parameter parameter = word(std::move(name), std::move(meaning));
+  parameter.type = ParameterType::choice;
+  parameter.presence = Presence::preset;
+  parameter.fallback = choices.front();
+  parameter.choices = std::move(choices);
+  return parameter;
 }
 
 Parameter preset(const ParameterValue& value, Parameter parameter) {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace gearfilm {
@@ -11,14 +12,14 @@ constexpr double seconds_between_updates = 0.2;
 constexpr int plain_lines = 20;
 
 std::string duration(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   char text[32];
   if (whole >= 3600) {
-    std::snprintf(text, sizeof text, "%d h %02d min", whole / 3600, whole % 3600 / 60);
+    std::snprintf(text, sizeof text, "%ld h %02ld min", whole / 3600, whole % 3600 / 60);
   } else if (whole >= 60) {
-    std::snprintf(text, sizeof text, "%d min %02d s", whole / 60, whole % 60);
+    std::snprintf(text, sizeof text, "%ld min %02ld s", whole / 60, whole % 60);
   } else {
-    std::snprintf(text, sizeof text, "%d s", whole);
+    std::snprintf(text, sizeof text, "%ld s", whole);
   }
   return text;
 }
@@ -38,7 +39,7 @@ Progress::~Progress() {
   if (line_open_) std::printf("\n");
 }
 
-void Progress::note(const std::string& text) {
+void Progress::note(const std::string& text) const {
   if (!prints_) return;
   std::printf(terminal_ ? "\r\033[K%s\n" : "%s\n", text.c_str());
   std::fflush(stdout);

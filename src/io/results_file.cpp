@@ -58,7 +58,7 @@ void ResultsFile::field(const std::string& group, const std::string& name, const
 }
 
 void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
-  const PetscInt count = static_cast<PetscInt>(values.size());
+  const auto count = static_cast<PetscInt>(values.size());
   OwnedVec vec;
   petsc_check(VecCreateMPI(comm_, rank_ == 0 ? count : 0, count, vec.put()));
   if (rank_ == 0) std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(vec)));

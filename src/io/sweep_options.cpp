@@ -17,7 +17,8 @@ const std::map<std::string, std::string>& keys() {
 
 /// Numbers between commas or spaces.
 std::vector<double> read_list(const ParameterValues& values, const Parameter& varied) {
-  const std::string name = "sweep.values", origin = values.origin(name);
+  const std::string name = "sweep.values";
+  const std::string& origin = values.origin(name);
   std::string text = values.text(name);
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream words(text);
@@ -43,6 +44,7 @@ std::vector<double> read_range(const ParameterValues& values, const Parameter& v
                      "; give the smaller value first (sweep.direction says which way to go)");
   }
   std::vector<double> list;
+  list.reserve(points);
   for (int n = 0; n < points; ++n) list.push_back(from + (to - from) * n / (points - 1));
   return list;
 }

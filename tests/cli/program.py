@@ -9,6 +9,8 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INPUT = SOURCE / "input"
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
+# What runs the program, with its options: a memory checker, for example.
+RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
 MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", "mpiexec -n"))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
@@ -21,7 +23,7 @@ class Run:
     """One finished run: status, stdout, and what the program itself wrote to stderr."""
 
     def __init__(self, arguments, processes, folder, seconds=SECONDS):
-        command = [PROGRAM, *map(str, arguments)]
+        command = [*RUNNER, PROGRAM, *map(str, arguments)]
         if processes > 1:
             command = [*MPIEXEC, str(processes), *command]
         with tempfile.TemporaryDirectory() as scratch:

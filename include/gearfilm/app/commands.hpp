@@ -15,7 +15,7 @@ void run_transient(MPI_Comm comm, const Case& problem);
 /// The periodic state of the lubricated pair.
 void run_periodic(MPI_Comm comm, const Case& problem);
 /// Natural frequencies of the dry pair and of the pair on its films.
-void run_eigen(MPI_Comm comm, const Case& problem);
+void run_eigen(MPI_Comm comm, const Case& given);
 /// Periodic states over a range of speeds, torques or masses.
 void run_sweep(MPI_Comm comm, const Case& problem);
 /// The standard set of speed measurements.

@@ -15,7 +15,7 @@ constexpr double usual_film_damping = 0.008;
 
 struct DryOrbit {
   Motion start;  ///< where path.position begins
-  Monodromy monodromy;
+  Monodromy monodromy{};
   double largest_integral = 0.0;  ///< largest pressure integral of one contact
 };
 

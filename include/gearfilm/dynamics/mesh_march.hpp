@@ -50,8 +50,8 @@ public:
 
 private:
   struct Tooth {
-    int contact;
-    ContactFilm* film;
+    int contact = 0;
+    ContactFilm* film = nullptr;
     ToothFilm state;
   };
 

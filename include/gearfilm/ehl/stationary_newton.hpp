@@ -56,7 +56,7 @@ public:
   PetscInt local_size() const override { return size_ + (has_scalar_ ? 1 : 0); }
   PetscInt pressure_count() const override { return size_; }
   void multiply(Vec change, Vec rows) override;
-  void precondition(Vec rows, Vec change) override;
+  void precondition(Vec residual, Vec change) override;
 
 private:
   void evaluate(Vec state, Vec residual);

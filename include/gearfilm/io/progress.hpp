@@ -18,7 +18,7 @@ public:
   /// terminal at most five times a second, otherwise at every twentieth of the work.
   void report(double fraction, const std::string& text);
   /// A line of its own.
-  void note(const std::string& text);
+  void note(const std::string& text) const;
 
 private:
   bool prints_;
