@@ -4,11 +4,11 @@ import signal
 import time
 import unittest
 
-import h5py
+import numpy
 
-from films import BARBIERI, SAME
+from films import BARBIERI, SAME, summary_in
 from restarts import MARCH, SEARCH, SMALL, RestartTest, results_in, states_in
-from vibration import SAME_ORBIT
+from vibration import SAME_ORBIT, table_in
 
 EIGEN = ["eigen", BARBIERI, *SMALL, "-eigen_orbit", "yes", "-eigen_periods", 3]
 SWEEP = ["sweep", BARBIERI, *SMALL, "-sweep_values", "15000, 15500, 16000", "-sweep_direction", "up"]
@@ -107,10 +107,9 @@ class Cut(RestartTest):
                 shutil.rmtree(self.folder / "run")
 
     def test_march_from_each_entering_and_leaving(self):
-        # Snapshots of each segment, for which its state is kept.
+        # All have snapshots, for which their states are kept.
         for processes in (1, 2):
-            self.assert_continued_from_everywhere(*MARCH, "-output_snapshot_interval", 0.1, processes=processes,
-                                                  every=processes)
+            self.assert_continued_from_everywhere(*MARCH, processes=processes, every=processes)
             shutil.rmtree(self.folder / "kept")
 
     def test_periodic_state_on_two_processes(self):
@@ -125,7 +124,7 @@ class Cut(RestartTest):
         self.uninterrupted(*MARCH)
         for before, after in ((1, 2), (2, 1)):
             with self.subTest(before=before, after=after):
-                self.keep(*MARCH, "-output_snapshot_interval", 0.3, processes=before)
+                self.keep(*MARCH, processes=before)
                 self.cut(2)
                 self.complete(*MARCH, processes=after)
                 # Measured: 4e-9.
@@ -163,20 +162,19 @@ class Cut(RestartTest):
     def test_march_beyond_its_end(self):
         # Begun just after a leaving, it ends with another one: it goes on as if it had not ended.
         march = [*MARCH, "-start_place", "after_leaving"]
-        with_one = ["-mesh_periods", 1]
         expected = self.uninterrupted(*march)
-        self.keep(*without_periods(march), *with_one)
+        self.keep(*with_periods(march, 1))
+        self.assertLess(len(table_in(self.folder / "run", "history/steps")), 100)
         self.run_well(*march, "-restart", "-keep_checkpoint", "-output_dir", "run")
         self.assert_same(results_in(self.folder / "run"), expected)
         # Where nothing is left to march, the results are made again.
-        shutil.rmtree(self.folder / "run/checkpoint/nothing", ignore_errors=True)
         (self.folder / "run/results.h5").unlink()
         self.assert_same(self.complete(*march), expected)
 
 
-def without_periods(arguments):
+def with_periods(arguments, periods):
     place = arguments.index("-mesh_periods")
-    return arguments[:place] + arguments[place + 2:]
+    return [*arguments[:place + 1], periods, *arguments[place + 2:]]
 
 
 class Requests(RestartTest):
@@ -199,8 +197,7 @@ class Requests(RestartTest):
         outcome = run.end()
         steps = self.assert_stopped(outcome, "by SIGTERM")
         period = float(outcome.stderr.split("mesh period ")[1].split(",")[0])
-        with h5py.File(self.folder / "run/results.h5") as results:
-            last = results["history/steps"]["t"][-1]
+        last = table_in(self.folder / "run", "history/steps")["t"][-1]
         self.assertAlmostEqual(last / (1 / 7000), period, delta=1e-5)
         self.assertGreater(len(steps), 150)
 
@@ -213,13 +210,11 @@ class Requests(RestartTest):
         run.read_lines(6)
         time.sleep(limit)
         self.assert_stopped(run.end(), "after the time limit of 1 s")
-        # What was there is not given up for less by a run that has no time for anything new.
-        before = results_in(self.folder / "run")
-        for _ in range(2):
-            again = self.run_program(*MARCH, "-restart", "-time_limit", 1e-9, "-output_dir", "run")
-            steps = self.assert_stopped(again, "after the time limit of 1e-09 s")
-            self.assertGreater(len(steps), 20)
-        self.assertGreater(len(before), 0)
+        # A run that has no time for anything new goes one step beyond the last entering.
+        kept = len(states_in(self.folder / "run/checkpoint"))
+        self.assertGreater(kept, 0)
+        again = self.run_program(*MARCH, "-restart", "-time_limit", 1e-9, "-output_dir", "run")
+        self.assertGreater(len(self.assert_stopped(again, "after the time limit of 1e-09 s")), 20)
         self.assert_same(self.complete(*MARCH), expected)
 
     def test_signals_to_mpiexec(self):
@@ -239,7 +234,6 @@ class Requests(RestartTest):
             run.read_lines(1)
             run.send(number)
             outcome = run.end()
-            run.kill()
             if (self.folder / "run/checkpoint/run.json").exists():
                 return outcome
         raise AssertionError(f"complete {ATTEMPTS} times before it could be stopped")
@@ -264,23 +258,32 @@ class Refused(RestartTest):
 
     def test_another_run(self):
         self.run_well(*MARCH, "-keep_checkpoint", "-output_dir", "run")
-        for words, options in ((["grid.nx", "65", "81"], [*MARCH[:2], *SMALL_WITH_81, *MARCH[2 + len(SMALL):]]),
+        finer = [81 if word == 65 else word for word in MARCH]
+        for words, options in ((["grid.nx", "65", "81"], finer),
                                (["pinion.torque", "470", "400"], [*MARCH, "-pinion_torque", 400]),
-                               (["output.snapshot_interval", "0.3", "0.2"], [*MARCH[:-1], 0.2]),
+                               (["output.snapshot_interval", "0.3", "0.2"], [0.2 if word == 0.3 else word for word in MARCH]),
                                (["command", "transient", "periodic"], SEARCH)):
             with self.subTest(words=words):
                 self.assert_refused(words, *options, "-restart")
 
 
-SMALL_WITH_81 = [81 if value == 65 else value for value in SMALL]
-
-
 class Failed(RestartTest):
     def test_march_goes_on_with_other_steps(self):
-        """At these steps films of the start are lost; with smaller ones the march goes on from the state before."""
-        coarse = ["transient", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.1, "-mesh_periods", 1]
-        failed = self.run_program(*coarse, "-time_dt", 0.1, "-output_dir", "run")
-        print(failed)
+        """With so few Newton steps allowed it fails at the first leaving."""
+        brief = ["-time_newton_max_iterations", 3]
+        failures = [self.run_program(*MARCH, *brief, *restart, "-output_dir", "run") for restart in ([], ["-restart"])]
+        for failed in failures:
+            self.assertEqual(failed.status, 2, failed)
+            self.assertEqual(failed.stderr, failures[0].stderr)
+        before = table_in(self.folder / "run", "history/steps")
+        finer = [0.05 if word == 0.1 else word for word in MARCH]
+        self.complete(*finer)
+        after = table_in(self.folder / "run", "history/steps")
+        for name in before.dtype.names:
+            numpy.testing.assert_array_equal(after[name][:len(before)], before[name], err_msg=name)
+        self.assertGreater(before["dT"].max(), 0.09)
+        self.assertLess(after["dT"][len(before):].max(), 0.0501)
+        self.assertIs(summary_in(self.folder / "run")["completed"], True)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@ import fcntl
 import json
 import os
 import pathlib
+import select
 import signal
 import subprocess
 import tempfile
@@ -16,13 +17,15 @@ from program import SECONDS, Outcome, ProgramTest, command_of, environment_of
 
 # Small and quick, but with positive films at every entering and leaving.
 SMALL = ["-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.6, "-time_dt", 0.1]
-MARCH = ["transient", BARBIERI, *SMALL, "-mesh_periods", 2, "-output_snapshot_interval", 0.3]
+# With snapshots in every segment between two enterings or leavings.
+MARCH = ["transient", BARBIERI, *SMALL, "-output_snapshot_interval", 0.3, "-mesh_periods", 2]
 SEARCH = ["periodic", BARBIERI, *SMALL]
 # How a run was conducted is echoed with its results, and is no part of them.
 CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
 # Not even two runs without a stop have these alike: the times; and on another number of processes the iterations.
 TIMES = {"wall_time"}
 EFFORT = TIMES | {"newton", "krylov"}
+LONGEST_LINE = 4096  # and the size of the pipe
 
 
 def processes_of_session(session):
@@ -51,7 +54,7 @@ class LiveRun:
         self.arguments, self.number = arguments, processes
         self.scratch = tempfile.TemporaryDirectory()
         self.read_end, write_end = os.pipe2(os.O_DIRECT | os.O_CLOEXEC)
-        fcntl.fcntl(write_end, fcntl.F_SETPIPE_SZ, 4096)
+        fcntl.fcntl(write_end, fcntl.F_SETPIPE_SZ, LONGEST_LINE)
         # Open MPI leaves memory that killed processes have shared where that lies.
         settings = {"OMPI_MCA_btl_vader_backing_directory": self.scratch.name}
         self.process = subprocess.Popen(command_of(arguments, processes), cwd=folder, start_new_session=True, text=True,
@@ -62,7 +65,21 @@ class LiveRun:
 
     def read_lines(self, count):
         for _ in range(count):
-            self.text += os.read(self.read_end, 1 << 16)
+            self.text += os.read(self.read_end, LONGEST_LINE)
+
+    def read_until(self, words):
+        """Up to the line with these words, or the end of the run."""
+        while words not in self.text and (line := os.read(self.read_end, LONGEST_LINE)):
+            self.text += line
+
+    def read_for(self, seconds):
+        """As a reader that is always there."""
+        end = time.monotonic() + seconds
+        while select.select([self.read_end], [], [], max(0, end - time.monotonic()))[0]:
+            line = os.read(self.read_end, LONGEST_LINE)
+            if not line:
+                return
+            self.text += line
 
     def wait_until(self, reached):
         """Until something is reached, or the run is at its end."""
@@ -75,6 +92,8 @@ class LiveRun:
 
     def kill(self):
         """kill -9 to all processes, which Open MPI gives groups of their own; back when they are gone."""
+        if self.process.returncode is not None:
+            return  # the number of the session may be another's by now
         while processes := processes_of_session(self.process.pid):
             for process in processes:
                 try:
@@ -84,9 +103,12 @@ class LiveRun:
             time.sleep(0.001)
 
     def end(self):
-        while part := os.read(self.read_end, 1 << 16):
-            self.text += part
+        """Waits for it; whatever mpiexec leaves behind is killed."""
+        while line := os.read(self.read_end, LONGEST_LINE):
+            self.text += line
         os.close(self.read_end)
+        os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOWAIT)
+        self.kill()
         stderr = self.process.stderr.read()
         self.process.stderr.close()
         status = self.process.wait(SECONDS)
