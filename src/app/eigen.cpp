@@ -66,7 +66,7 @@ Summary film_summary(const Case& problem, const Grid& grid, double angular_frequ
 Summary orbit_multipliers(const Case& problem, const Grid& grid, ResumableRun& run) {
   const ContactPath path = path_after_leaving(problem);
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    if (!record.recalled) run.stop().check(grid.comm(), record.T / path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(grid.comm(), record.T / path.mesh_period());
   };
   MeshMarch march = make_march(problem, grid, path, on_step, &run.checkpoint());
   const PeriodicOrbit orbit =

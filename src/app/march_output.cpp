@@ -48,7 +48,7 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
     const double interval = snapshot_interval(problem_, purpose_);
     next_snapshot_ = interval * (std::floor(period / interval + 1e-9) + 1.0);
   }
-  if (checkpoint_.caught_up()) file_.publish();
+  if (checkpoint_.is_new(record)) publish();
   if (!record.recalled) report(record, period);
 }
 
@@ -75,6 +75,13 @@ void MarchOutput::end_search_period(const SearchPeriod& period) {
   }
   if (!period.accepted) checkpoint_.drop_snapshots();
   held_.clear();
+}
+
+// Whole up to here: whatever ends the program next, there are no fewer rows than before it began.
+void MarchOutput::publish() {
+  if (file_.published()) return;
+  history_->write();
+  file_.publish();
 }
 
 void MarchOutput::finish() {

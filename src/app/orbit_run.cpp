@@ -21,7 +21,8 @@ OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& pat
       signal.add(record);
       observers.on_step(record, live);
     }
-    if (!record.recalled) observers.stop.check(grid.comm(), record.T / path.mesh_period());
+    // What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
+    if (observers.checkpoint.is_new(record)) observers.stop.check(grid.comm(), record.T / path.mesh_period());
   };
   MeshMarch march = make_march(problem, grid, path, on_step, &observers.checkpoint);
   OrbitRun run;

@@ -45,6 +45,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = false;
+    output.finish();
     write_summary(comm, summary_file, summary);  // what was marched until then
     throw;
   }

@@ -1,6 +1,7 @@
 #include "gearfilm/app/resumable_run.hpp"
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 #include "gearfilm/io/run_identity.hpp"
 
 namespace gearfilm {
@@ -25,7 +26,7 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
       folder_(directory_ / "checkpoint"),
       stop_(problem.time_limit) {
   const Summary identity = identity_of(problem, command, joined(free_parameters, free_sections));
-  const std::filesystem::path file = folder_ / "run.json";
+  const std::filesystem::path file = identity_file();
   if (problem.restart) {
     const std::optional<Summary> before = read_identity(comm_, file);
     if (!before) {
@@ -37,13 +38,22 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::where_it_stopped);
   } else {
     directory_.remove_earlier_results();
+    forget();
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::anew);
     write_summary(comm_, file, identity);
   }
 }
 
+// Goes before the rest of the folder: a program killed meanwhile leaves nothing that looks as if it could go on.
+void ResumableRun::forget() const {
+  std::error_code ignored;
+  if (rank_in(comm_) == 0) std::filesystem::remove(identity_file(), ignored);
+}
+
 void ResumableRun::complete() {
-  if (!keep_) checkpoint_->remove();
+  if (keep_) return;
+  forget();
+  checkpoint_->remove();
 }
 
 }  // namespace gearfilm

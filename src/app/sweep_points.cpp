@@ -60,11 +60,11 @@ void SweepPoints::write(MPI_Comm group, const SweepPoint& point, const Summary& 
 void SweepPoints::complete(MPI_Comm comm) const {
   write_together(comm, folder_, [&] {
     if (rank_in(comm) != 0) return;
-    std::vector<std::filesystem::path> films;
+    std::vector<std::filesystem::path> superfluous;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "points")) {
-      if (entry.path().extension() == ".films") films.push_back(entry.path());
+      if (entry.path().extension() != ".json") superfluous.push_back(entry.path());
     }
-    for (const std::filesystem::path& file : films) std::filesystem::remove(file);
+    for (const std::filesystem::path& path : superfluous) std::filesystem::remove_all(path);
   });
 }
 

@@ -32,7 +32,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
                      end_of(problem, path) / path.mesh_period());
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);
-    if (!record.recalled) run.stop().check(comm, record.T / path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(comm, record.T / path.mesh_period());
   };
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, path, output.statistics());

@@ -76,7 +76,6 @@ void ResultsFile::grid(const std::string& group, const WholeDomain& domain, cons
 }
 
 void ResultsFile::publish() {
-  if (published_) return;
   write([&] {
     if (H5Fflush(hdf5_file(), H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
   });

@@ -19,25 +19,36 @@ SECONDS = 600
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_btl": "self"}
 
 
-class Run:
-    """One finished run: status, stdout, and what the program itself wrote to stderr."""
+def command_of(arguments, processes):
+    return [*([*MPIEXEC, str(processes)] if processes > 1 else []), *RUNNER, PROGRAM, *map(str, arguments)]
 
-    def __init__(self, arguments, processes, folder, seconds=SECONDS):
-        command = [*RUNNER, PROGRAM, *map(str, arguments)]
-        if processes > 1:
-            command = [*MPIEXEC, str(processes), *command]
-        with tempfile.TemporaryDirectory() as scratch:
-            settings = ALONE | {"TMPDIR": scratch} if processes == 1 else {}
-            done = subprocess.run(command, cwd=folder, env=os.environ | settings, capture_output=True, text=True,
-                                  timeout=seconds, check=False)
+
+def environment_of(processes, scratch):
+    return os.environ | (ALONE | {"TMPDIR": scratch} if processes == 1 else {})
+
+
+class Outcome:
+    """How a run ended: status, stdout, and what the program itself wrote to stderr."""
+
+    def __init__(self, arguments, processes, status, stdout, stderr):
         self.words = shlex.join(map(str, arguments))
-        self.status = done.returncode
-        self.stdout = done.stdout
+        self.status = status
+        self.stdout = stdout
         # mpiexec adds a notice of its own when a process returns another status than 0.
-        self.stderr = done.stderr if processes == 1 else before_notice_of_mpiexec(done.stderr)
+        self.stderr = stderr if processes == 1 else before_notice_of_mpiexec(stderr)
 
     def __str__(self):
         return f"gearfilm {self.words[:1000]}: status {self.status}\n{self.stdout}{self.stderr}"
+
+
+class Run(Outcome):
+    """One finished run."""
+
+    def __init__(self, arguments, processes, folder, seconds=SECONDS):
+        with tempfile.TemporaryDirectory() as scratch:
+            done = subprocess.run(command_of(arguments, processes), cwd=folder, timeout=seconds, check=False,
+                                  env=environment_of(processes, scratch), capture_output=True, text=True)
+        super().__init__(arguments, processes, done.returncode, done.stdout, done.stderr)
 
 
 def before_notice_of_mpiexec(text):
@@ -46,7 +57,7 @@ def before_notice_of_mpiexec(text):
     for line in text.splitlines(keepends=True):
         if line.startswith("-----") and line.strip("-\n") == "":
             inside_notice = not inside_notice
-        elif not inside_notice:
+        elif not inside_notice and not line.startswith("mpiexec: Forwarding signal"):
             lines.append(line)
     return "".join(lines)
 

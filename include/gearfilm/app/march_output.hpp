@@ -40,6 +40,7 @@ public:
 
 private:
   void take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void publish();
   void report(const StepRecord& record, double period);
 
   Checkpoint& checkpoint_;

@@ -27,6 +27,9 @@ public:
   void complete();
 
 private:
+  std::filesystem::path identity_file() const { return folder_ / "run.json"; }
+  void forget() const;
+
   MPI_Comm comm_;
   bool keep_;
   OutputDirectory directory_;

@@ -36,7 +36,7 @@ public:
   std::optional<Summary> read(const SweepPoint& point) const;
   /// Collective on a group of processes.
   void write(MPI_Comm group, const SweepPoint& point, const Summary& result) const;
-  /// All points are done: removes the films that only further ones would need. Collective.
+  /// All points are done: removes what only further ones would need. Collective.
   void complete(MPI_Comm comm) const;
 
 private:

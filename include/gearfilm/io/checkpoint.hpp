@@ -39,6 +39,8 @@ public:
 
   /// False while runs are taken over that were completed before.
   bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
+  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
+  bool is_new(const StepRecord& record) const { return !record.recalled && caught_up(); }
 
 private:
   struct KeptState {

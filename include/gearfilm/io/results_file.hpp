@@ -43,6 +43,7 @@ public:
 
   /// Gives the open file its name: for runs that append to it for long.
   void publish();
+  bool published() const { return published_; }
   void finish();
 
   /// Collective write to the file: OutputError on all processes where it fails on any.

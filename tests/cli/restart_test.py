@@ -1,0 +1,290 @@
+"""Runs that are stopped on their way, and go on to the end of one that was not; environment as for cli_test.py."""
+import shutil
+import signal
+import time
+import unittest
+
+import numpy
+
+from films import BARBIERI, SAME, summary_in
+from restarts import MARCH, SEARCH, SMALL, RestartTest, results_in, states_in
+from vibration import SAME_ORBIT, table_in
+
+EIGEN = ["eigen", BARBIERI, *SMALL, "-eigen_orbit", "yes", "-eigen_periods", 3]
+SWEEP = ["sweep", BARBIERI, *SMALL, "-sweep_values", "15000, 15500, 16000", "-sweep_direction", "up"]
+# A run that is complete before it is stopped is done again. None was when this was written.
+ATTEMPTS = 5
+
+
+class Continued(RestartTest):
+    """One process: stopped where it has written so many lines, which it does without waiting to be read but for one."""
+
+    def interrupt(self, arguments, lines, number):
+        """Stops or kills a run after so many lines."""
+        run = self.start(*arguments)
+        run.read_lines(lines)
+        run.send(number)
+        outcome = run.end()
+        if number == signal.SIGKILL:
+            self.assertEqual(outcome.status, -signal.SIGKILL, outcome)
+        else:
+            self.assertEqual(outcome.status, 3, outcome)
+
+    def assert_continued(self, arguments, *stops):
+        """The results of a run that was stopped again and again are those of one that was not."""
+        for n, (lines, number) in enumerate(stops):
+            self.interrupt([*arguments, "-restart"] if n else arguments, lines, number)
+        self.assert_same(self.complete(*arguments), self.uninterrupted(*arguments))
+
+    def test_march_with_snapshots(self):
+        # 20 lines; contacts enter and leave behind the 4th, 6th, 15th and 17th.
+        self.assert_continued(MARCH, (1, signal.SIGUSR1), (5, signal.SIGUSR1), (4, signal.SIGKILL),
+                              (10, signal.SIGUSR1), (3, signal.SIGKILL))
+
+    def test_march_with_a_spectrum(self):
+        self.assert_continued([*MARCH, "-output_spectrum_periods", 1], (8, signal.SIGUSR1))
+
+    def test_dry_pair_and_one_contact(self):
+        for model in ("dry", "simplified", "quasistatic"):
+            with self.subTest(model=model):
+                arguments = ["transient", BARBIERI, *SMALL, "-model", model]
+                self.assert_continued(arguments, (7, signal.SIGUSR1), (10, signal.SIGKILL))
+                shutil.rmtree(self.folder / "run")
+                shutil.rmtree(self.folder / "uninterrupted")
+
+    def test_periodic_state(self):
+        # 5 lines and a note a mesh period.
+        self.assert_continued(SEARCH, (2, signal.SIGUSR1), (8, signal.SIGKILL), (9, signal.SIGUSR1))
+
+    def test_multipliers_of_a_periodic_state(self):
+        # All lines have been written before: the program stops within the mesh periods that follow them.
+        run = self.start(*SEARCH)
+        run.read_lines(23)
+        run.send(signal.SIGUSR1)
+        outcome = run.end()
+        self.assertEqual(outcome.status, 3, outcome)
+        expected = self.uninterrupted(*SEARCH)
+        self.assert_same(self.complete(*SEARCH), expected)
+
+    def test_sweep_between_and_within_its_points(self):
+        points = self.folder / "run/points"
+        expected = self.uninterrupted(*SWEEP)
+        # Its second line waits until the first is read: the program cannot get beyond the second point.
+        for number, checkpoint, states in ((signal.SIGUSR1, "up_0000", 3), (signal.SIGKILL, "up_0001", 2),
+                                           (signal.SIGKILL, "up_0002", 3)):
+            run = self.start(*SWEEP, "-restart")
+            run.read_lines(int(checkpoint[-1]) - 1)
+            run.wait_until(lambda: len(states_in(points / f"{checkpoint}.checkpoint")) >= states or
+                           (points / f"{checkpoint}.json").exists())
+            run.send(number)
+            self.assertIn(run.end().status, (3, -signal.SIGKILL))
+        self.assert_same(self.complete(*SWEEP), expected)
+
+
+class Cut(RestartTest):
+    """Runs that were complete but for their last segments, as a program that was killed leaves them."""
+
+    def keep(self, *arguments, name="run", processes=1):
+        """A complete run that can go on; its results."""
+        self.run_well(*arguments, "-keep_checkpoint", "-output_dir", name, processes=processes)
+        return results_in(self.folder / name)
+
+    def cut(self, states, name="run"):
+        """Leaves so many states."""
+        checkpoint = self.folder / name / "checkpoint"
+        for state in states_in(checkpoint)[states:]:
+            (checkpoint / state).unlink()
+        self.assertEqual(len(states_in(checkpoint)), states)
+        (self.folder / name / "summary.json").unlink()
+
+    def assert_continued_from_everywhere(self, *arguments, processes=1, every=1):
+        expected = self.keep(*arguments, name="kept", processes=processes)
+        for states in range(0, len(states_in(self.folder / "kept/checkpoint")), every):
+            with self.subTest(states=states, processes=processes):
+                shutil.copytree(self.folder / "kept", self.folder / "run")
+                self.cut(states)
+                self.assert_same(self.complete(*arguments, processes=processes), expected)
+                shutil.rmtree(self.folder / "run")
+
+    def test_march_from_each_entering_and_leaving(self):
+        # All have snapshots, for which their states are kept.
+        for processes in (1, 2):
+            self.assert_continued_from_everywhere(*MARCH, processes=processes, every=processes)
+            shutil.rmtree(self.folder / "kept")
+
+    def test_periodic_state_on_two_processes(self):
+        self.assert_continued_from_everywhere(*SEARCH, processes=2, every=5)
+
+    def test_eigen_with_the_orbit(self):
+        for processes in (1, 2):
+            self.assert_continued_from_everywhere(*EIGEN, processes=processes, every=3 * processes)
+            shutil.rmtree(self.folder / "kept")
+
+    def test_march_on_another_number_of_processes(self):
+        self.uninterrupted(*MARCH)
+        for before, after in ((1, 2), (2, 1)):
+            with self.subTest(before=before, after=after):
+                self.keep(*MARCH, processes=before)
+                self.cut(2)
+                self.complete(*MARCH, processes=after)
+                # Measured: 4e-9.
+                self.assert_alike("run", "uninterrupted", SAME)
+                shutil.rmtree(self.folder / "run")
+
+    def test_periodic_state_on_another_number_of_processes(self):
+        expected = self.uninterrupted(*SEARCH)
+        for before, after in ((1, 2), (2, 1)):
+            with self.subTest(before=before, after=after):
+                self.keep(*SEARCH, processes=before)
+                self.cut(5)
+                found = self.complete(*SEARCH, processes=after)
+                for name in ("H0_after_leaving", "V0_after_leaving", "force_ratio_max", "floquet_modulus"):
+                    self.assertAlmostEqual(found["summary.json"][name], expected["summary.json"][name],
+                                           delta=SAME_ORBIT, msg=name)
+                shutil.rmtree(self.folder / "run")
+
+    def test_damaged_state_or_more_steps_than_it_says(self):
+        expected = self.keep(*MARCH, name="kept")
+        for damage in ("short", "empty", "more steps"):
+            with self.subTest(damage=damage):
+                shutil.copytree(self.folder / "kept", self.folder / "run")
+                self.cut(4)
+                checkpoint = self.folder / "run/checkpoint"
+                if damage == "more steps":
+                    with open(checkpoint / "steps", "ab") as steps:
+                        steps.write(b"a step that was half writt")
+                else:
+                    newest = checkpoint / states_in(checkpoint)[-1]
+                    newest.write_bytes(newest.read_bytes()[:-8] if damage == "short" else b"")
+                self.assert_same(self.complete(*MARCH), expected)
+                shutil.rmtree(self.folder / "run")
+
+    def test_march_beyond_its_end(self):
+        # Begun just after a leaving, it ends with another one: it goes on as if it had not ended.
+        march = [*MARCH, "-start_place", "after_leaving"]
+        expected = self.uninterrupted(*march)
+        self.keep(*with_periods(march, 1))
+        self.assertLess(len(table_in(self.folder / "run", "history/steps")), 100)
+        self.run_well(*march, "-restart", "-keep_checkpoint", "-output_dir", "run")
+        self.assert_same(results_in(self.folder / "run"), expected)
+        # Where nothing is left to march, the results are made again.
+        (self.folder / "run/results.h5").unlink()
+        self.assert_same(self.complete(*march), expected)
+
+
+def with_periods(arguments, periods):
+    place = arguments.index("-mesh_periods")
+    return [*arguments[:place + 1], periods, *arguments[place + 2:]]
+
+
+class Requests(RestartTest):
+    def test_signals_to_a_single_process(self):
+        expected = self.uninterrupted(*MARCH)
+        for name in ("SIGTERM", "SIGUSR1"):
+            with self.subTest(signal=name):
+                run = self.start(*MARCH)
+                run.read_lines(9)
+                run.send(signal.Signals[name])
+                steps = self.assert_stopped(run.end(), f"by {name}")
+                # The step that was under way is finished, and written.
+                self.assertGreater(len(steps), 65)
+                self.assert_same(self.complete(*MARCH), expected)
+
+    def test_stopped_search_has_all_its_steps(self):
+        run = self.start(*SEARCH)
+        run.read_lines(14)
+        run.send(signal.SIGTERM)
+        outcome = run.end()
+        steps = self.assert_stopped(outcome, "by SIGTERM")
+        period = float(outcome.stderr.split("mesh period ")[1].split(",")[0])
+        last = table_in(self.folder / "run", "history/steps")["t"][-1]
+        self.assertAlmostEqual(last / (1 / 7000), period, delta=1e-5)
+        self.assertGreater(len(steps), 150)
+
+    def test_time_limit(self):
+        expected = self.uninterrupted(*MARCH)
+        at_once = self.run_program(*MARCH, "-time_limit", 1e-9, "-output_dir", "run")
+        self.assertEqual(len(self.assert_stopped(at_once, "after the time limit of 1e-09 s")), 1)
+        limit = 1.0
+        run = self.start(*MARCH, "-restart", "-time_limit", limit)
+        run.read_lines(6)
+        time.sleep(limit)
+        self.assert_stopped(run.end(), "after the time limit of 1 s")
+        # A run that has no time for anything new goes one step beyond the last entering.
+        kept = len(states_in(self.folder / "run/checkpoint"))
+        self.assertGreater(kept, 0)
+        again = self.run_program(*MARCH, "-restart", "-time_limit", 1e-9, "-output_dir", "run")
+        self.assertGreater(len(self.assert_stopped(again, "after the time limit of 1e-09 s")), 20)
+        self.assert_same(self.complete(*MARCH), expected)
+
+    def test_signals_to_mpiexec(self):
+        """SIGUSR1 is handed on. With SIGTERM Open MPI gives processes a second to end, and returns a status of its
+        own."""
+        expected = self.uninterrupted(*MARCH, processes=2)
+        for number in (signal.SIGUSR1, signal.SIGTERM):
+            with self.subTest(signal=number):
+                outcome = self.stop_shared(number)
+                if number == signal.SIGUSR1:
+                    self.assert_stopped(outcome, "by SIGUSR1")
+                self.assert_same(self.complete(*MARCH, processes=2), expected)
+
+    def stop_shared(self, number):
+        for _ in range(ATTEMPTS):
+            run = self.start(*MARCH, processes=2)
+            run.read_lines(1)
+            run.send(number)
+            outcome = run.end()
+            if (self.folder / "run/checkpoint/run.json").exists():
+                return outcome
+        raise AssertionError(f"complete {ATTEMPTS} times before it could be stopped")
+
+
+class Refused(RestartTest):
+    def assert_refused(self, words, *arguments):
+        self.assert_wrong(words, *arguments, "-output_dir", "run")
+
+    def test_nothing_to_go_on_from(self):
+        (self.folder / "run").mkdir()
+        for arguments in (MARCH, SEARCH, EIGEN):
+            self.assert_refused(["nothing to go on from", "-restart"], *arguments, "-restart")
+        self.run_well(*MARCH, "-output_dir", "run")
+        self.assert_refused(["it was completed"], *MARCH, "-restart")
+
+    def test_command_that_cannot_go_on(self):
+        self.assert_refused(["steady", "-restart"], "steady", BARBIERI, "-restart")
+
+    def test_time_limit_of_nothing(self):
+        self.assert_refused(["time_limit"], *MARCH, "-time_limit", 0)
+
+    def test_another_run(self):
+        self.run_well(*MARCH, "-keep_checkpoint", "-output_dir", "run")
+        finer = [81 if word == 65 else word for word in MARCH]
+        for words, options in ((["grid.nx", "65", "81"], finer),
+                               (["pinion.torque", "470", "400"], [*MARCH, "-pinion_torque", 400]),
+                               (["output.snapshot_interval", "0.3", "0.2"], [0.2 if word == 0.3 else word for word in MARCH]),
+                               (["command", "transient", "periodic"], SEARCH)):
+            with self.subTest(words=words):
+                self.assert_refused(words, *options, "-restart")
+
+
+class Failed(RestartTest):
+    def test_march_goes_on_with_other_steps(self):
+        """With so few Newton steps allowed it fails at the first leaving."""
+        brief = ["-time_newton_max_iterations", 3]
+        failures = [self.run_program(*MARCH, *brief, *restart, "-output_dir", "run") for restart in ([], ["-restart"])]
+        for failed in failures:
+            self.assertEqual(failed.status, 2, failed)
+            self.assertEqual(failed.stderr, failures[0].stderr)
+        before = table_in(self.folder / "run", "history/steps")
+        finer = [0.05 if word == 0.1 else word for word in MARCH]
+        self.complete(*finer)
+        after = table_in(self.folder / "run", "history/steps")
+        for name in before.dtype.names:
+            numpy.testing.assert_array_equal(after[name][:len(before)], before[name], err_msg=name)
+        self.assertGreater(before["dT"].max(), 0.09)
+        self.assertLess(after["dT"][len(before):].max(), 0.0501)
+        self.assertIs(summary_in(self.folder / "run")["completed"], True)
+
+
+if __name__ == "__main__":
+    unittest.main()
