@@ -44,7 +44,6 @@ class Killed(RestartTest):
         super().setUp()
         self.random = random.Random(f"{SEED} {self.id()}")
         self.output = self.folder / "run"
-        self.unreadable = 0
 
     def begin(self, arguments, processes):
         """Anew, or from where the last one was killed."""
@@ -68,7 +67,6 @@ class Killed(RestartTest):
             json.loads((self.output / "summary.json").read_text(encoding="utf-8"))
         results = self.output / "results.h5"
         if results.exists() and not is_readable(results):
-            self.unreadable += 1
             self.assert_restored(arguments, processes)
 
     def assert_restored(self, arguments, processes):
@@ -82,21 +80,19 @@ class Killed(RestartTest):
         begin = time.monotonic()
         expected = self.uninterrupted(*arguments, processes=processes)
         duration = time.monotonic() - begin
-        done = ends = 0
+        done = 0
         while done < kills:
             outcome = self.kill_somewhere(self.begin(arguments, processes), duration)
             if outcome.status == 0:
                 self.assert_same(results_in(self.output), expected)
                 self.assert_nothing_left_over()
                 shutil.rmtree(self.output)
-                ends += 1
             else:
                 self.assertEqual(outcome.stderr.count("gearfilm:"), 0, outcome)
                 self.assert_can_go_on(arguments, processes)
                 done += 1
         if (self.output / "checkpoint/run.json").exists():
             self.assert_same(self.complete(*arguments, processes=processes), expected)
-        print(f"{done} kills, {ends} ends, {self.unreadable} unreadable")
 
     def test_march_with_snapshots(self):
         self.kill_again_and_again(MARCH, round(0.7 * KILLS))

@@ -80,6 +80,19 @@ class Continued(RestartTest):
             self.assertIn(run.end().status, (3, -signal.SIGKILL))
         self.assert_same(self.complete(*SWEEP), expected)
 
+    def test_sweep_on_two_processes(self):
+        expected = self.uninterrupted(*SWEEP, processes=2)
+        second = self.folder / "run/points/up_0001.checkpoint"
+        for _ in range(ATTEMPTS):
+            run = self.start(*SWEEP, processes=2)
+            run.wait_until(lambda: len(states_in(second)) >= 2)
+            run.kill()
+            if run.end().status != 0:
+                break
+            shutil.rmtree(self.folder / "run")
+        self.assertTrue((self.folder / "run/points/up_0000.json").exists())
+        self.assert_same(self.complete(*SWEEP, processes=2), expected)
+
 
 class Cut(RestartTest):
     """Runs that were complete but for their last segments, as a program that was killed leaves them."""
@@ -259,9 +272,10 @@ class Refused(RestartTest):
     def test_another_run(self):
         self.run_well(*MARCH, "-keep_checkpoint", "-output_dir", "run")
         finer = [81 if word == 65 else word for word in MARCH]
+        more_often = [0.2 if word == 0.3 else word for word in MARCH]
         for words, options in ((["grid.nx", "65", "81"], finer),
                                (["pinion.torque", "470", "400"], [*MARCH, "-pinion_torque", 400]),
-                               (["output.snapshot_interval", "0.3", "0.2"], [0.2 if word == 0.3 else word for word in MARCH]),
+                               (["output.snapshot_interval", "0.3", "0.2"], more_often),
                                (["command", "transient", "periodic"], SEARCH)):
             with self.subTest(words=words):
                 self.assert_refused(words, *options, "-restart")
@@ -271,7 +285,8 @@ class Failed(RestartTest):
     def test_march_goes_on_with_other_steps(self):
         """With so few Newton steps allowed it fails at the first leaving."""
         brief = ["-time_newton_max_iterations", 3]
-        failures = [self.run_program(*MARCH, *brief, *restart, "-output_dir", "run") for restart in ([], ["-restart"])]
+        failures = [self.run_program(*MARCH, *brief, *restart, "-output_dir", "run")
+                    for restart in ([], ["-restart"])]
         for failed in failures:
             self.assertEqual(failed.status, 2, failed)
             self.assertEqual(failed.stderr, failures[0].stderr)

@@ -81,14 +81,17 @@ class LiveRun:
                 return
             self.text += line
 
+    def has_ended(self, options=os.WNOHANG):
+        """Leaves the process to end(): until then its number is no other's."""
+        return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOWAIT | options) is not None
+
     def wait_until(self, reached):
         """Until something is reached, or the run is at its end."""
-        begin = time.monotonic()
-        while not reached() and self.process.poll() is None and time.monotonic() - begin < SECONDS:
+        while not reached() and not self.has_ended():
             time.sleep(0.002)
 
     def send(self, number):
-        self.process.send_signal(number)
+        os.kill(self.process.pid, number)
 
     def kill(self):
         """kill -9 to all processes, which Open MPI gives groups of their own; back when they are gone."""
@@ -107,7 +110,7 @@ class LiveRun:
         while line := os.read(self.read_end, LONGEST_LINE):
             self.text += line
         os.close(self.read_end)
-        os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOWAIT)
+        self.has_ended(options=0)
         self.kill()
         stderr = self.process.stderr.read()
         self.process.stderr.close()
