@@ -13,6 +13,15 @@ double end_of(const Case& problem, const ContactPath& path) {
   return problem.prescribed_load ? path.exit_time(0) : problem.mesh_periods * path.mesh_period();
 }
 
+/// A march that goes on cannot end before where it is.
+void require_beyond(ResumableRun& run, const Case& problem, const ContactPath& path) {
+  const double kept = run.checkpoint().T_kept();
+  if (kept <= end_of(problem, path) * (1.0 + 1e-9)) return;
+  throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
+                   format_value(problem.mesh_periods) + ", but the march in '" + problem.output_directory.string() +
+                   "' has come to " + format_value(kept / path.mesh_period()) + "; give at least as many");
+}
+
 template <class March>
 void drive(March&& march, const Case& problem, const ContactPath& path) {
   march.start(problem.start_motion);
@@ -27,6 +36,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   // A march that failed may go on with other steps.
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
+  require_beyond(run, problem, path);
   const bool lubricated = problem.model != MarchModel::dry;
   MarchOutput output(run, problem, grid, path, MarchPurpose::march, "transient",
                      end_of(problem, path) / path.mesh_period());

@@ -84,6 +84,7 @@ void Checkpoint::find_states() {
   for (std::size_t n = 0; n < kept_.size(); ++n) {
     const std::optional<Summary> description = read_state_description(grid_.comm(), file(kept_[n]));
     if (!description) return forget_from(n);
+    kept_[n].T = (*description)["T"].get<double>();
     kept_[n].steps_end = (*description)["steps_end"].get<std::uint64_t>();
     kept_[n].with_snapshots = !(*description)["snapshots"].empty();
   }
@@ -156,7 +157,7 @@ void Checkpoint::keep(double T, const PairState& state) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
   const std::uint64_t steps_before = kept_.empty() ? 0 : kept_.back().steps_end;
-  KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, 0, !attached_.empty()};
+  KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, 0, !attached_.empty()};
   next.steps_end = journal_.write(steps_before, waiting_);
   Summary description = {
       {"T", T}, {"H0", state.motion.H0}, {"V0", state.motion.V0}, {"begin", run_begin_}, {"steps_end", next.steps_end}};

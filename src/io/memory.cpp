@@ -14,7 +14,7 @@ namespace {
 constexpr double bytes_per_node = 400.0;
 
 double memory_of_all_machines(MPI_Comm comm) {
-  MPI_Comm machine;
+  MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int rank = 0;
   MPI_Comm_rank(machine, &rank);

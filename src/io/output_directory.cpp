@@ -28,7 +28,7 @@ std::string obstacle(const std::filesystem::path& directory) {
   std::ofstream file(probe);
   file << std::string(least_room, ' ');
   file.close();
-  const std::string reason = file ? std::string() : std::generic_category().message(errno);
+  std::string reason = file ? std::string() : std::generic_category().message(errno);
   std::filesystem::remove(probe, error);
   return reason;
 }

@@ -40,7 +40,7 @@ std::string one_line(std::string_view text) {
     const std::size_t cut = line.size() - longest;
     line.replace(longest - kept_end, cut, " [... " + std::to_string(cut) + " bytes ...] ");
   }
-  for (std::size_t n; (n = first_unreadable(line)) != std::string::npos;) line[n] = line[n] == '\n' ? ' ' : '?';
+  for (std::size_t n = 0; (n = first_unreadable(line)) != std::string::npos;) line[n] = line[n] == '\n' ? ' ' : '?';
   return line;
 }
 

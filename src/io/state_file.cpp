@@ -42,7 +42,7 @@ private:
 };
 
 MPI_Offset fields_begin(std::size_t description) {
-  return static_cast<MPI_Offset>(sizeof(std::uint64_t) + description);
+  return static_cast<MPI_Offset>(sizeof(std::uint64_t)) + static_cast<MPI_Offset>(description);
 }
 
 InputError unusable(const std::filesystem::path& path, const std::string& reason) {

@@ -37,6 +37,8 @@ public:
   /// The whole folder goes.
   void remove();
 
+  /// T of the last state that was found; 0 without one.
+  double T_kept() const { return kept_.empty() ? 0.0 : kept_.back().T; }
   /// False while runs are taken over that were completed before.
   bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
   /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
@@ -46,6 +48,7 @@ private:
   struct KeptState {
     int run = 0;
     int number = 0;
+    double T = 0.0;
     std::uint64_t steps_end = 0;  ///< offset behind its last step
     bool with_snapshots = false;
   };

@@ -2,6 +2,7 @@
 // or a limit of the program's own.
 #pragma once
 
+#include <array>
 #include <csignal>
 #include <optional>
 
@@ -23,7 +24,7 @@ public:
 private:
   std::optional<double> time_limit_;
   double start_;
-  struct sigaction before_[2];  ///< what the signals did before
+  std::array<struct sigaction, 2> before_{};  ///< what the signals did before
 };
 
 }  // namespace gearfilm
