@@ -18,7 +18,7 @@ from program import SECONDS, Outcome, ProgramTest, command_of, environment_of
 # Small and quick, but with positive films at every entering and leaving.
 SMALL = ["-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.6, "-time_dt", 0.1]
 # With snapshots in every segment between two enterings or leavings.
-MARCH = ["transient", BARBIERI, *SMALL, "-output_snapshot_interval", 0.3, "-mesh_periods", 2]
+MARCH = ["transient", BARBIERI, *SMALL, "-output_snapshot_interval", 0.3]  # of two mesh periods
 SEARCH = ["periodic", BARBIERI, *SMALL]
 # How a run was conducted is echoed with its results, and is no part of them.
 CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
