@@ -15,7 +15,7 @@ double end_of(const Case& problem, const ContactPath& path) {
 
 /// A march that goes on cannot end before where it is.
 void require_beyond(ResumableRun& run, const Case& problem, const ContactPath& path) {
-  const double kept = run.checkpoint().T_kept();
+  const double kept = run.checkpoint().kept_until();
   if (kept <= end_of(problem, path) * (1.0 + 1e-9)) return;
   throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
                    format_value(problem.mesh_periods) + ", but the march in '" + problem.output_directory.string() +

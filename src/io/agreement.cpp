@@ -70,7 +70,8 @@ std::string first_reason(MPI_Comm comm, const std::string& own) {
 void require_written(MPI_Comm comm, const std::filesystem::path& path, const std::string& own_reason) {
   const std::string reason = first_reason(comm, own_reason.empty() ? own_reason : cause(path, own_reason));
   if (reason.empty()) return;
-  throw OutputError("cannot write '" + path.string() + "': " + reason);
+  throw OutputError("cannot write '" + path.string() + "': " + reason +
+                    "; mend that and run again (a march or a search goes on with -restart)");
 }
 
 }  // namespace gearfilm

@@ -38,7 +38,7 @@ public:
   void remove();
 
   /// T of the last state that was found; 0 without one.
-  double T_kept() const { return kept_.empty() ? 0.0 : kept_.back().T; }
+  double kept_until() const { return kept_.empty() ? 0.0 : kept_.back().T; }
   /// False while runs are taken over that were completed before.
   bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
   /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.

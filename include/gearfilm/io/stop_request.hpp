@@ -18,7 +18,7 @@ public:
   StopRequest(const StopRequest&) = delete;
   StopRequest& operator=(const StopRequest&) = delete;
 
-  /// Throws Stopped on all processes where any of them is to stop. where: how far the run is. Collective.
+  /// Throws Stopped on all processes where any of them is to stop. mesh_period: how far the run is. Collective.
   void check(MPI_Comm comm, double mesh_period) const;
 
 private:
