@@ -3,20 +3,14 @@
 #include <hdf5.h>
 #include <slepcsys.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 
 #include "gearfilm/ehl/events.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/agreement.hpp"
 
 namespace gearfilm {
-namespace {
-
-constexpr double patience = 5.0;  // [s]
-
-}  // namespace
 
 Session::Session(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {
   for (std::string& argument : arguments_) pointers_.push_back(argument.data());
@@ -60,16 +54,11 @@ Session::~Session() {
 }
 
 void Session::end_together(const std::string& line, int status) const {
-  int rank = 0, together = 0;
-  MPI_Comm_rank(ending_, &rank);
+  const int rank = rank_in(ending_);
   if (rank == 0) std::fprintf(stderr, "%s\n", line.c_str());
   MPI_Request all_here = MPI_REQUEST_NULL;
   MPI_Ibarrier(ending_, &all_here);
-  for (const double begin = MPI_Wtime(); !together && MPI_Wtime() - begin < patience;) {
-    MPI_Test(&all_here, &together, MPI_STATUS_IGNORE);
-    if (!together) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  if (together) return;
+  if (wait_briefly(all_here)) return;
   if (rank != 0) std::fprintf(stderr, "%s\n", line.c_str());
   MPI_Abort(ending_, status);
 }

@@ -29,7 +29,9 @@ SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.o
   } else {
     write_summary(comm, file, identity);
   }
-  write_together(comm, folder_, [&] { std::filesystem::create_directories(folder_ / "points"); });
+  write_together(comm, folder_, [&] {
+    if (rank_in(comm) == 0) std::filesystem::create_directories(folder_ / "points");
+  });
 }
 
 std::filesystem::path SweepPoints::file(const SweepPoint& point) const {

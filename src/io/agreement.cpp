@@ -12,15 +12,6 @@ constexpr std::uintmax_t almost_full = 1 << 16;  // [bytes]
 
 constexpr double patience = 5.0;  // [s]
 
-bool wait_briefly(MPI_Request& request) {
-  int done = 0;
-  for (const double begin = MPI_Wtime(); !done && MPI_Wtime() - begin < patience;) {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-    if (!done) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return done != 0;
-}
-
 /// Why a write failed, as far as the file system shows it; otherwise what the failed call said.
 std::string cause(const std::filesystem::path& path, const std::string& reason) {
   std::error_code error;
@@ -44,6 +35,15 @@ void broadcast(MPI_Comm comm, std::string& text) {
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
   text.resize(length);
   MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, comm);
+}
+
+bool wait_briefly(MPI_Request& request) {
+  int done = 0;
+  for (const double begin = MPI_Wtime(); !done && MPI_Wtime() - begin < patience;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return done != 0;
 }
 
 std::string first_reason(MPI_Comm comm, const std::string& own) {

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 #include <string>
 #include <system_error>
 
@@ -24,11 +23,12 @@ std::string obstacle(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory, error);
   if (error) return error.message();
   const std::filesystem::path probe = directory / ".gearfilm_write_probe";
-  errno = 0;
-  std::ofstream file(probe);
-  file << std::string(least_room, ' ');
-  file.close();
-  std::string reason = file ? std::string() : std::generic_category().message(errno);
+  std::string reason;
+  try {
+    write_bytes(probe, std::string(least_room, ' '));
+  } catch (const std::system_error& failure) {
+    reason = failure.code().message();
+  }
   std::filesystem::remove(probe, error);
   return reason;
 }
@@ -83,14 +83,17 @@ void finish_part(MPI_Comm comm, const std::filesystem::path& path) {
 
 void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::string& text) {
   write_together(comm, path, [&] {
-    if (rank_in(comm) != 0) return;
-    errno = 0;
-    std::ofstream file(part_of(path));
-    file << text;
-    file.close();
-    if (!file) throw std::system_error(errno, std::generic_category());
+    if (rank_in(comm) == 0) write_bytes(part_of(path), text);
   });
   finish_part(comm, path);
+}
+
+void write_bytes(const std::filesystem::path& path, std::string_view bytes, std::ios::openmode mode) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | mode);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) throw std::system_error(errno, std::generic_category());
 }
 
 void flush_to_disk(const std::filesystem::path& path) {

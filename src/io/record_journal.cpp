@@ -1,8 +1,6 @@
 #include "gearfilm/io/record_journal.hpp"
 
-#include <cerrno>
 #include <fstream>
-#include <system_error>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/agreement.hpp"
@@ -66,13 +64,9 @@ std::uint64_t RecordJournal::write(std::uint64_t offset, const std::vector<StepR
   const std::uint64_t size = values.size() * sizeof(double);
   write_together(comm_, path_, [&] {
     if (rank_in(comm_) != 0) return;
-    errno = 0;
-    if (offset == 0) std::ofstream(path_, std::ios::binary);
-    std::filesystem::resize_file(path_, offset);
-    std::ofstream file(path_, std::ios::binary | std::ios::app);
-    file.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(size));
-    file.close();
-    if (!file) throw std::system_error(errno, std::generic_category());
+    if (offset > 0) std::filesystem::resize_file(path_, offset);
+    write_bytes(path_, {reinterpret_cast<const char*>(values.data()), size},
+                offset > 0 ? std::ios::app : std::ios::trunc);
     flush_to_disk(path_);
   });
   return offset + size;

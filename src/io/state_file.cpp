@@ -1,9 +1,7 @@
 #include "gearfilm/io/state_file.hpp"
 
-#include <cerrno>
 #include <cstdint>
 #include <fstream>
-#include <system_error>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/agreement.hpp"
@@ -137,13 +135,9 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   const std::filesystem::path part = part_of(path);
   write_together(grid.comm(), path, [&] {
     if (grid.rank() != 0) return;
-    errno = 0;
     const std::uint64_t length = text.size();
-    std::ofstream file(part, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(&length), sizeof length);
-    file << text;
-    file.close();
-    if (!file) throw std::system_error(errno, std::generic_category());
+    write_bytes(part, {reinterpret_cast<const char*>(&length), sizeof length});
+    write_bytes(part, text, std::ios::app);
     flush_to_disk(part);
   });
   if (!fields.empty()) append_fields(grid, part, fields_begin(text.size()), fields);

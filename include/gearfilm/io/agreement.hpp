@@ -14,6 +14,10 @@ int rank_in(MPI_Comm comm);
 /// The first process's text, on all. Collective, as are the others.
 void broadcast(MPI_Comm comm, std::string& text);
 
+/// Waits a few seconds for a request that others may never answer, since an error has struck this process alone;
+/// whether they did.
+bool wait_briefly(MPI_Request& request);
+
 /// The text of the lowest process that has one; empty where none has.
 std::string first_reason(MPI_Comm comm, const std::string& own);
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <string_view>
 
 #include "gearfilm/ehl/petsc.hpp"
 
@@ -35,6 +37,10 @@ std::filesystem::path part_of(const std::filesystem::path& path);
 void finish_part(MPI_Comm comm, const std::filesystem::path& path);
 /// The same for a text, which the first process writes.
 void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::string& text);
+
+/// Writes bytes into a new file, or behind those of an old one; for the process that writes alone. Throws
+/// std::system_error.
+void write_bytes(const std::filesystem::path& path, std::string_view bytes, std::ios::openmode mode = std::ios::trunc);
 
 /// Makes sure that a file, or the names in a folder, outlive a failure of the machine. Throws std::system_error.
 void flush_to_disk(const std::filesystem::path& path);
