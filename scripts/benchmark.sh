@@ -8,13 +8,11 @@ cd "$(dirname "$0")/.."
 folder=${1:-output/benchmark}
 stored=${2:-}
 python=${PYTHON:-/usr/bin/python3}
-export OMPI_MCA_rmaps_base_oversubscribe=1
-if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 
 scripts/setup.sh release gearfilm
 for processes in 1 2; do
   echo "benchmark: $processes process(es)"
-  mpiexec -n "$processes" build/release/bin/gearfilm bench input/barbieri2013.yaml -output_dir "$folder/np$processes"
+  scripts/mpiexec.sh "$processes" build/release/bin/gearfilm bench input/barbieri2013.yaml -output_dir "$folder/np$processes"
 done
 for processes in 1 2; do
   [ -z "$stored" ] || "$python" scripts/compare_benchmarks.py "$stored/np$processes" "$folder/np$processes"

@@ -12,15 +12,12 @@ gearfilm=build/release/bin/gearfilm
 
 cores=$(nproc)
 processes=$((cores < 2 ? cores : 2))
-# Processes may share a core where hardware threads count as cores.
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 
 # run COMMAND [options]: one command of gearfilm on the case; its results go to FOLDER/COMMAND.
 run() {
   local command=$1
   shift
-  mpiexec -n "$processes" "$gearfilm" "$command" "$case_file" -output_dir "$folder/$command" "$@"
+  scripts/mpiexec.sh "$processes" "$gearfilm" "$command" "$case_file" -output_dir "$folder/$command" "$@"
 }
 
 scripts/setup.sh release gearfilm

@@ -17,6 +17,7 @@ try:
     import numpy
     matplotlib.use("Agg")
     from matplotlib import pyplot
+    from matplotlib.collections import Collection
     from PIL import Image
 except ImportError as missing:
     sys.exit(f"{SCRIPT}: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
@@ -91,7 +92,8 @@ def add_grid(*panels):
 def fill(axes, x, y, values, levels):
     """Map of the values[y, x] in steps of the levels; what is above them in the last colour."""
     filled = axes.contourf(x, y, values, levels, cmap=COLOUR_MAP, extend="both")
-    for part in filled.collections:
+    # One collection of all levels since Matplotlib 3.8, before one for each.
+    for part in [filled] if isinstance(filled, Collection) else filled.collections:
         part.set_edgecolor("face")  # no hair lines between the levels of the PDF
     return filled
 

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "gearfilm/ehl/mpi_settings.hpp"
+
 namespace {
 
 class FailurePrinter : public testing::EmptyTestEventListener {
@@ -43,8 +45,7 @@ void report_failures_only(int rank) {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  // OMPIO, Open MPI's default for parallel files, can hang for ever after a killed run.
-  setenv("OMPI_MCA_io", "romio321", 0);
+  gearfilm::prefer_mpi_settings();
   if (SlepcInitialize(&argc, &argv, nullptr, nullptr) != 0) return EXIT_FAILURE;
   int rank = 0;
   MPI_Comm_rank(PETSC_COMM_WORLD, &rank);

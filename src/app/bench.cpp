@@ -156,7 +156,7 @@ void run_bench(MPI_Comm comm, const Case& problem) {
     summary["mesh_period"] = bench_mesh_period(comm, problem, standard_grids[0]);
     summary["contact_step_convolutions"] = summary["mesh_period"]["contact_step_convolutions"];
   }
-  write_summary(comm, problem.output_directory / "summary.json", summary);
+  write_summary(comm, problem.output_directory, summary);
 }
 
 }  // namespace gearfilm

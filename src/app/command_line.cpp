@@ -106,6 +106,7 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     if (!command_line.surplus().empty()) {
       throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
     }
+    require_known_options(command_line.petsc_arguments());
     require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
     if (problem.restart && !command.resumable) {

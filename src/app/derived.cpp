@@ -4,7 +4,7 @@
 
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/version.hpp"
+#include "gearfilm/io/provenance.hpp"
 
 namespace gearfilm {
 namespace {
@@ -67,7 +67,10 @@ Summary derived_quantities(const Case& problem) {
 
 void write_identity(ResultsFile& file, const Case& problem, const std::string& command) {
   file.attribute("/", "program", std::string("gearfilm"));
-  file.attribute("/", "version", std::string(version));
+  const Summary libraries = provenance(file.comm());
+  for (const auto& [name, value] : libraries.items()) {
+    file.attribute("/", name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
   file.attribute("/", "command", command);
   // Chosen bounds too, which the parameters do not show where they follow from M.
   file.attribute("/", "x_min", problem.domain.x_min);

@@ -112,7 +112,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
   summary.update(film_summary(problem, grid, dry_rate));
   if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, grid, run);
-  write_summary(comm, run.directory() / "summary.json", summary);
+  write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary);
 }

@@ -15,7 +15,7 @@ void run_info(MPI_Comm comm, const Case& problem) {
       petsc_check(PetscPrintf(comm, "%-36s %s\n", name.c_str(), value.get<std::string>().c_str()));
     }
   }
-  write_summary(comm, problem.output_directory / "summary.json", summary);
+  write_summary(comm, problem.output_directory, summary);
 }
 
 }  // namespace gearfilm

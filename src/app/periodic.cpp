@@ -32,7 +32,6 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   require_moving_films(problem, "periodic");
   const Grid grid(comm, case_grid(problem));
   ResumableRun run(problem, grid, "periodic");
-  const auto summary_file = run.directory() / "summary.json";
   const ContactPath path = path_after_leaving(problem);
   const OrbitGuess guess = dry_guess(problem, grid, damped_dry_orbit(problem, path));
   MarchOutput output(run, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
@@ -46,7 +45,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = false;
     output.finish();
-    write_summary(comm, summary_file, summary);  // what was marched until then
+    write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
   const double begin = found.orbit.begin, end = begin + path.mesh_period();
@@ -60,7 +59,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   summary["dry"] = dry_summary(problem, path);
   summary["completed"] = true;
   output.finish();
-  write_summary(comm, summary_file, summary);
+  write_summary(comm, run.directory().path(), summary);
   run.complete();
 }
 

@@ -4,9 +4,9 @@
 #include <slepcsys.h>
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/ehl/mpi_settings.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/agreement.hpp"
 
@@ -18,12 +18,7 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   count_ = static_cast<int>(arguments_.size());
   values_ = pointers_.data();
 
-  // Open MPI's default file layer leaves a semaphore behind when a run is killed inside a file open; every later open
-  // of a file of that name then hangs.
-  setenv("OMPI_MCA_io", "romio321", 0);
-  // Open MPI 4 passes more than 4 kB between processes of one machine by a system call, which takes as long as a whole
-  // transpose of 129 x 65 nodes.
-  setenv("OMPI_MCA_btl_vader_eager_limit", "16384", 0);
+  prefer_mpi_settings();
   start_petsc();
   // Errors become exceptions (petsc.hpp); PETSc need not print its own traceback.
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
@@ -47,9 +42,21 @@ void Session::start_petsc() {
   PetscErrorPrintf = PetscErrorPrintfDefault;
 }
 
+namespace {
+
+// PETSc 3.22 and later print on stdout which options nothing has read; command_line.cpp says that on stderr.
+void leave_unused_options_to_us() {
+  PetscBool chosen = PETSC_FALSE;
+  (void)PetscOptionsHasName(nullptr, nullptr, "-options_left", &chosen);
+  if (!chosen) (void)PetscOptionsSetValue(nullptr, "-options_left", "no");
+}
+
+}  // namespace
+
 Session::~Session() {
   MPI_Comm_free(&ending_);
   (void)PetscPopErrorHandler();
+  leave_unused_options_to_us();
   (void)SlepcFinalize();
 }
 

@@ -89,7 +89,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
   write_xdmf(problem.output_directory / "results.xmf", "results.h5", group + "/mesh", film.grid(), {{0.0, {group}}});
-  write_summary(comm, problem.output_directory / "summary.json", summary);
+  write_summary(comm, problem.output_directory, summary);
 }
 
 void print_result(MPI_Comm comm, const Case& problem, const Position& position, const Summary& summary) {

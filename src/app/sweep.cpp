@@ -159,7 +159,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   Summary results = Summary::array();
   int failures = 0;
   for (const SweepPoint& point : points_of(problem.sweep)) {
-    results.push_back(points.read(point).value());
+    results.push_back(points.read(comm, point).value());
     failures += results.back().contains("error");
   }
   write_table(comm, problem, results);
@@ -172,7 +172,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
                      {"points_found", count - failures},
                      {"points_failed", failures}};
   summary["points"] = std::move(results);
-  write_summary(comm, problem.output_directory / "summary.json", summary);
+  write_summary(comm, problem.output_directory, summary);
   points.complete(comm);
   petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
   if (failures == static_cast<int>(count))

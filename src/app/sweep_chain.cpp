@@ -58,7 +58,7 @@ public:
     before_point_.reset();
     for (const SweepPoint& point : chain) {
       const double value = problem_.sweep.values[point.index];
-      std::optional<Summary> result = points_.read(point);
+      std::optional<Summary> result = points_.read(group_, point);
       if (result) {
         keep(result->contains("error") ? std::nullopt : std::optional(read_neighbour(*result)));
         if (last_) read_films(point, value);

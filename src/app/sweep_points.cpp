@@ -27,7 +27,7 @@ SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.o
   if (const std::optional<Summary> before = read_identity(comm, file)) {
     require_same_identity(*before, identity, file);
   } else {
-    write_summary(comm, file, identity);
+    write_json(comm, file, identity);
   }
   write_together(comm, folder_, [&] {
     if (rank_in(comm) == 0) std::filesystem::create_directories(folder_ / "points");
@@ -46,17 +46,21 @@ std::filesystem::path SweepPoints::films(const SweepPoint& point) const {
   return folder_ / "points" / (name_of(point) + ".films");
 }
 
-std::optional<Summary> SweepPoints::read(const SweepPoint& point) const {
-  std::ifstream stream(file(point));
-  if (!stream) return {};
-  Summary result = Summary::parse(stream, nullptr, false);
+std::optional<Summary> SweepPoints::read(MPI_Comm group, const SweepPoint& point) const {
+  std::string text;
+  if (rank_in(group) == 0) {
+    std::ifstream stream(file(point));
+    text.assign(std::istreambuf_iterator<char>(stream), {});
+  }
+  broadcast(group, text);
+  Summary result = Summary::parse(text, nullptr, false);
   // Anything else is not a point that was written whole.
   if (!result.is_object() || !(result.contains("error") || result.contains("monodromy"))) return {};
   return result;
 }
 
 void SweepPoints::write(MPI_Comm group, const SweepPoint& point, const Summary& result) const {
-  write_summary(group, file(point), result);
+  write_json(group, file(point), result);
 }
 
 void SweepPoints::complete(MPI_Comm comm) const {

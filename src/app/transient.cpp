@@ -53,7 +53,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }
     output.finish();
-    write_summary(comm, run.directory() / "summary.json", summary);
+    write_summary(comm, run.directory().path(), summary);
   };
   try {
     if (lubricated) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 
@@ -18,7 +19,7 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
   double* conductance_by_pressure = state.conductance_by_pressure.row(i);
   double* conductance_by_film = state.conductance_by_film.row(i);
   const int count = state.pressure.y_count();
-#pragma GCC ivdep
+  GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const PressureFunction rho = laws.density(scale * pressure[j]);
     const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);

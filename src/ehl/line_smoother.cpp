@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 namespace {
@@ -79,7 +80,7 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
   const auto [plain_line, plain_next] = plain_;
   const auto [spread_line, spread_next] = correction_;
 // The band is not part of the stencil.
-#pragma GCC ivdep
+  GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < rows_; ++j) {
     const Real next_line = u[south][j] + u[north][j];
     Real plain = next_line * plain_next[own];
@@ -126,7 +127,7 @@ void LineSmoother<Real>::factor_bands() {
       Real* __restrict target_2 = band(i + k, 2 - k);
       Real* __restrict target_3 = band(i + k, 3 - k);
 // Different diagonals are different memory.
-#pragma GCC ivdep
+      GEARFILM_INDEPENDENT_ITERATIONS
       for (int j = 0; j < rows_; ++j) {
         const Real factor = lower[j] * pivot[j];
         lower[j] = factor;

@@ -1,6 +1,7 @@
 #include "gearfilm/ehl/linear_film.hpp"
 
 #include "gearfilm/ehl/events.hpp"
+#include "gearfilm/lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 namespace {
@@ -51,7 +52,7 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
   const int count = state.film.y_count();
   const double x_weight = weights.inverse_h_x2, y_weight = weights.inverse_h_y2;
 // The lines of state and stencil are different memory.
-#pragma GCC ivdep
+  GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const Face to_west(c, j, w, j, x_weight), to_east(c, j, e, j, x_weight);
     const Face to_south(c, j, c, j - 1, y_weight), to_north(c, j, c, j + 1, y_weight);
@@ -145,7 +146,7 @@ void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const F
     const CoefficientLines<Real> by_pressure(linear.by_pressure, i), by_film(linear.by_film, i);
     Real* out = rows.row(i);
 // The rows are neither values nor coefficients.
-#pragma GCC ivdep
+    GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_film.applied_to(u_lines, j);
   }
 }

@@ -79,7 +79,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
-  petsc_check(SNESLineSearchShellSetUserFunc(
+  petsc_check(SNESLineSearchShellSetApply(
       line_search, [](SNESLineSearch own, void*) -> PetscErrorCode { return petsc_callback([&] { search(own); }); },
       nullptr));
   if (options.limit_changes) {

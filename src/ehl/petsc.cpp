@@ -11,6 +11,18 @@ std::exception_ptr& kept_exception() {
   return exception;
 }
 
+// What PETSc says of an error code, and of the last error. Its specific text is `const char*` since PETSc 3.25.
+template <class Specific>
+std::string text_of(PetscErrorCode (*message_of)(PetscErrorCode, const char*[], Specific*), PetscErrorCode code) {
+  const char* text = nullptr;
+  Specific specific = nullptr;
+  message_of(code, &text, &specific);
+  std::string message;
+  if (text) message += std::string(": ") + text;
+  if (specific && *specific) message += std::string(" (") + specific + ")";
+  return message;
+}
+
 }  // namespace
 
 PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
@@ -21,13 +33,7 @@ PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
 void petsc_check(PetscErrorCode code) {
   if (code == PETSC_SUCCESS) return;
   if (std::exception_ptr exception = std::exchange(kept_exception(), nullptr)) std::rethrow_exception(exception);
-  const char* text = nullptr;
-  char* specific = nullptr;
-  PetscErrorMessage(code, &text, &specific);
-  std::string message = "PETSc error " + std::to_string(static_cast<int>(code));
-  if (text) message += std::string(": ") + text;
-  if (specific && *specific) message += std::string(" (") + specific + ")";
-  throw PetscFailure(message);
+  throw PetscFailure("PETSc error " + std::to_string(static_cast<int>(code)) + text_of(PetscErrorMessage, code));
 }
 
 }  // namespace gearfilm

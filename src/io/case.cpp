@@ -10,7 +10,6 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/case_file.hpp"
 #include "gearfilm/io/memory.hpp"
-#include "gearfilm/io/text_file.hpp"
 
 namespace gearfilm {
 namespace {
@@ -249,9 +248,7 @@ std::vector<std::pair<double, double>> read_share_table(const ParameterValues& v
                      "missing; give the file of the table");
   }
   const std::string& file = values.text(name);
-  const TextFile content = read_text_file(file);
-  if (!content.obstacle.empty()) throw InputError(values.origin(name) + ": table '" + file + "' " + content.obstacle);
-  std::istringstream stream(content.text);
+  std::istringstream stream(values.attached(name));
   std::vector<std::pair<double, double>> points;
   int number = 0;
   for (std::string line; std::getline(stream, line);) {

@@ -129,6 +129,13 @@ void reject_odd_indents(const std::string& file, const std::string& text) {
   }
 }
 
+// The processes make their cases from the same text, read once.
+void attach_share_table(MPI_Comm comm, ParameterValues& values) {
+  const std::string name = "load_sharing.file";
+  if (!values.has(name) || values.text("load_sharing.kind") != "table") return;
+  values.attach(name, read_text(comm, values.text(name), values.origin(name) + ": table"));
+}
+
 }  // namespace
 
 std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::string& text) {
@@ -151,19 +158,19 @@ std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::s
   return collector.take_entries();
 }
 
-std::string read_text(MPI_Comm comm, const std::string& file) {
+std::string read_text(MPI_Comm comm, const std::string& file, const std::string& title) {
   TextFile content = rank_in(comm) == 0 ? read_text_file(file) : TextFile();
   broadcast(comm, content.obstacle);
-  if (!content.obstacle.empty()) throw InputError("case file '" + file + "' " + content.obstacle);
+  if (!content.obstacle.empty()) throw InputError(title + " '" + file + "' " + content.obstacle);
   broadcast(comm, content.text);
   return content.text;
 }
 
 ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
-  const std::vector<CaseFileEntry> entries = parse_case_text(file, read_text(comm, file));
-  require_known_options();
+  const std::vector<CaseFileEntry> entries = parse_case_text(file, read_text(comm, file, "case file"));
   ParameterValues values = merge_with_options(file, entries);
   values.complete();
+  attach_share_table(comm, values);
   return values;
 }
 

@@ -107,8 +107,11 @@ bool is_petsc_option(std::string_view option) {
          begins_with_any(option, general_prefixes);
 }
 
-void require_known_options() {
+void require_known_options(const std::vector<std::string>& arguments) {
+  std::set<std::string> typed;
+  for (const std::string& argument : arguments) typed.insert(lower_case(argument));
   for (const Option& option : options_left()) {
+    if (!typed.contains(lower_case(option.name)) && !typed.contains("-" + lower_case(option.name))) continue;
     if (is_petsc_option(option.name) || is_parameter_option(option.name)) continue;
     throw InputError("command line: unknown option '" + as_typed(option) + "'; did you mean '" +
                      nearest_parameter_by_option(option.name).option() + "'?");

@@ -25,11 +25,11 @@ std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path&
   if (rank_in(comm) == 0) exists = std::filesystem::exists(file, ignored);
   MPI_Bcast(&exists, 1, MPI_INT, 0, comm);
   if (!exists) return {};
-  const Summary identity = Summary::parse(read_text(comm, file.string()), nullptr, false);
+  Summary identity = Summary::parse(read_text(comm, file.string(), "file"), nullptr, false);
   if (!identity.is_object()) {
     throw InputError("'" + file.string() + "' cannot be read; delete its folder, or choose another one");
   }
-  return identity;
+  return std::make_optional(std::move(identity));
 }
 
 void require_same_identity(const Summary& before, const Summary& now, const std::filesystem::path& file) {

@@ -26,10 +26,18 @@ public:
     const int all[2] = {lines, grid.rows()}, own[2] = {lines, grid.y_count()}, begin[2] = {0, grid.y_begin()};
     MPI_Type_create_subarray(2, all, own, begin, MPI_ORDER_C, MPI_DOUBLE, &type_);
     MPI_Type_commit(&type_);
+    MPI_Type_contiguous(grid.nx() * grid.y_count(), MPI_DOUBLE, &own_field_);
+    MPI_Type_commit(&own_field_);
   }
-  ~FieldsView() { MPI_Type_free(&type_); }
+  ~FieldsView() {
+    MPI_Type_free(&own_field_);
+    MPI_Type_free(&type_);
+  }
   FieldsView(const FieldsView&) = delete;
   FieldsView& operator=(const FieldsView&) = delete;
+
+  /// So many of these are all fields: their values together may be more than an int can count.
+  MPI_Datatype own_field() const { return own_field_; }
 
   int show(MPI_File file, MPI_Offset offset) const {
     return MPI_File_set_view(file, offset, MPI_DOUBLE, type_, "native", MPI_INFO_NULL);
@@ -37,6 +45,7 @@ public:
 
 private:
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
+  MPI_Datatype own_field_ = MPI_DATATYPE_NULL;
 };
 
 MPI_Offset fields_begin(std::size_t description) {
@@ -81,7 +90,7 @@ void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offs
     // All processes take part in every call, whatever came of the one before.
     const int codes[] = {
         view.show(file, begin),
-        MPI_File_write_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE),
+        MPI_File_write_all(file, values.data(), static_cast<int>(fields.size()), view.own_field(), MPI_STATUS_IGNORE),
         MPI_File_sync(file), MPI_File_close(&file)};
     for (int code : codes) mpi_check(code);
   });
@@ -97,7 +106,7 @@ CompactFields extract_fields(const Grid& grid, const std::filesystem::path& path
     const FieldsView view(grid, count);
     code = view.show(file, begin);
     const int read =
-        MPI_File_read_all(file, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_STATUS_IGNORE);
+        MPI_File_read_all(file, values.data(), static_cast<int>(count), view.own_field(), MPI_STATUS_IGNORE);
     MPI_File_close(&file);
     code = code == MPI_SUCCESS ? read : code;
   }

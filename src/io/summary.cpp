@@ -4,6 +4,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/io/provenance.hpp"
 
 namespace gearfilm {
 namespace {
@@ -18,9 +19,14 @@ void require_finite(const Summary& value, const std::string& name) {
 
 }  // namespace
 
-void write_summary(MPI_Comm comm, const std::filesystem::path& path, const Summary& summary) {
-  require_finite(summary, "");
-  write_whole(comm, path, summary.dump(2) + '\n');
+void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary& values) {
+  require_finite(values, "");
+  write_whole(comm, path, values.dump(2) + '\n');
+}
+
+void write_summary(MPI_Comm comm, const std::filesystem::path& folder, Summary summary) {
+  summary["provenance"] = provenance(comm);
+  write_json(comm, folder / "summary.json", summary);
 }
 
 }  // namespace gearfilm

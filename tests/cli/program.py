@@ -11,7 +11,7 @@ INPUT = SOURCE / "input"
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
-MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", "mpiexec -n"))
+MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/mpiexec.sh")))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
 # Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start. Without a daemon

@@ -102,7 +102,8 @@ def isoviscous_share(pair):
     alpha, span = pair["lubricant.pressure_viscosity"], math.log(pair["lubricant.viscosity"]) + 9.67
     p = numpy.linspace(0, 40 / alpha, 10001)
     viscosity = numpy.exp(span * ((1 + p / 1.96e8) ** (alpha * 1.96e8 / span) - 1))
-    return 1 / (alpha * numpy.trapz(1 / viscosity, p))
+    integrand = 1 / viscosity
+    return 1 / (alpha * numpy.sum((integrand[1:] + integrand[:-1]) / 2 * numpy.diff(p)))
 
 
 def formula_holds(pair, derived):

@@ -148,10 +148,12 @@ TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
 }
 
 TEST(CommandLine, is_checked_like_the_file) {
-  const auto read = [] { read_input("barbieri2013.yaml"); };
-  const auto error_with = [&](const std::string& option, const std::string& value) {
+  const auto error_with = [](const std::string& option, const std::string& value) {
     const CommandLine options{{option, value}};
-    return input_error(read);
+    return input_error([&] {
+      require_known_options({option, value});
+      read_input("barbieri2013.yaml");
+    });
   };
   expect_words(error_with("-grid_nx", "64"), {"option -grid_nx", "64", "odd whole number", "17"});
   expect_words(error_with("-grid_nx", "65.5"), {"option -grid_nx", "65.5", "whole number"});
@@ -163,7 +165,13 @@ TEST(CommandLine, is_checked_like_the_file) {
   expect_words(error_with("--grid_nx", "65"), {"unknown option", "did you mean '-grid_nx'"});
   expect_words(error_with("-no_grid_nx", ""), {"unknown option '-no_grid_nx'"});
   expect_words(error_with("-contact_load", "10"), {"option -contact_load", "case.kind: contact", "gear_pair"});
-  EXPECT_EQ(input_error(read), "(no InputError)");
+  EXPECT_EQ(input_error([] { read_input("barbieri2013.yaml"); }), "(no InputError)");
+}
+
+TEST(CommandLine, unknown_options_that_nobody_typed_are_reported_and_no_errors) {
+  const CommandLine options{{"-hdf5_compress", ""}};
+  require_known_options({"-grid_nx", "65"});
+  EXPECT_EQ(unused_options(), std::vector<std::string>{"-hdf5_compress"});
 }
 
 TEST(CommandLine, petsc_options_pass_and_are_reported_when_unused) {

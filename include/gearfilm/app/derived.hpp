@@ -13,7 +13,7 @@ Summary derived_quantities(const Case& problem);
 /// Film formulas for solids under an operation, [m]; keys hamrock_dowson_central etc.
 Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation);
 
-/// Program, version, command and all parameters as attributes of a results file.
+/// Program, provenance, command and all parameters as attributes of a results file.
 void write_identity(ResultsFile& file, const Case& problem, const std::string& command);
 
 }  // namespace gearfilm

@@ -32,9 +32,9 @@ public:
   std::filesystem::path file(const SweepPoint& point) const;
   std::filesystem::path films(const SweepPoint& point) const;
   std::filesystem::path checkpoint(const SweepPoint& point) const;
-  /// What is known of a point, read by every process for itself; nothing where it is still to be computed.
-  std::optional<Summary> read(const SweepPoint& point) const;
-  /// Collective on a group of processes.
+  /// What is known of a point; nothing where it is still to be computed. Collective on a group of processes, as are
+  /// the others: the first one reads, since a file system may show the same file to some processes later than to others.
+  std::optional<Summary> read(MPI_Comm group, const SweepPoint& point) const;
   void write(MPI_Comm group, const SweepPoint& point, const Summary& result) const;
   /// All points are done: removes what only further ones would need. Collective.
   void complete(MPI_Comm comm) const;

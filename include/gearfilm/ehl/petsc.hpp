@@ -17,6 +17,14 @@
 #if PETSC_VERSION_LT(3, 19, 0)
 #define PETSC_SUCCESS ((PetscErrorCode)0)
 #endif
+// Since 3.21.
+#if PETSC_VERSION_LT(3, 21, 0)
+#define SNESLineSearchShellSetApply SNESLineSearchShellSetUserFunc
+#endif
+
+#if defined(PETSC_USE_COMPLEX) || !defined(PETSC_USE_REAL_DOUBLE)
+#error "gearfilm needs a PETSc of real numbers in double precision"
+#endif
 
 namespace gearfilm {
 

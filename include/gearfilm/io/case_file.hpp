@@ -25,8 +25,9 @@ struct CaseFileEntry {
 /// keys that are unknown, repeated, empty, or whose value is a list.
 std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::string& text);
 
-/// Content of a file, read on rank 0 and given to all. Throws InputError on all ranks when it cannot be read.
-std::string read_text(MPI_Comm comm, const std::string& file);
+/// Content of a file, read on rank 0 and given to all. Throws InputError on all ranks when it cannot be read; title is
+/// what its message calls the file.
+std::string read_text(MPI_Comm comm, const std::string& file, const std::string& title);
 
 /// The complete set of values of a case file under the present command line. Collective. Throws InputError, on all
 /// ranks alike, for everything that is wrong with the file or with an option, unknown options included.

@@ -14,8 +14,9 @@ struct CaseFileEntry;
 /// True for an option, with its dash, that begins like one of PETSc's or SLEPc's own ("-ksp_type").
 bool is_petsc_option(std::string_view option);
 
-/// Throws InputError for the first option that is neither in the table of parameters nor one of PETSc's.
-void require_known_options();
+/// Throws InputError for the first option that is neither in the table of parameters nor one of PETSc's, and that stands
+/// among the words of the command line: PETSC_OPTIONS and .petscrc are shared with other programs.
+void require_known_options(const std::vector<std::string>& arguments);
 
 /// Throws InputError for an option of ours that stands twice among the words of the command line: PETSc would take the
 /// last one without a word.

@@ -20,6 +20,7 @@ public:
   OutputDirectory& operator=(const OutputDirectory&) = delete;
 
   /// Path of a file in the folder.
+  const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
   /// Removes results.h5, results.xmf and summary.json of an earlier run, which would outlive a failure of this one.

@@ -38,6 +38,10 @@ public:
   const std::string& text(const std::string& name) const { return std::get<std::string>(entries_.at(name).value); }
   const std::string& origin(const std::string& name) const { return entries_.at(name).origin; }
 
+  /// The content of the file that a value names, for whoever reads the values: the physics know no files.
+  void attach(const std::string& name, std::string content) { attached_[name] = std::move(content); }
+  const std::string& attached(const std::string& name) const { return attached_.at(name); }
+
   /// All values, defaults included, in the order of the table.
   std::vector<EchoedValue> echo() const;
 
@@ -54,6 +58,7 @@ private:
 
   std::string file_;
   std::map<std::string, Entry> entries_;
+  std::map<std::string, std::string> attached_;
 };
 
 /// Throws InputError for a key that is in no record, naming the nearest one. origin as for set().

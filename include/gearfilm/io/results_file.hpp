@@ -1,6 +1,6 @@
 // results.h5: fields of contacts, with parameters and version as attributes.
 //
-//   /                     attributes: program, version, command; x_min, x_max, y_half of the domain [a, a, b]
+//   /                     attributes: program, command, those of provenance.hpp; x_min, x_max, y_half of the domain [a, a, b]
 //   /parameters           attributes: every parameter of the run
 //   /contact0             attributes: position and scales of the contact
 //   /contact0/P, H        pressure [Pa] and film thickness [m] as (nx, ny)

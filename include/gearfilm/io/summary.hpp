@@ -12,6 +12,9 @@ namespace gearfilm {
 using Summary = nlohmann::ordered_json;
 
 /// Writes the file (first process); throws SolveError, and writes nothing, where a number is not finite.
-void write_summary(MPI_Comm comm, const std::filesystem::path& path, const Summary& summary);
+void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary& values);
+
+/// Writes summary.json of a folder, with the provenance of the results (provenance.hpp) behind them.
+void write_summary(MPI_Comm comm, const std::filesystem::path& folder, Summary summary);
 
 }  // namespace gearfilm

@@ -1,0 +1,21 @@
+# The parallel HDF5 that PETSc uses, as the target HDF5::parallel: Debian's own for Open MPI, or whatever find_package
+# finds, first beside PETSc.
+pkg_check_modules(HDF5_OPENMPI QUIET IMPORTED_TARGET hdf5-openmpi)
+add_library(HDF5::parallel INTERFACE IMPORTED)
+if(HDF5_OPENMPI_FOUND AND NOT HDF5_ROOT)
+  target_link_libraries(HDF5::parallel INTERFACE PkgConfig::HDF5_OPENMPI)
+else()
+  set(HDF5_PREFER_PARALLEL ON)
+  list(APPEND CMAKE_PREFIX_PATH ${PETSC_PREFIX})
+  find_package(HDF5 COMPONENTS C)
+  if(NOT HDF5_FOUND)
+    message(FATAL_ERROR "No HDF5 found; give the one that PETSc uses with -DHDF5_ROOT=...")
+  endif()
+  if(NOT HDF5_IS_PARALLEL)
+    message(FATAL_ERROR "The HDF5 ${HDF5_VERSION} in ${HDF5_INCLUDE_DIRS} is not parallel; give the one that PETSc uses, "
+                        "built with MPI, with -DHDF5_ROOT=...")
+  endif()
+  target_include_directories(HDF5::parallel INTERFACE ${HDF5_C_INCLUDE_DIRS})
+  target_link_libraries(HDF5::parallel INTERFACE ${HDF5_C_LIBRARIES})
+  target_compile_definitions(HDF5::parallel INTERFACE ${HDF5_C_DEFINITIONS})
+endif()
