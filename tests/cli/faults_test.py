@@ -154,14 +154,19 @@ class Solver(FaultTest):
 class OneProcess(FaultTest):
     """What goes wrong on one process alone ends all of them."""
 
+    def of_two(self, first, second):
+        """A run of two processes with command lines of their own."""
+        return subprocess.run([*MPIEXEC, "1", *first, ":", "-n", "1", *second], cwd=self.folder, capture_output=True,
+                              text=True, timeout=SECONDS, check=False)
+
     def test_error_on_one_process_ends_all(self):
+        if self.of_two(["true"], ["true"]).returncode != 0:
+            self.skipTest("mpiexec cannot start two programs here (Open MPI 5.0.7 crashes)")
         steady = [PROGRAM, "steady", str(BARBIERI), "-output_dir", "out"]
         for wrong_one in (0, 1):
             with self.subTest(process=wrong_one):
                 processes = [[*steady, "-grid_nx", "15"] if n == wrong_one else steady for n in range(2)]
-                command = [*MPIEXEC, "1", *processes[0], ":", *MPIEXEC[1:], "1", *processes[1]]
-                done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=SECONDS,
-                                      check=False)
+                done = self.of_two(*processes)
                 self.assertEqual(done.returncode, 1, done)
                 self.assertIn("gearfilm: wrong input: option -grid_nx", done.stderr)
 

@@ -20,6 +20,7 @@ SMALL = ["-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.6, "-time_dt", 0.1]
 # With snapshots in every segment between two enterings or leavings.
 MARCH = ["transient", BARBIERI, *SMALL, "-output_snapshot_interval", 0.3]  # of two mesh periods
 SEARCH = ["periodic", BARBIERI, *SMALL]
+EIGEN = ["eigen", BARBIERI, *SMALL, "-eigen_orbit", "yes", "-eigen_periods", 3]
 # How a run was conducted is echoed with its results, and is no part of them.
 CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
 # Not even two runs without a stop have these alike: the times; and on another number of processes the iterations.
@@ -56,7 +57,7 @@ class LiveRun:
         self.read_end, write_end = os.pipe2(os.O_DIRECT | os.O_CLOEXEC)
         fcntl.fcntl(write_end, fcntl.F_SETPIPE_SZ, LONGEST_LINE)
         # Open MPI leaves memory that killed processes have shared where that lies.
-        settings = {"OMPI_MCA_btl_vader_backing_directory": self.scratch.name}
+        settings = {f"OMPI_MCA_btl_{name}_backing_directory": self.scratch.name for name in ("vader", "sm")}
         self.process = subprocess.Popen(command_of(arguments, processes), cwd=folder, start_new_session=True, text=True,
                                         env=environment_of(processes, self.scratch.name) | settings, stdout=write_end,
                                         stderr=subprocess.PIPE)

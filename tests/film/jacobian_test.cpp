@@ -119,7 +119,11 @@ TEST_P(Jacobian, film_shift_is_the_column_of_H0) {
 INSTANTIATE_TEST_SUITE_P(with_and_without_squeeze, Jacobian,
                          testing::Combine(testing::Values(0.0, 30.0),
                                           testing::Values(Direction{"pressure", 1.0, 0.0}, Direction{"H0", 0.0, 1e-2},
-                                                          Direction{"both", 1.0, -1e-2})));
+                                                          Direction{"both", 1.0, -1e-2})),
+                         [](const auto& tested) {
+                           return std::string(std::get<1>(tested.param).name) +
+                                  (std::get<0>(tested.param) > 0.0 ? "_with_squeeze" : "_stationary");
+                         });
 
 }  // namespace
 }  // namespace gearfilm

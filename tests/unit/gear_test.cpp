@@ -172,6 +172,8 @@ TEST(LineOfAction, contact_at_an_end_of_the_path_counts_despite_round_off) {
 struct Spoiled {
   const char* parameter;
   void (*spoil)(SpurGearPair&);
+
+  friend void PrintTo(const Spoiled& spoiled, std::ostream* out) { *out << spoiled.parameter; }
 };
 
 class WrongGearPair : public testing::TestWithParam<Spoiled> {};

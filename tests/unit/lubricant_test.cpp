@@ -8,6 +8,10 @@
 #include "table3.hpp"
 
 namespace gearfilm {
+
+// In the names of tests; found beside the type.
+static void PrintTo(ViscosityLaw law, std::ostream* out) { *out << (law == ViscosityLaw::barus ? "barus" : "roelands"); }
+
 namespace {
 
 using table3::expect_input_error_naming;
