@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/io/memory.hpp"
 #include "gearfilm/io/oddities.hpp"
 #include "gearfilm/io/options.hpp"
 #include "gearfilm/io/plain_text.hpp"
@@ -48,6 +50,12 @@ std::string usage() {
 bool starts_option(const std::string& word) {
   const std::size_t letter = word.starts_with("--") ? 2 : 1;
   return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
+}
+
+// Of a march. Contacts of a pair share its grid, one that is followed by itself is alone.
+int contacts_at_a_time(const Case& problem) {
+  const bool all = problem.line && problem.geometry != MeshGeometry::single;
+  return all ? static_cast<int>(std::ceil(problem.line->contact_ratio())) : 1;
 }
 
 void warn(MPI_Comm comm, const std::string& text) {
@@ -109,6 +117,7 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     require_known_options(command_line.petsc_arguments());
     require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
+    require_memory(comm, problem.nx, problem.ny, command.resumable ? contacts_at_a_time(problem) : 1);
     if (problem.restart && !command.resumable) {
       throw InputError(problem.parameters.origin("restart") + ": " + command.name +
                        " has nothing to go on from; run it without -restart");

@@ -34,13 +34,10 @@ void prefer_mpi_settings() {
   const int generation = open_mpi_generation();
   if (generation == 0) return;
   // OMPIO, the default for parallel files, leaves a semaphore behind when a run is killed inside a file open; every
-  // later open of a file of that name then hangs. ROMIO does not; it is gone in Open MPI 6, where the part of OMPIO
-  // that has the semaphore can be left out.
-  if (generation < 6) {
-    prefer("io", "^ompio");
-  } else {
-    prefer("sharedfp", "^sm");
-  }
+  // later open of a file of that name then hangs. ROMIO does not. Where there is none (from Open MPI 6 on, and where it
+  // was not built), OMPIO has to do without the part that has the semaphore.
+  prefer("io_ompio_priority", "1");
+  prefer("sharedfp", "^sm");
   // More than 4 kB go between processes of one machine by a system call, which takes as long as a whole transpose of
   // 129 x 65 nodes.
   prefer(generation < 5 ? "btl_vader_eager_limit" : "btl_sm_eager_limit", "16384");

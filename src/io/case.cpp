@@ -9,7 +9,6 @@
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/io/case_file.hpp"
-#include "gearfilm/io/memory.hpp"
 
 namespace gearfilm {
 namespace {
@@ -355,10 +354,6 @@ Case make_case(const ParameterValues& values) {
   return result;
 }
 
-Case read_case(MPI_Comm comm, const std::string& file) {
-  Case result = make_case(read_parameters(comm, file));
-  require_memory(comm, result.nx, result.ny);
-  return result;
-}
+Case read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
 
 }  // namespace gearfilm

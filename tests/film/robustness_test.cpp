@@ -1,4 +1,5 @@
 // The stationary solver from nothing, with its default options, over the range of loads, oils and shapes.
+#include <sstream>
 #include <tuple>
 
 #include "film_case.hpp"
@@ -39,9 +40,10 @@ INSTANTIATE_TEST_SUITE_P(loads_oils_and_shapes, SlowRobustness,
                          testing::Combine(testing::Values(20.0, 200.0, 800.0, 2400.0), testing::Values(5.0, 10.0, 27.0),
                                           testing::Values(1.0, 0.3, 0.06)),
                          [](const auto& tested) {
-                           const auto whole = [](double value) { return std::to_string(std::lround(value)); };
-                           return "M" + whole(std::get<0>(tested.param)) + "_L" + whole(std::get<1>(tested.param)) +
-                                  "_D" + whole(100.0 * std::get<2>(tested.param)) + "_percent";
+                           std::ostringstream name;
+                           name << "M" << std::get<0>(tested.param) << "_L" << std::get<1>(tested.param) << "_D"
+                                << std::lround(100.0 * std::get<2>(tested.param)) << "_percent";
+                           return name.str();
                          });
 
 }  // namespace
