@@ -153,8 +153,12 @@ inline void expect_rate(const std::string& name, double observed) {
 /// A line of test output in printf's format, from the first process only.
 template <class... Values>
 void report(const char* format, Values... values) {
-  petsc_check(PetscPrintf(PETSC_COMM_WORLD, format, values...));
-  petsc_check(PetscPrintf(PETSC_COMM_WORLD, "\n"));
+  if constexpr (sizeof...(values) == 0) {
+    petsc_check(PetscPrintf(PETSC_COMM_WORLD, "%s\n", format));
+  } else {
+    petsc_check(PetscPrintf(PETSC_COMM_WORLD, format, values...));
+    petsc_check(PetscPrintf(PETSC_COMM_WORLD, "\n"));
+  }
 }
 
 /// PETSc prints no stack of an error that is expected, for the time of a scope.
