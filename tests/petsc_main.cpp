@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "gearfilm/ehl/mpi_settings.hpp"
+#include "gearfilm/parallel/mpi_settings.hpp"
 
 namespace {
 

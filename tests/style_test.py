@@ -8,7 +8,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
-ROOMS = ["gear", "lubricant", "contact", "ehl", "dynamics", "io", "app"]
+ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "dynamics", "orbits", "input", "output", "app"]
 LONGEST_FILE = 600
 DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
 

@@ -6,12 +6,12 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/stopwatch.hpp"
 #include "gearfilm/app/yardstick.hpp"
-#include "gearfilm/dynamics/dry_orbit.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
 #include "gearfilm/ehl/stationary.hpp"
-#include "gearfilm/io/output_directory.hpp"
-#include "gearfilm/io/summary.hpp"
+#include "gearfilm/orbits/dry_orbit.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "gearfilm/app/commands.hpp"
-#include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/memory.hpp"
-#include "gearfilm/io/oddities.hpp"
-#include "gearfilm/io/options.hpp"
-#include "gearfilm/io/plain_text.hpp"
+#include "gearfilm/input/memory.hpp"
+#include "gearfilm/input/oddities.hpp"
+#include "gearfilm/input/options.hpp"
+#include "gearfilm/input/plain_text.hpp"
+#include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 
 namespace gearfilm {

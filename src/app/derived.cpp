@@ -4,7 +4,7 @@
 
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/io/provenance.hpp"
+#include "gearfilm/output/provenance.hpp"
 
 namespace gearfilm {
 namespace {

@@ -6,10 +6,10 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
-#include "gearfilm/dynamics/dry_modes.hpp"
-#include "gearfilm/dynamics/film_modes.hpp"
-#include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/orbits/dry_modes.hpp"
+#include "gearfilm/orbits/film_modes.hpp"
+#include "gearfilm/orbits/floquet.hpp"
 
 namespace gearfilm {
 namespace {

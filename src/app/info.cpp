@@ -1,7 +1,7 @@
 // `gearfilm info`: everything about a case that needs no field solve.
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
-#include "gearfilm/io/output_directory.hpp"
+#include "gearfilm/output/output_directory.hpp"
 
 namespace gearfilm {
 

@@ -9,7 +9,7 @@
 #include "gearfilm/app/command_line.hpp"
 #include "gearfilm/app/session.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/plain_text.hpp"
+#include "gearfilm/input/plain_text.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/march_output.hpp"
-#include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/orbits/floquet.hpp"
 
 namespace gearfilm {
 

@@ -1,8 +1,8 @@
 #include "gearfilm/app/resumable_run.hpp"
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/agreement.hpp"
-#include "gearfilm/io/run_identity.hpp"
+#include "gearfilm/output/run_identity.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

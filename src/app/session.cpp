@@ -5,10 +5,10 @@
 
 #include <cstdio>
 
-#include "gearfilm/ehl/events.hpp"
-#include "gearfilm/ehl/mpi_settings.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/agreement.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+#include "gearfilm/parallel/events.hpp"
+#include "gearfilm/parallel/mpi_settings.hpp"
 
 namespace gearfilm {
 

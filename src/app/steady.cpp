@@ -6,8 +6,8 @@
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/ehl/validity.hpp"
-#include "gearfilm/io/output_directory.hpp"
-#include "gearfilm/io/results_file.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/results_file.hpp"
 
 namespace gearfilm {
 namespace {

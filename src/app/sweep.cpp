@@ -9,9 +9,9 @@
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/agreement.hpp"
-#include "gearfilm/io/output_directory.hpp"
-#include "gearfilm/io/results_table.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/results_table.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

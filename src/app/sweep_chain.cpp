@@ -8,8 +8,8 @@
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/agreement.hpp"
-#include "gearfilm/io/state_file.hpp"
+#include "gearfilm/output/state_file.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "gearfilm/io/agreement.hpp"
-#include "gearfilm/io/run_identity.hpp"
+#include "gearfilm/output/run_identity.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

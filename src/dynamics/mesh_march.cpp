@@ -5,9 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {

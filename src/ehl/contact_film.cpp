@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 

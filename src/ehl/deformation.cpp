@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/ehl/halo.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/lubricant/independent_iterations.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
@@ -79,7 +79,7 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
   constexpr int own = lines_between(0, offset);
   const auto [plain_line, plain_next] = plain_;
   const auto [spread_line, spread_next] = correction_;
-// The band is not part of the stencil.
+  // The band is not part of the stencil.
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < rows_; ++j) {
     const Real next_line = u[south][j] + u[north][j];
@@ -126,7 +126,7 @@ void LineSmoother<Real>::factor_bands() {
       Real* __restrict target_1 = band(i + k, 1 - k);
       Real* __restrict target_2 = band(i + k, 2 - k);
       Real* __restrict target_3 = band(i + k, 3 - k);
-// Different diagonals are different memory.
+      // Different diagonals are different memory.
       GEARFILM_INDEPENDENT_ITERATIONS
       for (int j = 0; j < rows_; ++j) {
         const Real factor = lower[j] * pivot[j];

@@ -1,7 +1,7 @@
 #include "gearfilm/ehl/linear_film.hpp"
 
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/lubricant/independent_iterations.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
@@ -51,7 +51,7 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
   }
   const int count = state.film.y_count();
   const double x_weight = weights.inverse_h_x2, y_weight = weights.inverse_h_y2;
-// The lines of state and stencil are different memory.
+  // The lines of state and stencil are different memory.
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const Face to_west(c, j, w, j, x_weight), to_east(c, j, e, j, x_weight);
@@ -145,7 +145,7 @@ void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const F
     const NeighbourLines<Real> v_lines(v, i), u_lines(u, i);
     const CoefficientLines<Real> by_pressure(linear.by_pressure, i), by_film(linear.by_film, i);
     Real* out = rows.row(i);
-// The rows are neither values nor coefficients.
+    // The rows are neither values nor coefficients.
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_film.applied_to(u_lines, j);
   }

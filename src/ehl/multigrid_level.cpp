@@ -1,6 +1,6 @@
 #include "gearfilm/ehl/multigrid_level.hpp"
 
-#include "gearfilm/ehl/events.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gearfilm/ehl/events.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {

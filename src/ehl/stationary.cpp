@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/ehl/events.hpp"
 #include "gearfilm/ehl/transfer.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,11 +1,11 @@
 // What is kept on disk of a march comes back to the bit, or not at all.
-#include "gearfilm/io/checkpoint.hpp"
+#include "gearfilm/output/checkpoint.hpp"
 
 #include <filesystem>
 #include <fstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/state_file.hpp"
+#include "gearfilm/output/state_file.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/dynamics/dry_modes.hpp"
-#include "gearfilm/dynamics/film_modes.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/orbits/dry_modes.hpp"
+#include "gearfilm/orbits/film_modes.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -1,8 +1,8 @@
 // Periodic orbits of the dry and of the lubricated pair, and what their multipliers say.
-#include "gearfilm/dynamics/floquet.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/dynamics/periodic_orbit.hpp"
 #include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/orbits/floquet.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -11,8 +11,8 @@
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/dynamics/mesh_march.hpp"
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/case_file.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/input/case_file.hpp"
 
 namespace gearfilm {
 

@@ -1,5 +1,5 @@
 // Spectra of signals that are known.
-#include "gearfilm/dynamics/spectrum.hpp"
+#include "gearfilm/orbits/spectrum.hpp"
 
 #include <cmath>
 #include <numbers>

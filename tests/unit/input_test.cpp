@@ -9,11 +9,11 @@
 #include <set>
 #include <sstream>
 
-#include "gearfilm/ehl/petsc.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/case_file.hpp"
-#include "gearfilm/io/options.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/input/case_file.hpp"
+#include "gearfilm/input/options.hpp"
+#include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {

@@ -10,7 +10,9 @@
 namespace gearfilm {
 
 // In the names of tests; found beside the type.
-static void PrintTo(ViscosityLaw law, std::ostream* out) { *out << (law == ViscosityLaw::barus ? "barus" : "roelands"); }
+static void PrintTo(ViscosityLaw law, std::ostream* out) {
+  *out << (law == ViscosityLaw::barus ? "barus" : "roelands");
+}
 
 namespace {
 

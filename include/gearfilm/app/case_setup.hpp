@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gearfilm/dynamics/mesh_march.hpp"
-#include "gearfilm/io/case.hpp"
+#include "gearfilm/input/case.hpp"
 
 namespace gearfilm {
 

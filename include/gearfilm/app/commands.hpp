@@ -2,7 +2,7 @@
 // output folder.
 #pragma once
 
-#include "gearfilm/io/case.hpp"
+#include "gearfilm/input/case.hpp"
 
 namespace gearfilm {
 

@@ -1,9 +1,9 @@
 // What every command says about its case: derived quantities in the summary, identity in the results file.
 #pragma once
 
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/results_file.hpp"
-#include "gearfilm/io/summary.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/output/results_file.hpp"
+#include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 

@@ -5,12 +5,12 @@
 
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/dynamics/spectrum.hpp"
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/history.hpp"
-#include "gearfilm/io/progress.hpp"
-#include "gearfilm/io/snapshots.hpp"
-#include "gearfilm/io/summary.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/orbits/spectrum.hpp"
+#include "gearfilm/output/history.hpp"
+#include "gearfilm/output/progress.hpp"
+#include "gearfilm/output/snapshots.hpp"
+#include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 

@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/dynamics/periodic_orbit.hpp"
-#include "gearfilm/dynamics/spectrum.hpp"
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/checkpoint.hpp"
-#include "gearfilm/io/stop_request.hpp"
-#include "gearfilm/io/summary.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/orbits/spectrum.hpp"
+#include "gearfilm/output/checkpoint.hpp"
+#include "gearfilm/output/stop_request.hpp"
+#include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 

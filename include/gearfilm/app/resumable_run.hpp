@@ -5,10 +5,10 @@
 //   DIR/checkpoint/...         checkpoint.hpp
 #pragma once
 
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/checkpoint.hpp"
-#include "gearfilm/io/output_directory.hpp"
-#include "gearfilm/io/stop_request.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/output/checkpoint.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/stop_request.hpp"
 
 namespace gearfilm {
 

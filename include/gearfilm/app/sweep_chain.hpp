@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gearfilm/app/sweep_points.hpp"
-#include "gearfilm/io/stop_request.hpp"
+#include "gearfilm/output/stop_request.hpp"
 
 namespace gearfilm {
 

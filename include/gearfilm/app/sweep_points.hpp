@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "gearfilm/io/case.hpp"
-#include "gearfilm/io/summary.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 
@@ -33,7 +33,8 @@ public:
   std::filesystem::path films(const SweepPoint& point) const;
   std::filesystem::path checkpoint(const SweepPoint& point) const;
   /// What is known of a point; nothing where it is still to be computed. Collective on a group of processes, as are
-  /// the others: the first one reads, since a file system may show the same file to some processes later than to others.
+  /// the others: the first one reads, since a file system may show the same file to some processes later than to
+  /// others.
   std::optional<Summary> read(MPI_Comm group, const SweepPoint& point) const;
   void write(MPI_Comm group, const SweepPoint& point, const Summary& result) const;
   /// All points are done: removes what only further ones would need. Collective.

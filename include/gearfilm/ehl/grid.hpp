@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gearfilm/ehl/domain.hpp"
-#include "gearfilm/ehl/petsc.hpp"
+#include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 

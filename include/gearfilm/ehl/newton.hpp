@@ -7,7 +7,7 @@
 // than 0.2 p_h, in one step.
 #pragma once
 
-#include "gearfilm/ehl/petsc.hpp"
+#include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 

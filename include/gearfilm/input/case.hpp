@@ -1,0 +1,85 @@
+// A case: what is to be computed, ready for the solvers.
+#pragma once
+
+#include <petscsys.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/dynamics/prescribed_load.hpp"
+#include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/gear/gear_pair.hpp"
+#include "gearfilm/gear/line_of_action.hpp"
+#include "gearfilm/input/parameter_values.hpp"
+#include "gearfilm/input/sweep_options.hpp"
+#include "gearfilm/orbits/dry_modes.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
+
+namespace gearfilm {
+
+enum class CaseKind { gear_pair, contact };
+enum class MarchModel { dynamic, simplified, quasistatic, dry };
+
+struct Case {
+  std::string name;
+  CaseKind kind = CaseKind::gear_pair;
+
+  // Of a gear pair only.
+  std::optional<SpurGearPair> gears;
+  std::optional<LineOfAction> line;
+  double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
+  double torque = 0.0;                    ///< T_g1 on the pinion [N m]
+  std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
+  std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
+
+  // The reference contact: the pitch point of a gear pair, or the bare contact.
+  ContactSolids solids;
+  Lubricant oil;
+  ContactOperation operation;  ///< w*, by gear.load_model; u_m*
+  Scales scales;
+
+  Domain domain;
+  int nx = 0;  ///< nodes along X
+  int ny = 0;  ///< nodes along Y
+  SolverOptions solver;
+
+  double steady_position = 0.0;    ///< xi of a stationary contact [m]; zero for a bare contact
+  double steady_load_ratio = 1.0;  ///< its force over w* [-]
+
+  // A march in time; of a gear pair only.
+  MarchModel model = MarchModel::dynamic;
+  MeshGeometry geometry = MeshGeometry::moving;
+  std::optional<PrescribedLoad> prescribed_load;  ///< of the models simplified and quasistatic
+  double mesh_periods = 0.0;
+  double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
+  std::optional<Motion> start_motion;  ///< absent: at rest
+  StepOptions steps;
+  int step_levels = 0;           ///< multigrid levels in time steps; 0: chosen by the grid
+  PeriodicOptions periodic;      ///< search for the periodic state
+  bool with_multipliers = true;  ///< Floquet multipliers with it, by two more mesh periods
+  SweepOptions sweep;
+  int eigen_modes = 0;                      ///< eigenvalues of the pair on its films to compute
+  bool eigen_of_orbit = false;              ///< multipliers of the periodic state too
+  int eigen_periods = 0;                    ///< mesh periods for them
+  std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
+  std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken
+
+  bool restart = false;              ///< go on where the run stopped
+  std::optional<double> time_limit;  ///< [s] of wall-clock time
+  bool keep_checkpoint = false;      ///< when the run is complete
+
+  std::filesystem::path output_directory;
+  ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
+};
+
+/// Builds the case from a complete set of values. Throws InputError for values that do not fit together: a pair that
+/// cannot mesh, masses or moduli given twice or by half, a position off the path of contact.
+Case make_case(const ParameterValues& values);
+
+/// Reads a case file under the present command line. Collective; throws InputError on all ranks alike.
+Case read_case(MPI_Comm comm, const std::string& file);
+
+}  // namespace gearfilm

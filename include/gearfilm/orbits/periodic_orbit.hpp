@@ -1,0 +1,59 @@
+// The periodic state of the lubricated gear pair in a few mesh periods.
+//
+// The film forgets within a fraction of a mesh period, so the map of the state over one period is nearly
+// two-dimensional in (H_0, V_0), and close to that of the dry pair. Newton's method on it: from a guess (the dry pair's
+// orbit, its H_0 shifted by the film, or the orbit at a neighbouring speed) with the guess's Jacobian, improved by
+// Broyden's update after every period marched. The films themselves are carried on from period to period, and must
+// repeat too. Where a step makes the defect worse, or its march fails, the next is half as long; where that does not
+// help, the Jacobian is measured by differences; where that does not help either, the pair is marched on.
+#pragma once
+
+#include "gearfilm/dynamics/mesh_march.hpp"
+#include "gearfilm/orbits/dry_orbit.hpp"
+
+namespace gearfilm {
+
+struct PeriodicOptions {
+  double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period, largest of both [-]
+  double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
+  int max_periods = 40;          ///< marched before the search fails
+};
+
+/// Where a search begins, and its Jacobian. With a neighbour, films and all, the films follow from there to the motion;
+/// without one they start as stationary ones.
+struct OrbitGuess {
+  Motion motion;
+  Monodromy monodromy{};
+  std::optional<PairState> neighbour;
+};
+
+/// The guess from the dry orbit; film_shift: H_0 of a stationary film less that of the dry contact.
+OrbitGuess guess_from(const DryOrbit& dry, double film_shift);
+
+/// One marched period of the search.
+struct SearchPeriod {
+  int number = 0;
+  double begin = 0.0;        ///< T
+  double defect = 0.0;       ///< largest change of H_0 and V_0 [-]
+  double film_defect = 0.0;  ///< largest change of any P [-]
+  bool accepted = false;     ///< the periodic one: the search ends with it
+};
+using SearchObserver = std::function<void(const SearchPeriod&)>;
+
+struct PeriodicOrbit {
+  PairState start;                  ///< just after a contact has left
+  PairState end;                    ///< one period later: the same within the defects
+  std::optional<PairState> beside;  ///< a state some way off the orbit that a march has led to, if there was any
+  double begin = 0.0;               ///< T at which the periodic period began
+  double defect = 0.0;              ///< of the motion over that period
+  double film_defect = 0.0;         ///< of the films
+  int periods_used = 0;             ///< marched to find it
+  Monodromy monodromy{};            ///< of the motion, as the search knew it at its end
+};
+
+/// The march must not have started; path starts (T = 0) just after a contact has left. Throws SolveError with the
+/// defects reached where no orbit is found.
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
+                                  const PeriodicOptions& options, const SearchObserver& observer);
+
+}  // namespace gearfilm

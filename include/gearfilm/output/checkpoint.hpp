@@ -1,0 +1,73 @@
+// A march kept on disk as it goes, so that a run that was stopped, killed, or failed can go on.
+//
+//   steps                   every step so far, to the bit: the history in results.h5 is made from these again
+//   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (march_keeper.hpp), with
+//                           the snapshots taken since the state before
+// After every segment the steps are appended and the state is written aside, flushed and renamed. Kept are the last
+// two states, those that end a run, and those with snapshots.
+#pragma once
+
+#include <deque>
+
+#include "gearfilm/dynamics/march_keeper.hpp"
+#include "gearfilm/output/film_snapshot.hpp"
+#include "gearfilm/output/record_journal.hpp"
+#include "gearfilm/output/summary.hpp"
+
+namespace gearfilm {
+
+class Checkpoint final : public MarchKeeper {
+public:
+  enum class Begin { anew, where_it_stopped };
+
+  /// Creates the folder, or takes over what it holds. Throws OutputError. Collective.
+  Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
+
+  std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
+  void record(const StepRecord& record) override;
+  void keep(double T, const PairState& state) override;
+
+  /// Fields that are to be kept with the next state.
+  void attach(const FilmSnapshot& snapshot);
+  /// The fields that were kept of the run now taken over, one after the other.
+  std::optional<FilmSnapshot> recall_snapshot();
+  /// The snapshots of this run are not wanted.
+  void drop_snapshots();
+
+  /// The whole folder goes.
+  void remove();
+
+  /// T of the last state that was found; 0 without one.
+  double kept_until() const { return kept_.empty() ? 0.0 : kept_.back().T; }
+  /// False while runs are taken over that were completed before.
+  bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
+  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
+  bool is_new(const StepRecord& record) const { return !record.recalled && caught_up(); }
+
+private:
+  struct KeptState {
+    int run = 0;
+    int number = 0;
+    double T = 0.0;
+    std::uint64_t steps_end = 0;  ///< offset behind its last step
+    bool with_snapshots = false;
+  };
+
+  std::filesystem::path file(const KeptState& state) const;
+  void find_states();
+  void remove_file(const KeptState& state) const;
+  void forget_from(std::size_t first);
+  void remove_superfluous();
+
+  Grid grid_;
+  std::filesystem::path folder_;
+  RecordJournal journal_;
+  std::vector<KeptState> kept_;
+  int run_ = -1;
+  Summary run_begin_;                ///< T, H_0, V_0
+  std::vector<StepRecord> waiting_;  ///< since the last state
+  std::vector<FilmSnapshot> attached_;
+  std::deque<FilmSnapshot> recalled_;
+};
+
+}  // namespace gearfilm

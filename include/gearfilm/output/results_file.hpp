@@ -1,0 +1,91 @@
+// results.h5: fields of contacts, with parameters and version as attributes.
+//
+//   /                     attributes: program, command, those of provenance.hpp; x_min, x_max, y_half of the domain [a,
+//   a, b] /parameters           attributes: every parameter of the run /contact0             attributes: position and
+//   scales of the contact /contact0/P, H        pressure [Pa] and film thickness [m] as (nx, ny) /contact0/x, y
+//   coordinates along and across entrainment [m] /contact0/mesh        the same as (nx, ny, 2), for ParaView through
+//   results.xmf
+// Written by all processes together through PETSc's HDF5 viewer; every write that fails is an OutputError on all.
+#pragma once
+
+#include <hdf5.h>
+#include <petscviewerhdf5.h>
+
+#include <filesystem>
+#include <string>
+
+#include "gearfilm/contact/scales.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/output/whole_domain.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+
+namespace gearfilm {
+
+class ResultsFile {
+public:
+  /// Opens the file as part_of(path): it takes the place of an earlier one in publish() or finish().
+  ResultsFile(MPI_Comm comm, std::filesystem::path path);
+  ~ResultsFile();
+  ResultsFile(const ResultsFile&) = delete;
+  ResultsFile& operator=(const ResultsFile&) = delete;
+
+  void attribute(const std::string& group, const std::string& name, const std::string& value);
+  void attribute(const std::string& group, const std::string& name, double value);
+  /// The same on a dataset, which must exist.
+  void dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value);
+
+  /// Coordinates of a contact's grid [m].
+  void grid(const std::string& group, const WholeDomain& domain, const Scales& scales);
+  /// One field in SI: values times scale.
+  void field(const std::string& group, const std::string& name, const std::string& unit, const WholeDomain& domain,
+             const Field<double>& values, double scale);
+
+  /// Gives the open file its name: for runs that append to it for long.
+  void publish();
+  bool published() const { return published_; }
+  void finish();
+
+  /// Collective write to the file: OutputError on all processes where it fails on any.
+  template <class Action>
+  void write(Action&& action) {
+    try {
+      write_together(comm_, path_, action);
+    } catch (const OutputError&) {
+      damaged_ = true;
+      throw;
+    }
+  }
+  /// After a failed write; nothing more can be expected of the file.
+  bool damaged() const { return damaged_; }
+
+  hid_t hdf5_file();
+  int rank() const { return rank_; }
+  MPI_Comm comm() const { return comm_; }
+
+private:
+  using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
+
+  void take_name();
+  void view(const std::string& group, const std::string& name, Vec vec, const std::string& unit);
+  void line(const std::string& group, const std::string& name, const std::vector<double>& values);
+
+  MPI_Comm comm_;
+  int rank_ = 0;
+  std::filesystem::path path_;
+  OwnedViewer viewer_;
+  bool published_ = false;
+  bool damaged_ = false;
+};
+
+/// Groups of results.h5 that hold P and H of the contacts at one time [s].
+struct TimedFields {
+  double time = 0.0;
+  std::vector<std::string> groups;
+};
+
+/// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time. mesh: the
+/// dataset of the coordinates.
+void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
+                const Grid& grid, const std::vector<TimedFields>& series);
+
+}  // namespace gearfilm

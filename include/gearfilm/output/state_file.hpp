@@ -1,0 +1,34 @@
+// Fields of a grid with a description, in one file that is there whole or not at all.
+//
+//   8 bytes       length of the description
+//   description   JSON; "fields" and "nodes" ([nx, rows]) are added to it
+//   fields        doubles, one field after the other as (nx, rows), rows those with Y >= 0
+// Does not depend on the number of processes. Written and read by all together (MPI-IO).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "gearfilm/dynamics/pair_state.hpp"
+#include "gearfilm/ehl/grid.hpp"
+#include "gearfilm/output/summary.hpp"
+
+namespace gearfilm {
+
+/// Compact fields, this process's part.
+using CompactFields = std::vector<std::vector<double>>;
+
+/// The films of a state as fields, and back from the first of a list.
+CompactFields fields_of(const PairState& state);
+std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films);
+
+/// Collective; throws OutputError. The file is on the disk, under its name, when the call returns.
+void write_state(const Grid& grid, const std::filesystem::path& path, Summary description, const CompactFields& fields);
+
+/// Nothing where the file is missing or not whole. Collective.
+std::optional<Summary> read_state_description(MPI_Comm comm, const std::filesystem::path& path);
+/// Throws InputError where the file cannot be read, or is of another grid. Collective.
+CompactFields read_state_fields(const Grid& grid, const std::filesystem::path& path);
+
+}  // namespace gearfilm

@@ -1,0 +1,39 @@
+// What one process knows, told to all: files are read and written by some of them, but all must go on alike.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+
+/// This process's number.
+int rank_in(MPI_Comm comm);
+
+/// The first process's text, on all. Collective, as are the others.
+void broadcast(MPI_Comm comm, std::string& text);
+
+/// Waits a few seconds for a request that others may never answer, since an error has struck this process alone;
+/// whether they did.
+bool wait_briefly(MPI_Request& request);
+
+/// The text of the lowest process that has one; empty where none has.
+std::string first_reason(MPI_Comm comm, const std::string& own);
+
+/// Throws OutputError on all processes where any of them has a reason: the path, what its file system says, the remedy.
+void require_written(MPI_Comm comm, const std::filesystem::path& path, const std::string& own_reason);
+
+/// An action that writes, and may fail on some of the processes only: OutputError on all.
+template <class Action>
+void write_together(MPI_Comm comm, const std::filesystem::path& path, Action&& action) {
+  std::string reason;
+  try {
+    action();
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  require_written(comm, path, reason);
+}
+
+}  // namespace gearfilm

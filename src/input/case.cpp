@@ -1,0 +1,359 @@
+#include "gearfilm/input/case.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "gearfilm/contact/moes.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/input/case_file.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+// The physics know no files: what they find wrong gets the name of the file here.
+template <class Make>
+auto in_file_of(const ParameterValues& values, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(values.file() + ": " + error.what());
+  }
+}
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
+  return {.teeth = values.integer(gear + ".teeth"),
+          .outer_radius = values.real(gear + ".outer_radius"),
+          .crowning = values.real(gear + ".crowning")};
+}
+
+SpurGearPair read_gear_pair(const ParameterValues& values) {
+  return {.pinion = read_gear(values, "pinion"),
+          .wheel = read_gear(values, "wheel"),
+          .module_length = values.real("gear.module"),
+          .pressure_angle = values.real("gear.pressure_angle_deg") * pi / 180.0,
+          .centre_distance = values.real("gear.centre_distance"),
+          .face_width = values.real("gear.face_width")};
+}
+
+// Either both inertias or the mass itself; none for a pair that does not vibrate.
+std::optional<double> read_equivalent_mass(const ParameterValues& values, const LineOfAction& line) {
+  const std::string mass = "gear.equivalent_mass", pinion = "pinion.inertia", wheel = "wheel.inertia";
+  for (const std::string& inertia : {pinion, wheel}) {
+    if (values.has(mass) && values.has(inertia))
+      throw InputError(values.origin(inertia) + ": both " + quoted(inertia) + " and " + quoted(mass) +
+                       " are given, and each says how heavy the gears are; delete one");
+  }
+  if (values.has(pinion) != values.has(wheel)) {
+    const std::string& given = values.has(pinion) ? pinion : wheel;
+    const std::string& missing = values.has(pinion) ? wheel : pinion;
+    throw InputError(values.origin(given) + ": " + quoted(given) + " is given without " + quoted(missing) +
+                     "; give both inertias, " + quoted(mass) + ", or neither");
+  }
+  if (values.has(mass)) return values.real(mass);
+  if (values.has(pinion)) return equivalent_mass(line, values.real(pinion), values.real(wheel));
+  return {};
+}
+
+ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction& line) {
+  if (!std::isfinite(line.radius_y()))
+    throw InputError(values.origin("pinion.crowning") +
+                     ": 'pinion.crowning' and 'wheel.crowning' are both 0 m, a line " +
+                     "contact, which is not modelled; give at least one crowning > 0");
+  return {.radius_x = line.radius_x(0.0),
+          .radius_y = line.radius_y(),
+          .reduced_modulus = reduced_modulus(values.real("pinion.youngs_modulus"), values.real("pinion.poisson_ratio"),
+                                             values.real("wheel.youngs_modulus"), values.real("wheel.poisson_ratio"))};
+}
+
+// w* = T_g1/R_b1, or its equivalent point load (27).
+double reference_load(const Case& gear_case, double face_width) {
+  const double tooth_force = gear_case.torque / gear_case.line->base_radius_pinion();
+  if (gear_case.parameters.text("gear.load_model") == "point") return tooth_force;
+  const ContactSolids& solids = gear_case.solids;
+  return equivalent_point_load(
+      solids, hertz_line_half_width(tooth_force / face_width, solids.radius_x, solids.reduced_modulus));
+}
+
+void set_gear_pair(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.gears = read_gear_pair(values);
+  result.line = in_file_of(values, [&] { return LineOfAction(*result.gears); });
+  result.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
+  result.torque = values.real("pinion.torque");
+  result.equivalent_mass = read_equivalent_mass(values, *result.line);
+  if (values.has("pinion.inertia")) {
+    result.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
+  }
+  result.solids = solids_at_pitch(values, *result.line);
+  result.operation = in_file_of(values, [&] {
+    return ContactOperation{.load = reference_load(result, result.gears->face_width),
+                            .entrainment_velocity = result.line->entrainment_velocity(0.0, result.pinion_speed)};
+  });
+}
+
+double read_reduced_modulus(const ParameterValues& values) {
+  const std::array<std::string, 4> bodies = {"contact.youngs_modulus_1", "contact.poisson_ratio_1",
+                                             "contact.youngs_modulus_2", "contact.poisson_ratio_2"};
+  const std::string reduced = "contact.reduced_modulus";
+  for (const std::string& body : bodies) {
+    if (values.has(reduced) && values.has(body))
+      throw InputError(values.origin(body) + ": both " + quoted(body) + " and " + quoted(reduced) +
+                       " are given; delete one");
+    if (!values.has(reduced) && !values.has(body))
+      throw InputError(values.file() + ": " + quoted(body) + " is missing; give " + quoted(reduced) +
+                       ", or Young's modulus and Poisson's ratio of both bodies");
+  }
+  if (values.has(reduced)) return values.real(reduced);
+  return reduced_modulus(values.real(bodies[0]), values.real(bodies[1]), values.real(bodies[2]),
+                         values.real(bodies[3]));
+}
+
+void set_bare_contact(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.solids = {.radius_x = values.real("contact.radius_x"),
+                   .radius_y = values.real("contact.radius_y"),
+                   .reduced_modulus = read_reduced_modulus(values)};
+  result.operation = {.load = values.real("contact.load"),
+                      .entrainment_velocity = values.real("contact.entrainment_velocity")};
+}
+
+Lubricant read_lubricant(const ParameterValues& values) {
+  const Lubricant oil = {
+      .viscosity = values.real("lubricant.viscosity"),
+      .pressure_viscosity = values.real("lubricant.pressure_viscosity"),
+      .viscosity_law = values.text("lubricant.viscosity_law") == "barus" ? ViscosityLaw::barus : ViscosityLaw::roelands,
+      .density_law = values.text("lubricant.density_law") == "incompressible" ? DensityLaw::incompressible
+                                                                              : DensityLaw::dowson_higginson};
+  in_file_of(values, [&] { check(oil); });
+  return oil;
+}
+
+Domain read_domain(const ParameterValues& values, double M) {
+  Domain domain = default_domain(M);
+  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
+  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
+  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
+  return domain;
+}
+
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
+  return {.tolerance = values.real(section + ".newton_tolerance"),
+          .max_iterations = values.integer(section + ".newton_max_iterations"),
+          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
+          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations"),
+          .limit_changes = limit_changes};
+}
+
+MultigridOptions read_multigrid_options(const ParameterValues& values) {
+  return {.levels = values.integer("solver.levels"),
+          .smoothing_sweeps = values.integer("solver.smoothing_sweeps"),
+          .coarse_sweeps = values.integer("solver.coarse_sweeps"),
+          .precision =
+              values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
+}
+
+// Hertz's theory is for small strains, which are of the order of p_h/E'.
+void check_strain(const Scales& scales) {
+  constexpr double largest = 0.1;
+  const double strain = scales.hertz.pressure / scales.solids.reduced_modulus;
+  if (strain <= largest) return;
+  std::ostringstream message;
+  message << "the Hertz pressure is " << scales.hertz.pressure * 1e-9 << " GPa, " << strain
+          << " of the reduced modulus: no elastic contact carries it; lower the load of " << scales.operation.load
+          << " N (torque in N m, forces in N, lengths in m), or raise the moduli or radii";
+  throw InputError(message.str());
+}
+
+// The folder of the results is named after the case.
+std::string read_name(const ParameterValues& values) {
+  const std::string& name = values.text("case.name");
+  if (name.find('/') == std::string::npos && name != "." && name != "..") return name;
+  throw InputError(values.origin("case.name") + ": 'case.name' is '" + name +
+                   "', which is no name of a folder; give a word without '/', and folders as output.dir");
+}
+
+// A position on the line of action, which a bare contact has not.
+double read_position(const Case& result, const std::string& name) {
+  const double position = result.parameters.real(name);
+  const std::string given =
+      result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
+  if (!result.line) {
+    if (position != 0.0) throw InputError(given + ", but a bare contact has no line of action; delete the key");
+    return position;
+  }
+  const double entry = result.line->entry(), exit = result.line->exit();
+  if (position < entry || position > exit)
+    throw InputError(given + ", off the path of contact; give a number in [" + format_value(entry) + ", " +
+                     format_value(exit) + "] m");
+  return position;
+}
+
+// Where the march starts; just after a leaving the remaining contact sits one base pitch before the exit.
+double read_start_position(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string& place = values.text("start.place");
+  const std::string position = "start.position";
+  if (place == "position" && values.has(position)) return read_position(result, position);
+  if (values.has(position)) {
+    throw InputError(values.origin(position) + ": " + quoted(position) + " is given, but 'start.place' is " + place +
+                     "; set start.place to position or delete the key");
+  }
+  if (place == "after_leaving") return result.line->exit() - result.line->base_pitch();
+  return 0.0;
+}
+
+std::optional<Motion> read_start_motion(const ParameterValues& values) {
+  if (values.has("start.H0"))
+    return Motion{values.real("start.H0"), values.has("start.V0") ? values.real("start.V0") : 0.0};
+  if (!values.has("start.V0")) return {};
+  throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
+}
+
+// An interval shorter than a step stores every step; the next time must not be lost in round-off, though.
+void check_snapshot_interval(const Case& result) {
+  constexpr double shortest = 1e-9;
+  if (result.snapshot_interval.value_or(0.0) == 0.0 || *result.snapshot_interval >= shortest) return;
+  throw InputError(result.parameters.origin("output.snapshot_interval") + ": 'output.snapshot_interval' is " +
+                   format_value(*result.snapshot_interval) +
+                   " mesh periods, far shorter than any time step; give 0 for "
+                   "no fields, or at least " +
+                   format_value(shortest));
+}
+
+std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
+  if (!values.has(name)) return {};
+  return values.real(name);
+}
+
+MarchModel read_model(const std::string& name) {
+  if (name == "simplified") return MarchModel::simplified;
+  if (name == "quasistatic") return MarchModel::quasistatic;
+  return name == "dry" ? MarchModel::dry : MarchModel::dynamic;
+}
+
+/// Position and share, one point a line.
+std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
+  const std::string name = "load_sharing.file";
+  if (!values.has(name)) {
+    throw InputError(values.origin("load_sharing.kind") +
+                     ": 'load_sharing.kind' is table, but 'load_sharing.file' is "
+                     "missing; give the file of the table");
+  }
+  const std::string& file = values.text(name);
+  std::istringstream stream(values.attached(name));
+  std::vector<std::pair<double, double>> points;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    line.erase(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    double position = 0.0, share = 0.0;
+    std::string more;
+    if (!(words >> position >> share) || words >> more) {
+      throw InputError(file + ":" + std::to_string(number) +
+                       ": is not a point of the load sharing; give two numbers, position [m] and share");
+    }
+    points.emplace_back(position, share);
+  }
+  return points;
+}
+
+LoadSharing read_load_sharing(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string& kind = values.text("load_sharing.kind");
+  if (kind == "step") return LoadSharing::step(*result.line);
+  if (kind == "trapezoid") {
+    return LoadSharing::trapezoid(*result.line, values.real("load_sharing.at_end"),
+                                  values.real("load_sharing.at_inner_edge"));
+  }
+  return LoadSharing::table(*result.line, read_share_table(values));
+}
+
+/// One contact from its entry, or from a chosen position, to its exit.
+void set_single_contact(Case& result) {
+  const ParameterValues& values = result.parameters;
+  if (result.geometry == MeshGeometry::held) {
+    throw InputError(values.origin("geometry") + ": 'geometry' is held, but the model " + values.text("model") +
+                     " follows a contact along the line of action; set it to moving");
+  }
+  result.geometry = MeshGeometry::single;
+  const double jump_length =
+      result.line->travel_velocity(result.pinion_speed) * result.scales.time * values.real("load_sharing.jump_time");
+  const auto sharing = [&] { return read_load_sharing(result).with_jumps_over(jump_length); };
+  result.prescribed_load = PrescribedLoad{in_file_of(values, sharing), values.integer("load_sharing.jump_refinement")};
+  if (values.text("start.place") != "position") result.start_position = result.line->entry();
+}
+
+void set_march(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.start_position = read_start_position(result);
+  result.model = read_model(values.text("model"));
+  result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
+  if (result.model == MarchModel::simplified || result.model == MarchModel::quasistatic) set_single_contact(result);
+  result.mesh_periods = values.real("mesh_periods");
+  result.restart = values.text("restart") == "yes";
+  result.time_limit = optional_real(values, "time_limit");
+  result.keep_checkpoint = values.text("keep_checkpoint") == "yes";
+  result.start_motion = read_start_motion(values);
+  const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
+  result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
+                  .newton = read_newton_options(values, "time", true)};
+  result.periodic = {.tolerance = values.real("periodic.tolerance"),
+                     .film_tolerance = values.real("periodic.film_tolerance"),
+                     .max_periods = values.integer("periodic.max_periods")};
+  result.with_multipliers = values.text("periodic.multipliers") == "yes";
+  result.sweep = read_sweep(values);
+  result.eigen_modes = values.integer("eigen.modes");
+  result.eigen_of_orbit = values.text("eigen.orbit") == "yes";
+  result.eigen_periods = values.integer("eigen.periods");
+  result.step_levels = values.integer("time.levels");
+  result.snapshot_interval = optional_real(values, "output.snapshot_interval");
+  check_snapshot_interval(result);
+  result.spectrum_periods = optional_real(values, "output.spectrum_periods");
+  if (result.spectrum_periods && *result.spectrum_periods > result.mesh_periods) {
+    throw InputError(values.origin("output.spectrum_periods") + ": 'output.spectrum_periods' is " +
+                     format_value(*result.spectrum_periods) + ", more than the " + format_value(result.mesh_periods) +
+                     " mesh periods marched; give at most mesh_periods");
+  }
+}
+
+}  // namespace
+
+Case make_case(const ParameterValues& values) {
+  Case result;
+  result.parameters = values;
+  result.name = read_name(values);
+  result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
+  result.oil = read_lubricant(values);
+  if (result.kind == CaseKind::gear_pair) {
+    set_gear_pair(result);
+  } else {
+    set_bare_contact(result);
+  }
+  in_file_of(values, [&] {
+    result.scales = make_scales(result.solids, result.oil, result.operation);
+    check_strain(result.scales);
+    result.domain = read_domain(values, moes_groups(result.solids, result.oil, result.operation).M);
+  });
+  result.nx = values.integer("grid.nx");
+  result.ny = values.integer("grid.ny");
+  result.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
+  result.steady_position = read_position(result, "steady.position");
+  result.steady_load_ratio = values.real("steady.load_ratio");
+  if (result.kind == CaseKind::gear_pair) set_march(result);
+  result.output_directory = values.text("output.dir");
+  return result;
+}
+
+Case read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
+
+}  // namespace gearfilm

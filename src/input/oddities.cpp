@@ -1,0 +1,155 @@
+// What is usual: steel gears of machines under mineral and synthetic oils, and the grids that resolve their films.
+#include "gearfilm/input/oddities.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "gearfilm/contact/film_formulas.hpp"
+
+namespace gearfilm {
+namespace {
+
+using Oddities = std::vector<std::string>;
+
+/// What is usual for one quantity, and what lies beyond.
+struct Usual {
+  std::string name;
+  std::string unit;
+  double lower;
+  double upper;
+  std::string if_below;
+  std::string if_above;
+};
+
+std::string in_words(double value, const std::string& unit) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value << (unit.empty() ? "" : " ") << unit;
+  return text.str();
+}
+
+void compare(double value, const Usual& usual, Oddities& found) {
+  const bool below = value < usual.lower;
+  if (!below && !(value > usual.upper)) return;
+  found.push_back(usual.name + " is " + in_words(value, usual.unit) + (below ? ", below " : ", above ") +
+                  in_words(below ? usual.lower : usual.upper, usual.unit) + ": " +
+                  (below ? usual.if_below : usual.if_above));
+}
+
+/// Given values, where they are given.
+void compare_parameters(const ParameterValues& values, Oddities& found) {
+  const auto modulus = [](const std::string& name) {
+    return Usual{name,
+                 "Pa",
+                 50e9,
+                 700e9,
+                 "softer than the metals of gears; is it in Pa?",
+                 "stiffer than tungsten carbide; is it in Pa?"};
+  };
+  for (Usual usual :
+       {Usual{"lubricant.viscosity", "Pa s", 2e-3, 10, "thinner than oils in gears; water has 1e-3",
+              "thicker than oils in gears; was it given in mPa s?"},
+        Usual{"lubricant.pressure_viscosity", "1/Pa", 5e-9, 5e-8, "oils have 1e-8 to 3e-8", "oils have 1e-8 to 3e-8"},
+        modulus("pinion.youngs_modulus"), modulus("wheel.youngs_modulus"), modulus("contact.youngs_modulus_1"),
+        modulus("contact.youngs_modulus_2"), modulus("contact.reduced_modulus"),
+        Usual{"gear.module", "m", 0.3e-3, 30e-3, "finer than gears of power transmissions",
+              "coarser than all but the largest gears"},
+        Usual{"contact.entrainment_velocity", "m/s", 0, 200, "", "faster than any gear runs"}}) {
+    if (!values.has(usual.name)) continue;
+    const double value = values.real(usual.name);
+    usual.name = "'" + usual.name + "'";
+    compare(value, usual, found);
+  }
+}
+
+void compare_contact(const Scales& scales, Oddities& found) {
+  compare(scales.hertz.pressure * 1e-9,
+          {"the Hertz pressure", "GPa", 0.05, 4, "hardly a loaded contact; are torque or force in N m and N?",
+           "more than hardened steel bears; are torque or force in N m and N?"},
+          found);
+  compare(nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) * 1e6,
+          {"the central film by Nijenbanning, Venner and Moes", "um", 0.02, 50,
+           "thinner than the roughness of ground flanks", "thicker than films of loaded contacts"},
+          found);
+}
+
+/// x_1 + x_2 = (Z_1+Z_2) (inv alpha' - inv alpha)/(2 tan alpha), where the gears mesh without backlash.
+double profile_shifts(const Case& problem) {
+  const auto involute = [](double angle) { return std::tan(angle) - angle; };
+  const double alpha = problem.gears->pressure_angle, working = problem.line->working_pressure_angle();
+  return (problem.gears->pinion.teeth + problem.gears->wheel.teeth) * (involute(working) - involute(alpha)) /
+         (2 * std::tan(alpha));
+}
+
+void compare_gears(const Case& problem, Oddities& found) {
+  const LineOfAction& line = *problem.line;
+  const double pitch_radius = line.base_radius_pinion() / std::cos(line.working_pressure_angle());
+  compare(problem.pinion_speed * pitch_radius,
+          {"the pitch-line velocity", "m/s", 0, 200, "", "faster than any gear runs"}, found);
+  compare(profile_shifts(problem),
+          {"the sum of the profile shifts", "modules", -1.5, 3, "is gear.centre_distance that of these teeth?",
+           "is gear.centre_distance that of these teeth?"},
+          found);
+  compare(line.contact_ratio(), {"the contact ratio", "", 1, 3, "", "spur gears have 1.2 to 2.5"}, found);
+  compare(2e3 * problem.scales.hertz.b,
+          {"the length of the contact ellipse", "mm", 0, 1e3 * problem.gears->face_width, "",
+           "longer than the face is wide; the load reaches the edges of the teeth, which are not modelled"},
+          found);
+}
+
+/// m_ge beside that of two steel discs of the face width on the base circles.
+void compare_mass(const Case& problem, Oddities& found) {
+  constexpr double steel = 7850.0;  // [kg/m^3]
+  const double r1 = problem.line->base_radius_pinion(), r2 = problem.line->base_radius_wheel();
+  const auto inertia = [&](double r) {
+    return 0.5 * std::numbers::pi * steel * problem.gears->face_width * r * r * r * r;
+  };
+  const double discs = equivalent_mass(*problem.line, inertia(r1), inertia(r2));
+  compare(*problem.equivalent_mass,
+          {"the equivalent mass", "kg", discs / 50, discs * 50,
+           "less than a fiftieth of that of steel discs on the base circles",
+           "more than 50 times that of steel discs on the base circles"},
+          found);
+}
+
+void compare_steps(const Case& problem, Oddities& found) {
+  constexpr double fewest_in_period = 30, most_in_march = 1e7;
+  const double mesh_period = 1.0 / (mesh_frequency(*problem.gears, problem.pinion_speed) * problem.scales.time);
+  const double in_period = mesh_period / problem.steps.dT;
+  compare(in_period,
+          {"the number of time steps a mesh period", "", fewest_in_period, HUGE_VAL,
+           "too coarse for entering and leaving contacts; lower time.dt", ""},
+          found);
+  compare(in_period * problem.mesh_periods,
+          {"the number of time steps of a march", "", 0, most_in_march, "",
+           "days of computing; raise time.dt or lower mesh_periods"},
+          found);
+}
+
+void compare_grid(const Case& problem, Oddities& found) {
+  const Domain& domain = problem.domain;
+  compare((problem.nx - 1) / (domain.x_max - domain.x_min),
+          {"the number of nodes along the half-axis a", "", 4, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
+          found);
+  compare((problem.ny - 1) / (2 * domain.y_half),
+          {"the number of nodes along the half-axis b", "", 3, HUGE_VAL, "too coarse for a film; raise grid.ny", ""},
+          found);
+}
+
+}  // namespace
+
+std::vector<std::string> oddities(const Case& problem) {
+  Oddities found;
+  compare_parameters(problem.parameters, found);
+  compare_contact(problem.scales, found);
+  if (problem.kind == CaseKind::gear_pair) {
+    compare_gears(problem, found);
+    if (problem.equivalent_mass) compare_mass(problem, found);
+    compare_steps(problem, found);
+  }
+  compare_grid(problem, found);
+  return found;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,339 @@
+// The records. Units are SI; an angle or a speed in another unit says so in its name. Ends of ranges catch a wrong unit
+// (millimetres for metres, GPa for Pa) and numbers that are none of a machine (1e-300 N m); the physics needs none.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/input/parameter.hpp"
+#include "gearfilm/orbits/film_modes.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
+
+namespace gearfilm {
+namespace {
+
+using Records = std::vector<Parameter>;
+using Words = std::vector<std::string>;
+
+Range at_least(double lower) { return {.lower = lower}; }
+Range closed(double lower, double upper) { return {.lower = lower, .upper = upper}; }
+Range left_open(double lower, double upper) { return {.lower = lower, .upper = upper, .lower_open = true}; }
+Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
+Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
+
+// One record; section() puts the section before the name.
+Parameter number(std::string name, std::string symbol, std::string unit, const Range& range, std::string meaning) {
+  return {.name = std::move(name),
+          .symbol = std::move(symbol),
+          .unit = std::move(unit),
+          .range = range,
+          .meaning = std::move(meaning)};
+}
+
+Parameter whole(std::string name, std::string symbol, const Range& range, std::string meaning) {
+  Parameter parameter = number(std::move(name), std::move(symbol), "-", range, std::move(meaning));
+  parameter.type = ParameterType::integer;
+  return parameter;
+}
+
+Parameter word(std::string name, std::string meaning) {
+  return {.name = std::move(name), .type = ParameterType::text, .meaning = std::move(meaning)};
+}
+
+// The first choice is the default.
+Parameter choice(std::string name, Words choices, std::string meaning) {
+  Parameter parameter = word(std::move(name), std::move(meaning));
+  parameter.type = ParameterType::choice;
+  parameter.presence = Presence::preset;
+  parameter.fallback = choices.front();
+  parameter.choices = std::move(choices);
+  return parameter;
+}
+
+Parameter preset(const ParameterValue& value, Parameter parameter) {
+  parameter.presence = Presence::preset;
+  parameter.fallback = format_value(value);
+  return parameter;
+}
+
+Parameter optional(std::string when_absent, Parameter parameter) {
+  parameter.presence = Presence::optional;
+  parameter.fallback = std::move(when_absent);
+  return parameter;
+}
+
+// Words of which an option alone, without a value, means the second.
+Parameter flag(std::string name, std::string meaning) {
+  Parameter parameter = choice(std::move(name), {"no", "yes"}, std::move(meaning));
+  parameter.implied = "yes";
+  return parameter;
+}
+
+// Keys of the top level have no section: name is empty.
+Records section(const std::string& name, Scope scope, Records records) {
+  for (Parameter& parameter : records) {
+    if (!name.empty()) parameter.name = name + "." + parameter.name;
+    parameter.scope = scope;
+  }
+  return records;
+}
+
+Records case_records() {
+  return section("case", Scope::any,
+                 {optional("name of the case file", word("name", "name of the case in its results")),
+                  choice("kind", {"gear_pair", "contact"},
+                         "a pair of spur gears, or one bare contact given by its radii and load")});
+}
+
+// What both gears have; subscript 1 is the pinion, 2 the wheel.
+Records one_gear_records(const std::string& subscript) {
+  const std::string without_inertia = "none; give both inertias, gear.equivalent_mass, or neither";
+  return {
+      whole("teeth", "Z_" + subscript, closed(3, 10000), "number of teeth"),
+      number("outer_radius", "R_a" + subscript, "m", closed(1e-4, 10), "radius of the tip circle"),
+      number("crowning", "mag_" + subscript, "m", closed(0, 0.01), "lead crowning over half the face width"),
+      number("youngs_modulus", "E_" + subscript, "Pa", left_open(1e5, 1e13), "Young's modulus"),
+      number("poisson_ratio", "nu_" + subscript, "-", right_open(0, 0.5), "Poisson's ratio"),
+      optional(without_inertia,
+               number("inertia", "I_g" + subscript, "kg m^2", closed(1e-15, 1e9), "moment of inertia about its axis")),
+  };
+}
+
+Records pinion_records() {
+  Records records = one_gear_records("1");
+  records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
+  records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
+  return section("pinion", Scope::gear_pair, std::move(records));
+}
+
+Records wheel_records() { return section("wheel", Scope::gear_pair, one_gear_records("2")); }
+
+Records gear_records() {
+  return section(
+      "gear", Scope::gear_pair,
+      {number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
+       number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
+       number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
+       number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
+       optional(
+           "from both inertias; without them no vibration",
+           number("equivalent_mass", "m_ge", "kg", closed(1e-9, 1e9), "mass of both gears along the line of action")),
+       choice("load_model", {"point", "line_equivalent"},
+              "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
+              "half-axis a of the line contact under that force")});
+}
+
+Records contact_records() {
+  const std::string unless_reduced = "needed without contact.reduced_modulus";
+  const Range modulus = left_open(1e5, 1e13);
+  const Range ratio = right_open(0, 0.5);
+  return section(
+      "contact", Scope::contact,
+      {number("radius_x", "R_x", "m", closed(1e-6, 1000), "reduced radius along the entrainment"),
+       number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"),
+       optional(
+           "from the moduli and ratios of both bodies",
+           number("reduced_modulus", "E'", "Pa", modulus, "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
+       optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
+       optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
+       optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
+       optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
+       number("load", "w", "N", closed(1e-9, 1e9), "load"),
+       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces")});
+}
+
+Records lubricant_records() {
+  return section(
+      "lubricant", Scope::any,
+      {number("viscosity", "eta_0", "Pa s", closed(1e-5, 1e4), "viscosity at ambient pressure"),
+       number("pressure_viscosity", "alpha_B", "1/Pa", closed(1e-11, 1e-6), "pressure-viscosity coefficient"),
+       choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
+       choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")});
+}
+
+Records grid_records() {
+  const Domain long_domain = default_domain(0.0);
+  const Domain short_domain = default_domain(HUGE_VAL);
+  const auto by_load = [&](double Domain::*bound) {
+    return format_value(long_domain.*bound) + " for M < 200, else " + format_value(short_domain.*bound);
+  };
+  return section(
+      "grid", Scope::any,
+      {preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
+       preset(65, whole("ny", "N_y", odd(9, 16385),
+                        "nodes across the entrainment, boundaries included; the films being symmetric, those on "
+                        "one side and in the middle are computed")),
+       optional(by_load(&Domain::x_min),
+                number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
+       optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
+       optional(by_load(&Domain::y_half),
+                number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});
+}
+
+Records steady_records() {
+  return section(
+      "steady", Scope::any,
+      {preset(0.0, number("position", "xi", "m", {}, "position on the path of contact, zero at the pitch point")),
+       preset(1.0,
+              number("load_ratio", "F/F*", "-", closed(1e-6, 1e6), "force on the contact over its reference load"))});
+}
+
+Records march_records() {
+  return section(
+      "", Scope::gear_pair,
+      {choice("model", {"dynamic", "simplified", "quasistatic", "dry"},
+              "what is marched in time: the films of all contacts and the motion; one contact along the whole line of "
+              "action whose share of the static force is prescribed, with inertia or without; the motion on dry Hertz "
+              "contacts"),
+       choice("geometry", {"moving", "held"},
+              "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
+              "moving oil: a free oscillation"),
+       preset(2.0, number("mesh_periods", "", "-", closed(1e-3, 1e6), "mesh periods to march"))});
+}
+
+Records run_records() {
+  return section("", Scope::gear_pair,
+                 {flag("restart", "go on where a run of the same case in the same folder stopped"),
+                  optional("none", number("time_limit", "", "s", left_open(0, 1e9),
+                                          "wall-clock time after which a march or search stops, to be continued")),
+                  flag("keep_checkpoint",
+                       "keep what a run can go on from when it is complete too: for a march that is "
+                       "to go on beyond its end")});
+}
+
+Records load_sharing_records() {
+  return section(
+      "load_sharing", Scope::gear_pair,
+      {choice(
+           "kind", {"step", "trapezoid", "table"},
+           "share of the static force in the models of one contact: 1/n where n contacts exist, ramps while there are "
+           "two, or from load_sharing.file"),
+       preset(1.0 / 3.0, number("at_end", "", "-", closed(1e-3, 10), "trapezoid: where a contact enters or leaves")),
+       preset(2.0 / 3.0, number("at_inner_edge", "", "-", closed(1e-3, 10), "trapezoid: where it becomes alone")),
+       optional("none", word("file", "table: position [m] and share, one point a line; # begins a remark")),
+       preset(0.025, number("jump_time", "", "-", closed(1e-6, 1),
+                            "time that a jump of the share takes, in units of a/u_m as time.dt")),
+       preset(10, whole("jump_refinement", "", closed(1, 10000), "least number of time steps in it"))});
+}
+
+Records start_records() {
+  return section(
+      "start", Scope::gear_pair,
+      {choice("place", {"pitch", "after_leaving", "position"},
+              "where the leading contact starts: at the pitch point, where it is when its elder has just left, or at "
+              "start.position"),
+       optional("0", number("position", "xi", "m", {}, "start on the line of action, with start.place position")),
+       optional("stationary films at rest that carry the static force",
+                number("H0", "H_0", "-", closed(-1e3, 1e3),
+                       "rigid displacement at the start; the films are stationary there")),
+       optional("0", number("V0", "dH_0/dT", "-", closed(-1e3, 1e3), "velocity at the start, with start.H0"))});
+}
+
+Records time_records() {
+  const StepOptions standard;
+  return section("time", Scope::gear_pair,
+                 {optional("the grid's h_x", number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                                                           "on the root mean square of a step's scaled residual")),
+                  preset(standard.newton.max_iterations,
+                         whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
+                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
+                                                                  "relative, of each linear solve in a time step")),
+                  preset(standard.newton.krylov_max_iterations,
+                         whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+                  preset(0, whole("levels", "", closed(0, 20),
+                                  "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
+}
+
+Records periodic_records() {
+  const PeriodicOptions standard;
+  return section("periodic", Scope::gear_pair,
+                 {preset(standard.tolerance, number("tolerance", "", "-", right_open(1e-15, 1),
+                                                    "on the change of H0 and V0 over one mesh period")),
+                  preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
+                                                         "on the largest change of any pressure, in units of p_h")),
+                  preset(standard.max_periods,
+                         whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
+                  choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
+}
+
+Records eigen_records() {
+  const FilmModeOptions modes;
+  return section(
+      "eigen", Scope::gear_pair,
+      {preset(modes.count,
+              whole("modes", "", closed(1, 1000), "eigenvalues of the pair on its films, nearest zero first")),
+       choice("orbit", {"no", "yes"}, "multipliers of the periodic state too, with a bound for the films' own"),
+       preset(5, whole("periods", "", closed(3, 100), "mesh periods spent on those multipliers"))});
+}
+
+Records sweep_records() {
+  const std::string of_list = "from sweep.values";
+  return section(
+      "sweep", Scope::gear_pair,
+      {choice("over", {"speed", "torque", "equivalent_mass"},
+              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m] or gear.equivalent_mass [kg]"),
+       optional(of_list, number("from", "", "", {}, "smallest value, in the unit of what is varied")),
+       optional(of_list, number("to", "", "", {}, "largest value")),
+       preset(31, whole("points", "", closed(2, 100000),
+                        "how many values from the smallest to the largest, equally spaced")),
+       optional("from sweep.from to sweep.to", word("values", "list of the values instead, '8000, 9000, 12500'")),
+       choice("direction", {"both", "up", "down"}, "in which order each point follows its neighbour"),
+       preset(0, whole("chain_points", "", at_least(0),
+                       "points that follow one another before a new start from the dry orbit; 0: all of a direction")),
+       preset(0, whole("groups", "", at_least(0),
+                       "groups of processes that work on different chains; 0: as many as there are chains"))});
+}
+
+Records solver_records() {
+  const SolverOptions standard;
+  Parameter precision = choice("precision", {"single", "double"},
+                               "arithmetic of the linearised film, its products and its preconditioner");
+  if (standard.multigrid.precision == Precision::double_precision) precision.fallback = "double";
+  return section(
+      "solver", Scope::any,
+      {preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                                                "on the root mean square of the scaled residual")),
+       preset(standard.newton.max_iterations,
+              whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
+       preset(standard.newton.krylov_tolerance,
+              number("krylov_tolerance", "", "-", right_open(1e-15, 1), "relative, of each linear solve")),
+       preset(standard.newton.krylov_max_iterations,
+              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+       preset(standard.multigrid.levels,
+              whole("levels", "", closed(0, 20), "multigrid levels of the preconditioner; 0: chosen by the grid")),
+       preset(standard.multigrid.smoothing_sweeps,
+              whole("smoothing_sweeps", "", closed(1, 1000), "sweeps before and after a coarse-grid correction")),
+       preset(standard.multigrid.coarse_sweeps,
+              whole("coarse_sweeps", "", closed(1, 10000), "sweeps on the coarsest level")),
+       std::move(precision)});
+}
+
+Records output_records() {
+  return section(
+      "output", Scope::any,
+      {optional("output/ and case.name", word("dir", "directory that receives the results")),
+       optional("none in a march, 0.05 in a periodic state",
+                number("snapshot_interval", "", "-", at_least(0), "mesh periods between stored fields; 0: none")),
+       optional("no spectrum", number("spectrum_periods", "", "-", closed(1e-3, 1e6),
+                                      "mesh periods at the end of a march whose spectrum of H0 is computed"))});
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameter_table() {
+  static const Records table = [] {
+    Records all;
+    for (Records& records : std::vector<Records>{
+             case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(), lubricant_records(),
+             grid_records(), steady_records(), march_records(), run_records(), load_sharing_records(), start_records(),
+             time_records(), periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
+      std::ranges::move(records, std::back_inserter(all));
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace gearfilm

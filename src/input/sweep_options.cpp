@@ -1,0 +1,78 @@
+#include "gearfilm/input/sweep_options.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+const std::map<std::string, std::string>& keys() {
+  static const std::map<std::string, std::string> by_choice = {
+      {"speed", "pinion.speed_rpm"}, {"torque", "pinion.torque"}, {"equivalent_mass", "gear.equivalent_mass"}};
+  return by_choice;
+}
+
+/// Numbers between commas or spaces.
+std::vector<double> read_list(const ParameterValues& values, const Parameter& varied) {
+  const std::string name = "sweep.values";
+  const std::string& origin = values.origin(name);
+  std::string text = values.text(name);
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream words(text);
+  std::vector<double> list;
+  for (std::string word; words >> word;) {
+    list.push_back(std::get<double>(parse_value(varied, word, origin + ": 'sweep.values'")));
+  }
+  if (list.empty()) throw InputError(origin + ": 'sweep.values' has no number; give some, '8000, 9000'");
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+std::vector<double> read_range(const ParameterValues& values, const Parameter& varied) {
+  for (const std::string name : {"sweep.from", "sweep.to"}) {
+    parse_value(varied, format_value(values.real(name)), values.origin(name) + ": '" + name + "'");
+  }
+  const double from = values.real("sweep.from"), to = values.real("sweep.to");
+  const int points = values.integer("sweep.points");
+  if (!(from < to)) {
+    throw InputError(values.origin("sweep.from") + ": 'sweep.from' is " + format_value(from) +
+                     ", not below 'sweep.to', " + format_value(to) +
+                     "; give the smaller value first (sweep.direction says which way to go)");
+  }
+  std::vector<double> list;
+  list.reserve(points);
+  for (int n = 0; n < points; ++n) list.push_back(from + (to - from) * n / (points - 1));
+  return list;
+}
+
+}  // namespace
+
+SweepOptions read_sweep(const ParameterValues& values) {
+  SweepOptions sweep;
+  sweep.parameter = keys().at(values.text("sweep.over"));
+  const Parameter& varied = *find_parameter(sweep.parameter);
+  sweep.unit = varied.unit;
+  const bool from = values.has("sweep.from"), to = values.has("sweep.to"), list = values.has("sweep.values");
+  if (from != to) {
+    const std::string given = from ? "sweep.from" : "sweep.to", missing = from ? "sweep.to" : "sweep.from";
+    throw InputError(values.origin(given) + ": '" + given + "' is given without '" + missing + "'; give both ends");
+  }
+  if (from && list) {
+    throw InputError(values.origin("sweep.values") +
+                     ": both 'sweep.values' and 'sweep.from' are given; delete the list or the range");
+  }
+  if (list) sweep.values = read_list(values, varied);
+  if (from) sweep.values = read_range(values, varied);
+  const std::string& direction = values.text("sweep.direction");
+  sweep.up = direction != "down";
+  sweep.down = direction != "up";
+  sweep.chain_points = values.integer("sweep.chain_points");
+  sweep.groups = values.integer("sweep.groups");
+  return sweep;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,177 @@
+#include "gearfilm/orbits/dry_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double difference = 1e-5;  // of the motion, for derivatives of the map
+constexpr double shooting_tolerance = 1e-9;
+constexpr double strong_damping = 0.3;
+constexpr double weak_damping = 0.002;  // from here to none at once
+constexpr double widest_ratio = 0.5;    // of one damping to the last
+constexpr double narrowest_ratio = 0.97;
+
+/// Mesh periods in which a damped pair settles on its orbit.
+double settling_periods(double damping_ratio) { return std::ceil(10.0 + 2.0 / damping_ratio); }
+
+/// The map of the motion over one mesh period.
+class DryMap {
+public:
+  DryMap(const Scales& scales, const ContactPath& path, double inertia)
+      : scales_(scales), path_(path), inertia_(inertia) {
+    const double stiffness = 1.5 * scales.static_force / scales.approach;
+    natural_rate_ = std::sqrt(stiffness / inertia);
+  }
+
+  void set_damping_ratio(double zeta) { damping_ = 2.0 * zeta * natural_rate_; }
+
+  Motion march(const std::optional<Motion>& start, double periods, double record_step,
+               const StepObserver& observer) const {
+    DryMarch dry(scales_, path_, inertia_, record_step, observer, damping_);
+    dry.start(start);
+    dry.run(periods * path_.mesh_period());
+    return dry.motion();
+  }
+  Motion operator()(const Motion& start) const {
+    return march(start, 1.0, std::numeric_limits<double>::max(),
+                 [](const StepRecord&, const std::vector<LiveContact>&) {});
+  }
+  Monodromy derivative(const Motion& at) const {
+    const Motion h_plus = (*this)({at.H0 + difference, at.V0}), h_minus = (*this)({at.H0 - difference, at.V0});
+    const Motion v_plus = (*this)({at.H0, at.V0 + difference}), v_minus = (*this)({at.H0, at.V0 - difference});
+    const auto slope = [](double plus, double minus) { return 0.5 * (plus - minus) / difference; };
+    return {{{slope(h_plus.H0, h_minus.H0), slope(v_plus.H0, v_minus.H0)},
+             {slope(h_plus.V0, h_minus.V0), slope(v_plus.V0, v_minus.V0)}}};
+  }
+
+private:
+  Scales scales_;
+  const ContactPath& path_;
+  double inertia_;
+  double natural_rate_;
+  double damping_ = 0.0;
+};
+
+/// Solves map(motion) = motion by SNES from a guess. False where it does not converge.
+bool shoot(const DryMap& map, Motion& motion) {
+  OwnedVec state, defect;
+  OwnedMat jacobian;
+  OwnedSNES snes;
+  petsc_check(VecCreateSeq(PETSC_COMM_SELF, 2, state.put()));
+  petsc_check(VecDuplicate(state, defect.put()));
+  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, 2, 2, nullptr, jacobian.put()));
+  petsc_check(SNESCreate(PETSC_COMM_SELF, snes.put()));
+  petsc_check(SNESSetOptionsPrefix(snes, "dry_"));
+  petsc_check(SNESSetFunction(
+      snes, defect,
+      [](SNES, Vec in, Vec out, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          const VecReading x(in);
+          const VecWriting r(out);
+          const Motion end = (*static_cast<const DryMap*>(context))({x[0], x[1]});
+          r[0] = end.H0 - x[0];
+          r[1] = end.V0 - x[1];
+        });
+      },
+      const_cast<DryMap*>(&map)));
+  petsc_check(SNESSetJacobian(
+      snes, jacobian, jacobian,
+      [](SNES, Vec in, Mat, Mat out, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          const VecReading x(in);
+          const Monodromy slope = static_cast<const DryMap*>(context)->derivative({x[0], x[1]});
+          for (int row = 0; row < 2; ++row) {
+            for (int column = 0; column < 2; ++column) {
+              petsc_check(MatSetValue(out, row, column, slope[row][column] - (row == column), INSERT_VALUES));
+            }
+          }
+          petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
+          petsc_check(MatAssemblyEnd(out, MAT_FINAL_ASSEMBLY));
+        });
+      },
+      const_cast<DryMap*>(&map)));
+  petsc_check(SNESSetTolerances(snes, shooting_tolerance, 1e-30, 1e-14, 30, 1000));
+  petsc_check(SNESSetFromOptions(snes));
+  {
+    const VecWriting x(state);
+    x[0] = motion.H0;
+    x[1] = motion.V0;
+  }
+  petsc_check(SNESSolve(snes, nullptr, state));
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  petsc_check(SNESGetConvergedReason(snes, &reason));
+  if (reason <= 0) return false;
+  const VecReading x(state);
+  motion = {x[0], x[1]};
+  return true;
+}
+
+DryOrbit describe(const DryMap& map, const ContactPath& path, const Motion& start) {
+  DryOrbit orbit;
+  orbit.start = start;
+  orbit.monodromy = map.derivative(start);
+  map.march(start, 1.0, 0.01 * path.mesh_period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    for (const ContactRecord& contact : record.contacts) {
+      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
+    }
+  });
+  return orbit;
+}
+
+}  // namespace
+
+DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio) {
+  DryMap map(scales, path, inertia);
+  const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>&) {};
+  const auto settle = [&](double zeta, const std::optional<Motion>& from) {
+    map.set_damping_ratio(zeta);
+    return map.march(from, settling_periods(zeta), std::numeric_limits<double>::max(), nobody);
+  };
+  Motion start;
+  double damping = std::max(strong_damping, damping_ratio), ratio = widest_ratio;
+  start = settle(damping, {});
+  bool found = shoot(map, start);
+  while (found && damping > damping_ratio) {
+    const double next = ratio * damping < std::max(weak_damping, damping_ratio) ? damping_ratio : ratio * damping;
+    Motion trial = start;
+    map.set_damping_ratio(next);
+    if (shoot(map, trial)) {
+      start = trial;
+      damping = next;
+      ratio = std::max(widest_ratio, ratio * ratio);
+    } else {
+      ratio = std::sqrt(ratio);
+    }
+    if (ratio > narrowest_ratio) {
+      // The branch ends: what the pair settles on with less damping is another one.
+      const double less = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
+      found = less < damping;
+      if (!found) break;
+      damping = less;
+      start = settle(damping, start);
+      found = shoot(map, start);
+      ratio = widest_ratio;
+    }
+  }
+  if (!found) {
+    throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
+                     ": continued from higher damping down to " + std::to_string(damping));
+  }
+  return describe(map, path, start);
+}
+
+std::optional<DryOrbit> follow_dry_orbit(const Scales& scales, const ContactPath& path, double inertia,
+                                         double damping_ratio, const Motion& near) {
+  DryMap map(scales, path, inertia);
+  map.set_damping_ratio(damping_ratio);
+  Motion start = near;
+  if (!shoot(map, start)) return {};
+  return describe(map, path, start);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,113 @@
+#include "gearfilm/orbits/film_modes.hpp"
+
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Solutions with A by FGMRES and the pair's preconditioner.
+class Inverse {
+public:
+  Inverse(LubricatedPair& pair, Mat A, const FilmModeOptions& options) {
+    petsc_check(KSPCreate(pair.comm(), ksp_.put()));
+    petsc_check(KSPSetOptionsPrefix(ksp_, "modes_"));
+    petsc_check(KSPSetOperators(ksp_, A, A));
+    configure_krylov(ksp_, pair, options.krylov_tolerance, options.krylov_max_iterations);
+    petsc_check(KSPSetErrorIfNotConverged(ksp_, PETSC_FALSE));
+    petsc_check(KSPSetFromOptions(ksp_));
+  }
+
+  void apply(Vec rows, Vec change) {
+    petsc_check(KSPSolve(ksp_, rows, change));
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    petsc_check(KSPGetConvergedReason(ksp_, &reason));
+    if (reason < 0) {
+      throw SolveError("a linear solution for the natural modes of the films did not converge (" +
+                       std::string(KSPConvergedReasons[reason]) + ")");
+    }
+  }
+
+private:
+  PetscHandle<KSP, KSPDestroy> ksp_;
+};
+
+/// Makes A^-1 the solver of SLEPc's shift-and-invert at shift zero.
+void use_inverse(EPS eps, Inverse& inverse) {
+  ST st = nullptr;
+  KSP ksp = nullptr;
+  PC pc = nullptr;
+  petsc_check(EPSGetST(eps, &st));
+  petsc_check(STSetType(st, STSINVERT));
+  petsc_check(STSetMatMode(st, ST_MATMODE_SHELL));
+  petsc_check(STGetKSP(st, &ksp));
+  petsc_check(KSPSetType(ksp, KSPPREONLY));
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetContext(pc, &inverse));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Inverse* own = nullptr;
+      petsc_check(PCShellGetContext(shell, &own));
+      own->apply(in, out);
+    });
+  }));
+}
+
+}  // namespace
+
+std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmModeOptions& options) {
+  const OwnedVec rate = pair.create_state(), rows = pair.create_state();
+  petsc_check(VecSet(rate, 0.0));
+  pair.place(0.0);
+  pair.residual(state, rate, 0.0, rows);
+  pair.linearise(0.0, LubricatedPair::Elimination::exact);
+  const OwnedMat A = shell_jacobian(pair), B = shell_matrix<&LubricatedPair::multiply_storage>(pair);
+  Inverse inverse(pair, A, options);
+  PetscHandle<EPS, EPSDestroy> eps;
+  petsc_check(EPSCreate(pair.comm(), eps.put()));
+  petsc_check(EPSSetOptionsPrefix(eps, "modes_"));
+  petsc_check(EPSSetOperators(eps, A, B));
+  petsc_check(EPSSetProblemType(eps, EPS_GNHEP));
+  petsc_check(EPSSetTarget(eps, 0.0));
+  petsc_check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
+  petsc_check(EPSSetDimensions(eps, options.count, PETSC_DEFAULT, PETSC_DEFAULT));
+  petsc_check(EPSSetTolerances(eps, options.tolerance, 100));
+  use_inverse(eps, inverse);
+  petsc_check(EPSSetFromOptions(eps));
+  petsc_check(EPSSolve(eps));
+  PetscInt found = 0;
+  petsc_check(EPSGetConverged(eps, &found));
+  if (found == 0) throw SolveError("the natural modes of the lubricated pair did not converge");
+  std::vector<FilmMode> modes;
+  // SLEPc may have found more than asked for; a conjugate pair is not torn.
+  const auto torn = [&] { return !modes.empty() && modes.back().eigenvalue.imag() > 0.0; };
+  for (PetscInt n = 0; n < found && (n < options.count || torn()); ++n) {
+    PetscScalar real = 0.0, imaginary = 0.0;
+    PetscReal error = 0.0;
+    petsc_check(EPSGetEigenvalue(eps, n, &real, &imaginary));
+    petsc_check(EPSGetErrorEstimate(eps, n, &error));
+    // SLEPc solves A y = mu B y: mu = -lambda, and of a pair the one with Im lambda > 0 comes first.
+    modes.push_back({{-real, imaginary == 0.0 ? 0.0 : imaginary}, error});
+  }
+  return modes;
+}
+
+FilmMode swinging_mode(const std::vector<FilmMode>& modes, double angular_frequency) {
+  const FilmMode* nearest = nullptr;
+  const auto distance = [&](const FilmMode& mode) { return std::abs(mode.eigenvalue.imag() - angular_frequency); };
+  for (const FilmMode& mode : modes) {
+    if (mode.eigenvalue.imag() <= 0.0) continue;
+    if (!nearest || distance(mode) < distance(*nearest)) nearest = &mode;
+  }
+  if (!nearest)
+    throw SolveError("none of the " + std::to_string(modes.size()) +
+                     " modes found oscillates; ask for more (eigen_modes)");
+  return *nearest;
+}
+
+}  // namespace gearfilm

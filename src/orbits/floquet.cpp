@@ -1,0 +1,137 @@
+#include "gearfilm/orbits/floquet.hpp"
+
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double smallest_disturbance = 5e-3;  // that has a direction well above the noise of a march
+constexpr double largest_disturbance = 5e-2;   // that the linearised map still describes
+
+/// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
+/// a root mean square, and on the first process H_0 and V_0.
+class PeriodMap {
+public:
+  PeriodMap(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit, double size_of_difference)
+      : march_(march), path_(path), start_(orbit.start), end_(orbit.end), difference_(size_of_difference) {
+    MPI_Comm_rank(march.comm(), &rank_);
+    for (const ToothFilm& film : start_.films) pressures_ += static_cast<PetscInt>(film.pressure.size());
+    PetscInt all = pressures_;
+    MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, march.comm());
+    weight_ = 1.0 / std::sqrt(static_cast<double>(all));
+  }
+
+  PetscInt local_size() const { return pressures_ + (rank_ == 0 ? 2 : 0); }
+  MPI_Comm comm() const { return march_.comm(); }
+
+  /// What distinguishes a state from the orbit's end.
+  void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
+  /// What a displacement of H_0 has become after one period, which the films have followed.
+  void displacement(Vec vec) {
+    march_.resume(path_.next_period(march_.T()), start_);
+    march_.displace({start_.motion.H0 + difference_, start_.motion.V0});
+    difference_of(map(march_.state()), end_, vec);
+  }
+
+  void multiply(Vec disturbance, Vec mapped) {
+    PetscReal size = 0.0;
+    petsc_check(VecNorm(disturbance, NORM_2, &size));
+    const double step = difference_ / size;
+    difference_of(map(disturbed(disturbance, step)), end_, mapped);
+    petsc_check(VecScale(mapped, 1.0 / step));
+  }
+
+private:
+  PairState map(const PairState& from) {
+    march_.resume(path_.next_period(march_.T()), from);
+    march_.run(march_.T() + path_.mesh_period());
+    return march_.state();
+  }
+
+  PairState disturbed(Vec disturbance, double step) const {
+    const VecReading values(disturbance);
+    PairState state = start_;
+    const double* next = values;
+    for (ToothFilm& film : state.films) {
+      for (double& pressure : film.pressure) pressure = std::max(0.0, pressure + step / weight_ * *next++);
+    }
+    double motion[2] = {0.0, 0.0};
+    if (rank_ == 0) std::copy_n(next, 2, motion);
+    MPI_Bcast(motion, 2, MPI_DOUBLE, 0, comm());
+    state.motion = {state.motion.H0 + step * motion[0], state.motion.V0 + step * motion[1]};
+    return state;
+  }
+
+  void difference_of(const PairState& a, const PairState& b, Vec vec) const {
+    const VecWriting values(vec);
+    double* next = values;
+    for (std::size_t k = 0; k < a.films.size(); ++k) {
+      for (std::size_t n = 0; n < a.films[k].pressure.size(); ++n) {
+        *next++ = weight_ * (a.films[k].pressure[n] - b.films[k].pressure[n]);
+      }
+    }
+    if (rank_ != 0) return;
+    next[0] = a.motion.H0 - b.motion.H0;
+    next[1] = a.motion.V0 - b.motion.V0;
+  }
+
+  MeshMarch& march_;
+  const ContactPath& path_;
+  PairState start_, end_;
+  double difference_;
+  double weight_ = 1.0;
+  PetscInt pressures_ = 0;
+  int rank_ = 0;
+};
+
+}  // namespace
+
+FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit,
+                                       const FloquetOptions& options) {
+  PeriodMap map(march, path, orbit, options.difference);
+  const OwnedMat operation = shell_matrix<&PeriodMap::multiply>(map);
+  OwnedVec first;
+  petsc_check(MatCreateVecs(operation, first.put(), nullptr));
+  PetscReal size = 0.0;
+  if (orbit.beside) {
+    map.disturbance_of(*orbit.beside, first);
+    petsc_check(VecNorm(first, NORM_2, &size));
+  }
+  if (size < smallest_disturbance || size > largest_disturbance) map.displacement(first);
+  PetscHandle<EPS, EPSDestroy> eps;
+  petsc_check(EPSCreate(march.comm(), eps.put()));
+  petsc_check(EPSSetOptionsPrefix(eps, "floquet_"));
+  petsc_check(EPSSetOperators(eps, operation, nullptr));
+  petsc_check(EPSSetProblemType(eps, EPS_NHEP));
+  petsc_check(EPSSetType(eps, EPSARNOLDI));
+  petsc_check(EPSSetWhichEigenpairs(eps, EPS_LARGEST_MAGNITUDE));
+  // One Arnoldi factorisation of that many periods, all of whose Ritz values are taken.
+  petsc_check(EPSSetDimensions(eps, options.periods - 1, options.periods, PETSC_DEFAULT));
+  petsc_check(EPSSetTolerances(eps, 1e10, 1));
+  Vec start = first;
+  petsc_check(EPSSetInitialSpace(eps, 1, &start));
+  petsc_check(EPSSetFromOptions(eps));
+  petsc_check(EPSSolve(eps));
+  PetscInt found = 0;
+  petsc_check(EPSGetConverged(eps, &found));
+  if (found < 2) throw SolveError("the Floquet multipliers did not converge");
+  FloquetMultipliers result;
+  for (PetscInt n = 0; n < found; ++n) {
+    PetscScalar real = 0.0, imaginary = 0.0;
+    petsc_check(EPSGetEigenvalue(eps, n, &real, &imaginary));
+    const std::complex<double> multiplier(real, imaginary);
+    if (n < 2) {
+      result.gear_pair[n] = multiplier;
+    } else {
+      result.film_bound = std::max(result.film_bound.value_or(0.0), std::abs(multiplier));
+    }
+  }
+  return result;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,28 @@
+#include "gearfilm/orbits/monodromy.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gearfilm {
+
+std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy) {
+  const auto& [first, second] = monodromy;
+  const double half_trace = 0.5 * (first[0] + second[1]);
+  const double determinant = first[0] * second[1] - first[1] * second[0];
+  const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - determinant));
+  return {half_trace + root, half_trace - root};
+}
+
+FreeOscillation free_oscillation(const std::array<std::complex<double>, 2>& mu, double mesh_frequency,
+                                 double natural_frequency) {
+  if (mu[0].imag() == 0.0) return {};
+  const double turn = std::abs(std::arg(mu[0])) / (2.0 * std::numbers::pi);
+  const double ratio = natural_frequency / mesh_frequency;
+  const double below = std::round(ratio + turn) - turn, above = std::round(ratio - turn) + turn;
+  const double frequency = mesh_frequency * (std::abs(below - ratio) < std::abs(above - ratio) ? below : above);
+  const double decay = -std::log(std::abs(mu[0])) * mesh_frequency;  // [1/s]
+  const double angular = 2.0 * std::numbers::pi * frequency;
+  return {frequency, decay / std::hypot(decay, angular)};
+}
+
+}  // namespace gearfilm

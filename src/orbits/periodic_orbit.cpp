@@ -1,0 +1,218 @@
+#include "gearfilm/orbits/periodic_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
+constexpr double worth_keeping = 5e-3;    // defect of a period whose end serves as a disturbance of the orbit
+constexpr double largest_change = 0.5;    // of H_0 or V_0 in one Newton step
+constexpr double shortest_step = 0.2;     // of a Newton step, before the Jacobian is doubted
+constexpr int settling_periods = 3;       // marched on before Newton's method is tried again
+
+double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
+Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
+Motion moved(const Motion& from, double by, const Motion& step) {
+  return {from.H0 + by * step.H0, from.V0 + by * step.V0};
+}
+
+/// Approximate Jacobian of the map, kept good by Broyden's update.
+class MapJacobian {
+public:
+  explicit MapJacobian(const Monodromy& monodromy) : entries_(monodromy) {}
+
+  const Monodromy& monodromy() const { return entries_; }
+  /// The step by which map(x) - x would vanish.
+  Motion newton_step(const Motion& defect) const {
+    const double a = entries_[0][0] - 1.0, b = entries_[0][1], c = entries_[1][0], d = entries_[1][1] - 1.0;
+    const double determinant = a * d - b * c;
+    const Motion step{-(d * defect.H0 - b * defect.V0) / determinant, -(a * defect.V0 - c * defect.H0) / determinant};
+    return moved({}, std::min(1.0, largest_change / length(step)), step);
+  }
+  /// The map changed by map_change over a step of its argument.
+  void update(const Motion& step, const Motion& map_change) {
+    const double square = step.H0 * step.H0 + step.V0 * step.V0;
+    if (square == 0.0) return;
+    const auto correct = [&](std::array<double, 2>& row, double change) {
+      const double error = (change - row[0] * step.H0 - row[1] * step.V0) / square;
+      row[0] += error * step.H0;
+      row[1] += error * step.V0;
+    };
+    correct(entries_[0], map_change.H0);
+    correct(entries_[1], map_change.V0);
+  }
+
+private:
+  Monodromy entries_;
+};
+
+/// Largest change of any pressure between two states with the same contacts.
+double film_change(const PairState& before, const PairState& after, MPI_Comm comm) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
+    const std::vector<double>&first = before.films[k].pressure, &second = after.films[k].pressure;
+    for (std::size_t n = 0; n < first.size(); ++n) largest = std::max(largest, std::abs(second[n] - first[n]));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm);
+  return largest;
+}
+
+/// A period that was marched to its end.
+struct Trial {
+  PairState start;
+  PairState end;
+  double begin = 0.0;
+  Motion defect;
+  double film_defect = 0.0;
+};
+
+class OrbitSearch {
+public:
+  OrbitSearch(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess, const PeriodicOptions& options,
+              const SearchObserver& observer)
+      : march_(march), path_(path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
+    if (guess.neighbour) {
+      march_.resume(0.0, *guess.neighbour);
+      march_.displace(guess.motion);
+    } else {
+      march_.start(guess.motion);
+    }
+  }
+
+  PeriodicOrbit run() {
+    while (!march_period()) place_next();
+    return {last_.start,          last_.end,         beside_,  last_.begin,
+            length(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
+  }
+
+private:
+  bool repeats(const Trial& trial) const {
+    return length(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+  }
+
+  /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
+  /// first.
+  bool march_period() {
+    count_period();
+    Trial trial{march_.state(), {}, march_.T(), {}, 0.0};
+    try {
+      march_.run(trial.begin + path_.mesh_period());
+    } catch (const SolveError& error) {
+      if (!best_) throw;
+      trouble_ = error.what();
+      better_ = false;
+      return false;
+    }
+    trial.end = march_.state();
+    trial.defect = difference(trial.end.motion, trial.start.motion);
+    trial.film_defect = film_change(trial.start, trial.end, march_.comm());
+    // The films of the first period were not made by a march: it says little about the map of the motion alone.
+    const bool first_true = ++trials_ == 2;
+    if (trials_ > 2) {
+      jacobian_.update(difference(trial.start.motion, last_.start.motion),
+                       difference(trial.end.motion, last_.end.motion));
+    }
+    const double size = length(trial.defect);
+    better_ = !best_ || first_true || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
+    last_ = trial;
+    if (size > worth_keeping) beside_ = trial.end;
+    if (better_) best_ = trial;
+    const bool found = repeats(trial);
+    observer_({periods_, trial.begin, size, trial.film_defect, found});
+    return found;
+  }
+
+  /// Puts the march where the next period is to begin.
+  void place_next() {
+    if (settling_ > 0 && better_) {
+      --settling_;
+      return march_on();
+    }
+    settling_ = 0;
+    shortening_ = better_ ? 1.0 : 0.5 * shortening_;
+    if (better_) measured_ = false;
+    for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
+      try {
+        if (shortening_ < shortest_step) measure_jacobian();
+        march_.resume(path_.next_period(march_.T()), best_->end);
+        march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+        return;
+      } catch (const SolveError& error) {
+        if (periods_ > options_.max_periods) throw;
+        trouble_ = error.what();
+      }
+    }
+    settling_ = settling_periods - 1;
+    march_on();
+  }
+
+  void measure_jacobian() {
+    measured_ = true;
+    shortening_ = 1.0;
+    for (int column = 0; column < 2; ++column) measure(*best_, column);
+  }
+
+  void march_on() {
+    shortening_ = 1.0;
+    measured_ = false;
+    march_.resume(path_.next_period(march_.T()), best_->end);
+  }
+
+  /// One column of the Jacobian, by a period with disturbed motion.
+  void measure(const Trial& base, int column) {
+    count_period();
+    Motion step{};
+    (column == 0 ? step.H0 : step.V0) = difference_step;
+    march_.resume(path_.next_period(march_.T()), base.start);
+    march_.displace(moved(base.start.motion, 1.0, step));
+    march_.run(march_.T() + path_.mesh_period());
+    const Motion change = difference(march_.motion(), base.end.motion);
+    jacobian_.update(step, change);
+  }
+
+  void count_period() {
+    if (++periods_ <= options_.max_periods) return;
+    std::ostringstream message;
+    message << "no periodic state after " << options_.max_periods << " mesh periods";
+    if (best_) {
+      message << ": (H0, V0) still changes by " << length(best_->defect) << ", the films by " << best_->film_defect;
+    }
+    if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
+    message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
+    throw SolveError(message.str());
+  }
+
+  MeshMarch& march_;
+  const ContactPath& path_;
+  PeriodicOptions options_;
+  const SearchObserver& observer_;
+  MapJacobian jacobian_;
+  int periods_ = 0;
+  int trials_ = 0;  ///< periods marched to their end
+  std::optional<PairState> beside_;
+  Trial last_;
+  std::optional<Trial> best_;
+  bool better_ = true;       ///< the last trial improved on the best before it
+  bool measured_ = false;    ///< the Jacobian was measured since the last improvement
+  double shortening_ = 1.0;  ///< part of the Newton step taken
+  int settling_ = 0;         ///< periods still to be marched on
+  std::string trouble_;      ///< why the last failed march failed
+};
+
+}  // namespace
+
+OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
+  return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};
+}
+
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
+                                  const PeriodicOptions& options, const SearchObserver& observer) {
+  return OrbitSearch(march, path, guess, options, observer).run();
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,190 @@
+#include "gearfilm/output/checkpoint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/output/state_file.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr std::size_t states_kept = 2;
+// A run done again on another number of processes begins with the same motion within the solvers' tolerance.
+constexpr double same_begin = 1e-6;
+
+Summary description_of(const FilmSnapshot& snapshot) {
+  Summary contacts = Summary::array();
+  for (const ContactSnapshot& contact : snapshot.contacts) contacts.push_back({contact.contact, contact.position});
+  return {{"T", snapshot.T}, {"contacts", contacts}};
+}
+
+void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields& fields) {
+  for (const ContactSnapshot& contact : snapshot.contacts) {
+    for (const Field<double>* field : {&contact.pressure, &contact.film}) {
+      fields.emplace_back(static_cast<std::size_t>(grid.local_size()));
+      field->store(fields.back().data());
+    }
+  }
+}
+
+/// The snapshots of a state; their fields come behind those of the films.
+void read_snapshots(const Grid& grid, const Summary& description, const CompactFields& fields,
+                    std::deque<FilmSnapshot>& snapshots) {
+  std::size_t next = 2 * description["films"].get<std::size_t>();
+  for (const Summary& entry : description["snapshots"]) {
+    FilmSnapshot snapshot{entry["T"].get<double>(), {}};
+    for (const Summary& contact : entry["contacts"]) {
+      Field<double> pressure(grid), film(grid);
+      pressure.load(fields.at(next++).data());
+      film.load(fields.at(next++).data());
+      snapshot.contacts.push_back(
+          {contact[0].get<int>(), contact[1].get<double>(), std::move(pressure), std::move(film)});
+    }
+    snapshots.push_back(std::move(snapshot));
+  }
+}
+
+}  // namespace
+
+Checkpoint::Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin)
+    : grid_(grid), folder_(std::move(folder)), journal_(grid.comm(), folder_ / "steps") {
+  write_together(grid_.comm(), folder_, [&] {
+    if (grid_.rank() != 0) return;
+    if (begin == Begin::anew) std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  });
+  if (begin == Begin::where_it_stopped) find_states();
+}
+
+std::filesystem::path Checkpoint::file(const KeptState& state) const {
+  char name[48];
+  std::snprintf(name, sizeof name, "run%03d_%05d.state", state.run, state.number);
+  return folder_ / name;
+}
+
+// States are numbered through all runs. One that is not whole has been spoiled since: the one before it serves.
+void Checkpoint::find_states() {
+  std::string names;
+  if (grid_.rank() == 0) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      names += entry.path().filename().string() + "\n";
+  }
+  broadcast(grid_.comm(), names);
+  std::istringstream lines(names);
+  for (std::string name; std::getline(lines, name);) {
+    KeptState state;
+    const int numbers = std::sscanf(name.c_str(), "run%d_%d.state", &state.run, &state.number);
+    if (numbers == 2 && name == file(state).filename()) kept_.push_back(state);
+  }
+  std::ranges::sort(kept_, {}, &KeptState::number);
+  for (std::size_t n = 0; n < kept_.size(); ++n) {
+    const std::optional<Summary> description = read_state_description(grid_.comm(), file(kept_[n]));
+    if (!description) return forget_from(n);
+    kept_[n].T = (*description)["T"].get<double>();
+    kept_[n].steps_end = (*description)["steps_end"].get<std::uint64_t>();
+    kept_[n].with_snapshots = !(*description)["snapshots"].empty();
+  }
+}
+
+void Checkpoint::remove_file(const KeptState& state) const {
+  std::error_code ignored;
+  if (grid_.rank() == 0) std::filesystem::remove(file(state), ignored);
+}
+
+void Checkpoint::remove() {
+  std::error_code ignored;
+  if (grid_.rank() == 0) std::filesystem::remove_all(folder_, ignored);
+}
+
+void Checkpoint::forget_from(std::size_t first) {
+  for (std::size_t n = first; n < kept_.size(); ++n) remove_file(kept_[n]);
+  kept_.resize(first);
+}
+
+std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
+  ++run_;
+  run_begin_ = {{"T", T}, {"H0", motion.H0}, {"V0", motion.V0}};
+  waiting_.clear();
+  attached_.clear();
+  recalled_.clear();
+  const auto first = std::ranges::lower_bound(kept_, run_, {}, &KeptState::run);
+  const auto end = std::ranges::upper_bound(kept_, run_, {}, &KeptState::run);
+  if (first == end) return {};
+  KeptRun kept;
+  for (auto state = first; state != end; ++state) {
+    const bool last = state + 1 == end;
+    if (!last && !state->with_snapshots) continue;
+    const std::optional<Summary> description = read_state_description(grid_.comm(), file(*state));
+    if (!description) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
+    const Summary& begin = (*description)["begin"];
+    for (const auto& [name, value] : run_begin_.items()) {
+      if (std::abs(begin[name].get<double>() - value.get<double>()) < same_begin) continue;
+      forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
+      return {};
+    }
+    const CompactFields fields = read_state_fields(grid_, file(*state));
+    read_snapshots(grid_, *description, fields, recalled_);
+    if (!last) continue;
+    kept.T = (*description)["T"].get<double>();
+    kept.state.motion = {(*description)["H0"].get<double>(), (*description)["V0"].get<double>()};
+    kept.state.films = films_from(fields, (*description)["films"].get<std::size_t>());
+  }
+  const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps_end;
+  kept.records = journal_.read(steps_begin, (end - 1)->steps_end);
+  return kept;
+}
+
+void Checkpoint::record(const StepRecord& record) { waiting_.push_back(record); }
+
+void Checkpoint::attach(const FilmSnapshot& snapshot) { attached_.push_back(snapshot); }
+
+std::optional<FilmSnapshot> Checkpoint::recall_snapshot() {
+  if (recalled_.empty()) return {};
+  FilmSnapshot snapshot = std::move(recalled_.front());
+  recalled_.pop_front();
+  return snapshot;
+}
+
+void Checkpoint::drop_snapshots() {
+  for (KeptState& state : kept_) state.with_snapshots = state.with_snapshots && state.run != run_;
+}
+
+void Checkpoint::keep(double T, const PairState& state) {
+  // A run that failed before fails again when it is done again; what came after it is known.
+  if (!caught_up()) return;
+  const std::uint64_t steps_before = kept_.empty() ? 0 : kept_.back().steps_end;
+  KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, 0, !attached_.empty()};
+  next.steps_end = journal_.write(steps_before, waiting_);
+  Summary description = {
+      {"T", T}, {"H0", state.motion.H0}, {"V0", state.motion.V0}, {"begin", run_begin_}, {"steps_end", next.steps_end}};
+  CompactFields fields = fields_of(state);
+  description["films"] = state.films.size();
+  description["snapshots"] = Summary::array();
+  for (const FilmSnapshot& snapshot : attached_) {
+    description["snapshots"].push_back(description_of(snapshot));
+    append_fields(grid_, snapshot, fields);
+  }
+  write_state(grid_, file(next), description, fields);
+  kept_.push_back(next);
+  waiting_.clear();
+  attached_.clear();
+  remove_superfluous();
+}
+
+void Checkpoint::remove_superfluous() {
+  for (std::size_t n = 0; n + states_kept < kept_.size();) {
+    const bool ends_run = kept_[n + 1].run != kept_[n].run;
+    if (ends_run || kept_[n].with_snapshots) {
+      ++n;
+    } else {
+      remove_file(kept_[n]);
+      kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(n));
+    }
+  }
+}
+
+}  // namespace gearfilm

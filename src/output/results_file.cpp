@@ -1,0 +1,137 @@
+#include "gearfilm/output/results_file.hpp"
+
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/output/output_directory.hpp"
+
+namespace gearfilm {
+
+ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {
+  MPI_Comm_rank(comm, &rank_);
+  write([&] { petsc_check(PetscViewerHDF5Open(comm, part_of(path_).c_str(), FILE_MODE_WRITE, viewer_.put())); });
+}
+
+// Closing takes all processes, but an error may have struck this one alone; and HDF5 cannot close what it could not
+// write. Without finish() the file is left to the end of the program.
+ResultsFile::~ResultsFile() { (void)viewer_.release(); }
+
+hid_t ResultsFile::hdf5_file() {
+  hid_t file = H5I_INVALID_HID;
+  petsc_check(PetscViewerHDF5GetFileId(viewer_, &file));
+  return file;
+}
+
+void ResultsFile::attribute(const std::string& group, const std::string& name, const std::string& value) {
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  });
+}
+
+void ResultsFile::attribute(const std::string& group, const std::string& name, double value) {
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_DOUBLE, &value));
+  });
+}
+
+void ResultsFile::dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value) {
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), name.c_str(), PETSC_STRING, value.c_str()));
+  });
+}
+
+void ResultsFile::view(const std::string& group, const std::string& name, Vec vec, const std::string& unit) {
+  write([&] {
+    petsc_check(PetscViewerHDF5PushGroup(viewer_, group.c_str()));
+    petsc_check(PetscObjectSetName(reinterpret_cast<PetscObject>(vec), name.c_str()));
+    petsc_check(VecView(vec, viewer_));
+    petsc_check(PetscViewerHDF5PopGroup(viewer_));
+  });
+  dataset_attribute(group + "/" + name, "unit", unit);
+}
+
+void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit,
+                        const WholeDomain& domain, const Field<double>& values, double scale) {
+  view(group, name, domain.unfold(values, scale), unit);
+}
+
+void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
+  const auto count = static_cast<PetscInt>(values.size());
+  OwnedVec vec;
+  petsc_check(VecCreateMPI(comm_, rank_ == 0 ? count : 0, count, vec.put()));
+  if (rank_ == 0) std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(vec)));
+  view(group, name, vec, "m");
+}
+
+void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
+  const Grid& grid = domain.grid();
+  std::vector<double> x(grid.nx()), y(grid.ny());
+  for (int i = 0; i < grid.nx(); ++i) x[i] = scales.length * grid.x(i);
+  for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * domain.y(j);
+  line(group, "x", x);
+  line(group, "y", y);
+  view(group, "mesh", domain.coordinates(scales.length), "m");
+}
+
+void ResultsFile::publish() {
+  write([&] {
+    if (H5Fflush(hdf5_file(), H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
+  });
+  take_name();
+}
+
+void ResultsFile::take_name() {
+  finish_part(comm_, path_);
+  published_ = true;
+}
+
+void ResultsFile::finish() {
+  write([&] {
+    PetscViewer viewer = viewer_.release();
+    petsc_check(PetscViewerDestroy(&viewer));
+  });
+  if (!published_) take_name();
+}
+
+namespace {
+
+std::string xdmf_data(const std::string& size, const std::string& dataset) {
+  return "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" + size + "\">" + dataset +
+         "</DataItem>";
+}
+
+std::string xdmf_contact(const std::string& results_name, const std::string& mesh, const std::string& group,
+                         const std::string& size) {
+  std::string text = "        <Grid Name=\"" + group.substr(group.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
+  text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
+  text +=
+      "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
+  for (const std::string name : {"P", "H"}) {
+    text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
+            xdmf_data(size, results_name + ":" + group + "/" + name) + "</Attribute>\n";
+  }
+  return text + "        </Grid>\n";
+}
+
+}  // namespace
+
+void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
+                const Grid& grid, const std::vector<TimedFields>& series) {
+  const std::string size = std::to_string(grid.nx()) + " " + std::to_string(grid.ny());
+  std::ostringstream file;
+  file.precision(12);
+  file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
+       << "    <Grid Name=\"films\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (const TimedFields& fields : series) {
+    file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+         << "        <Time Value=\"" << fields.time << "\"/>\n";
+    for (const std::string& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
+    file << "      </Grid>\n";
+  }
+  file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
+  write_whole(grid.comm(), path, file.str());
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,46 @@
+#include "gearfilm/output/run_identity.hpp"
+
+#include <algorithm>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/input/case_file.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+
+namespace gearfilm {
+
+Summary identity_of(const Case& problem, const std::string& command, const std::vector<std::string>& free) {
+  Summary identity = {{"command", command}};
+  for (const EchoedValue& echoed : problem.parameters.echo()) {
+    const std::string section = find_parameter(echoed.name)->section();
+    const bool may_differ =
+        std::ranges::any_of(free, [&](const std::string& name) { return name == echoed.name || name == section; });
+    if (!may_differ) identity[echoed.name] = echoed.value;
+  }
+  return identity;
+}
+
+std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path& file) {
+  int exists = 0;
+  std::error_code ignored;
+  if (rank_in(comm) == 0) exists = std::filesystem::exists(file, ignored);
+  MPI_Bcast(&exists, 1, MPI_INT, 0, comm);
+  if (!exists) return {};
+  Summary identity = Summary::parse(read_text(comm, file.string(), "file"), nullptr, false);
+  if (!identity.is_object()) {
+    throw InputError("'" + file.string() + "' cannot be read; delete its folder, or choose another one");
+  }
+  return std::make_optional(std::move(identity));
+}
+
+void require_same_identity(const Summary& before, const Summary& now, const std::filesystem::path& file) {
+  for (const Summary* side : {&before, &now}) {
+    for (const auto& [name, value] : side->items()) {
+      const std::string then = before.value(name, "absent"), today = now.value(name, "absent");
+      if (then == today) continue;
+      throw InputError("'" + file.parent_path().string() + "' holds another run, with " + name + " " + then +
+                       " instead of " + today + "; choose another folder with -output_dir, or delete that one");
+    }
+  }
+}
+
+}  // namespace gearfilm

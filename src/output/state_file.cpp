@@ -1,0 +1,178 @@
+#include "gearfilm/output/state_file.hpp"
+
+#include <cstdint>
+#include <fstream>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+
+namespace gearfilm {
+namespace {
+
+void mpi_check(int code) {
+  if (code == MPI_SUCCESS) return;
+  char text[MPI_MAX_ERROR_STRING];
+  int length = 0;
+  MPI_Error_string(code, text, &length);
+  throw std::runtime_error(std::string(text, static_cast<std::size_t>(length)));
+}
+
+/// This process's part of all fields of a file.
+class FieldsView {
+public:
+  FieldsView(const Grid& grid, std::size_t fields) {
+    const int lines = static_cast<int>(fields) * grid.nx();
+    const int all[2] = {lines, grid.rows()}, own[2] = {lines, grid.y_count()}, begin[2] = {0, grid.y_begin()};
+    MPI_Type_create_subarray(2, all, own, begin, MPI_ORDER_C, MPI_DOUBLE, &type_);
+    MPI_Type_commit(&type_);
+    MPI_Type_contiguous(grid.nx() * grid.y_count(), MPI_DOUBLE, &own_field_);
+    MPI_Type_commit(&own_field_);
+  }
+  ~FieldsView() {
+    MPI_Type_free(&own_field_);
+    MPI_Type_free(&type_);
+  }
+  FieldsView(const FieldsView&) = delete;
+  FieldsView& operator=(const FieldsView&) = delete;
+
+  /// So many of these are all fields: their values together may be more than an int can count.
+  MPI_Datatype own_field() const { return own_field_; }
+
+  int show(MPI_File file, MPI_Offset offset) const {
+    return MPI_File_set_view(file, offset, MPI_DOUBLE, type_, "native", MPI_INFO_NULL);
+  }
+
+private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+  MPI_Datatype own_field_ = MPI_DATATYPE_NULL;
+};
+
+MPI_Offset fields_begin(std::size_t description) {
+  return static_cast<MPI_Offset>(sizeof(std::uint64_t)) + static_cast<MPI_Offset>(description);
+}
+
+InputError unusable(const std::filesystem::path& path, const std::string& reason) {
+  return InputError("'" + path.string() + "' " + reason + "; start anew, without -restart");
+}
+
+/// The description as it stands in the file; empty where the file is not whole.
+std::string description_in(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  std::uint64_t length = 0;
+  file.read(reinterpret_cast<char*>(&length), sizeof length);
+  if (error || !file || length > size) return {};
+  std::string text(length, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(length));
+  const Summary description = Summary::parse(text, nullptr, false);
+  if (!file || !description.is_object() || !description.contains("nodes")) return {};
+  const auto values = description["fields"].get<std::uintmax_t>() * description["nodes"][0].get<std::uintmax_t>() *
+                      description["nodes"][1].get<std::uintmax_t>();
+  return size == static_cast<std::uintmax_t>(fields_begin(length)) + values * sizeof(double) ? text : std::string();
+}
+
+std::string shared_description(MPI_Comm comm, const std::filesystem::path& path) {
+  std::string text = rank_in(comm) == 0 ? description_in(path) : std::string();
+  broadcast(comm, text);
+  return text;
+}
+
+/// Writes the fields behind the description, down to the disk.
+void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, const CompactFields& fields) {
+  std::vector<double> values;
+  for (const std::vector<double>& field : fields) values.insert(values.end(), field.begin(), field.end());
+  write_together(grid.comm(), path, [&] {
+    MPI_File file = MPI_FILE_NULL;
+    mpi_check(MPI_File_open(grid.comm(), path.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file));
+    const FieldsView view(grid, fields.size());
+    // All processes take part in every call, whatever came of the one before.
+    const int codes[] = {
+        view.show(file, begin),
+        MPI_File_write_all(file, values.data(), static_cast<int>(fields.size()), view.own_field(), MPI_STATUS_IGNORE),
+        MPI_File_sync(file), MPI_File_close(&file)};
+    for (int code : codes) mpi_check(code);
+  });
+}
+
+/// The same back.
+CompactFields extract_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, std::size_t count) {
+  const auto size = static_cast<std::size_t>(grid.local_size());
+  std::vector<double> values(count * size);
+  MPI_File file = MPI_FILE_NULL;
+  int code = MPI_File_open(grid.comm(), path.c_str(), MPI_MODE_RDONLY, MPI_INFO_NULL, &file);
+  if (code == MPI_SUCCESS) {
+    const FieldsView view(grid, count);
+    code = view.show(file, begin);
+    const int read =
+        MPI_File_read_all(file, values.data(), static_cast<int>(count), view.own_field(), MPI_STATUS_IGNORE);
+    MPI_File_close(&file);
+    code = code == MPI_SUCCESS ? read : code;
+  }
+  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) throw unusable(path, "cannot be read");
+  CompactFields fields;
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(n * size);
+    fields.emplace_back(first, first + static_cast<std::ptrdiff_t>(size));
+  }
+  return fields;
+}
+
+}  // namespace
+
+CompactFields fields_of(const PairState& state) {
+  CompactFields fields;
+  for (const ToothFilm& film : state.films) {
+    fields.push_back(film.pressure);
+    fields.push_back(film.rate);
+  }
+  return fields;
+}
+
+std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films) {
+  std::vector<ToothFilm> result;
+  for (std::size_t k = 0; k < films; ++k) result.push_back({fields.at(2 * k), fields.at(2 * k + 1)});
+  return result;
+}
+
+void write_state(const Grid& grid, const std::filesystem::path& path, Summary description,
+                 const CompactFields& fields) {
+  description["fields"] = fields.size();
+  description["nodes"] = {grid.nx(), grid.rows()};
+  const std::string text = description.dump();
+  const std::filesystem::path part = part_of(path);
+  write_together(grid.comm(), path, [&] {
+    if (grid.rank() != 0) return;
+    const std::uint64_t length = text.size();
+    write_bytes(part, {reinterpret_cast<const char*>(&length), sizeof length});
+    write_bytes(part, text, std::ios::app);
+    flush_to_disk(part);
+  });
+  if (!fields.empty()) append_fields(grid, part, fields_begin(text.size()), fields);
+  finish_part(grid.comm(), path);
+  write_together(grid.comm(), path, [&] {
+    if (grid.rank() == 0) flush_to_disk(path.parent_path());
+  });
+}
+
+std::optional<Summary> read_state_description(MPI_Comm comm, const std::filesystem::path& path) {
+  const std::string text = shared_description(comm, path);
+  if (text.empty()) return {};
+  return Summary::parse(text);
+}
+
+CompactFields read_state_fields(const Grid& grid, const std::filesystem::path& path) {
+  const std::string text = shared_description(grid.comm(), path);
+  if (text.empty()) throw unusable(path, "cannot be read");
+  const Summary description = Summary::parse(text);
+  const int nx = description["nodes"][0].get<int>(), rows = description["nodes"][1].get<int>();
+  if (nx != grid.nx() || rows != grid.rows()) {
+    throw unusable(path, "is of a grid of " + std::to_string(nx) + " x " + std::to_string(2 * rows - 1) + " nodes");
+  }
+  const auto count = description["fields"].get<std::size_t>();
+  if (count == 0) return {};
+  return extract_fields(grid, path, fields_begin(text.size()), count);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,49 @@
+#include "gearfilm/output/stop_request.hpp"
+
+#include <array>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+struct StopSignal {
+  int number;
+  const char* name;
+};
+constexpr std::array<StopSignal, 2> stop_signals = {{{SIGTERM, "SIGTERM"}, {SIGUSR1, "SIGUSR1"}}};
+
+volatile std::sig_atomic_t received = 0;
+
+void receive(int signal) { received = signal; }
+
+}  // namespace
+
+StopRequest::StopRequest(std::optional<double> time_limit) : time_limit_(time_limit), start_(MPI_Wtime()) {
+  struct sigaction action = {};
+  action.sa_handler = receive;
+  action.sa_flags = SA_RESTART;  // writing goes on
+  for (std::size_t n = 0; n < stop_signals.size(); ++n) sigaction(stop_signals[n].number, &action, &before_[n]);
+}
+
+StopRequest::~StopRequest() {
+  for (std::size_t n = 0; n < stop_signals.size(); ++n) sigaction(stop_signals[n].number, &before_[n], nullptr);
+}
+
+void StopRequest::check(MPI_Comm comm, double mesh_period) const {
+  const bool late = time_limit_ && MPI_Wtime() - start_ > *time_limit_;
+  std::array<int, 2> wishes = {static_cast<int>(received), late};
+  MPI_Allreduce(MPI_IN_PLACE, wishes.data(), 2, MPI_INT, MPI_MAX, comm);
+  if (wishes[0] == 0 && wishes[1] == 0) return;
+  std::ostringstream message;
+  message << "at mesh period " << mesh_period << ", ";
+  for (const StopSignal& signal : stop_signals) {
+    if (wishes[0] == signal.number) message << "by " << signal.name;
+  }
+  if (wishes[0] == 0) message << "after the time limit of " << *time_limit_ << " s";
+  message << "; everything up to there is written; go on with the same command and -restart";
+  throw Stopped(message.str());
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,54 @@
+#include "gearfilm/parallel/mpi_settings.hpp"
+
+#include <mpi.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gearfilm {
+namespace {
+
+/// 4 for Open MPI 4.1.4; 0 for another implementation.
+int open_mpi_generation() {
+  char text[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0, generation = 0;
+  MPI_Get_library_version(text, &length);  // allowed before MPI_Init
+  return std::sscanf(text, "Open MPI v%d", &generation) == 1 ? generation : 0;
+}
+
+void prefer(const char* name, const char* value) { setenv((std::string("OMPI_MCA_") + name).c_str(), value, 0); }
+
+/// Without mpiexec or a batch system, which give every process a name space.
+bool is_alone() { return std::getenv("PMIX_NAMESPACE") == nullptr; }
+
+bool is_on_one_machine() {
+  const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
+  const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  return all && here && std::string(all) == here;
+}
+
+}  // namespace
+
+void prefer_mpi_settings() {
+  const int generation = open_mpi_generation();
+  if (generation == 0) return;
+  // OMPIO, the default for parallel files, leaves a semaphore behind when a run is killed inside a file open; every
+  // later open of a file of that name then hangs. ROMIO does not. Where there is none (from Open MPI 6 on, and where it
+  // was not built), OMPIO has to do without the part that has the semaphore.
+  prefer("io_ompio_priority", "1");
+  prefer("sharedfp", "^sm");
+  // More than 4 kB go between processes of one machine by a system call, which takes as long as a whole transpose of
+  // 129 x 65 nodes.
+  prefer(generation < 5 ? "btl_vader_eager_limit" : "btl_sm_eager_limit", "16384");
+  if (generation < 5) return;
+  // A process alone leaves the file of its shared memory behind. Processes of one machine look for a network all the
+  // same, and complain where there is none.
+  if (is_alone()) {
+    prefer("btl", "self");
+  } else if (is_on_one_machine()) {
+    prefer("btl", "^tcp");
+  }
+}
+
+}  // namespace gearfilm
