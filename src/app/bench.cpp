@@ -36,26 +36,29 @@ public:
   GridBench(MPI_Comm comm, const Case& problem, GridSize size)
       : comm_(comm),
         problem_(problem),
-        grid_(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-        film_(grid_, problem.scales, problem.solver.multigrid),
+        discretisation_(
+            discretise(Grid(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
+                       problem.scales)),
+        film_(discretisation_, problem.scales, problem.solver.multigrid),
         unit_(common_unit(comm, size)),
-        change_(grid_.local_size()),
-        rows_(grid_.local_size()) {}
+        change_(film_.grid().local_size()),
+        rows_(film_.grid().local_size()) {}
 
   Summary run() {
-    petsc_check(PetscPrintf(comm_, "\n%d x %d nodes, convolution time %.4g ms\n%-28s %12s %10s %12s\n", grid_.nx(),
-                            grid_.ny(), 1e3 * unit_, "", "time [ms]", "ns/node", "convolutions"));
+    petsc_check(PetscPrintf(comm_, "\n%d x %d nodes, convolution time %.4g ms\n%-28s %12s %10s %12s\n",
+                            film_.grid().nx(), film_.grid().ny(), 1e3 * unit_, "", "time [ms]", "ns/node",
+                            "convolutions"));
     solve();
     kernels<float>("single");
     kernels<double>("double");
     film_kernels();
-    return {{"nx", grid_.nx()}, {"ny", grid_.ny()}, {"convolution_time", unit_}, {"rows", table_}};
+    return {{"nx", film_.grid().nx()}, {"ny", film_.grid().ny()}, {"convolution_time", unit_}, {"rows", table_}};
   }
 
 private:
   void report(const std::string& name, double seconds) {
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
-    const double per_node = 1e9 * seconds / (static_cast<double>(grid_.nx()) * grid_.ny());
+    const double per_node = 1e9 * seconds / (static_cast<double>(film_.grid().nx()) * film_.grid().ny());
     petsc_check(
         PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node, seconds / unit_));
     table_.push_back(
@@ -73,9 +76,9 @@ private:
 
   template <class Real>
   void kernels(const std::string& precision) {
-    MultigridLevel<Real> level(grid_, problem_.scales.C_h);
-    const Deformation<Real> deformation(grid_, problem_.scales.C_h);
-    Field<Real> pressure(grid_), deformed(grid_);
+    MultigridLevel<Real> level(*discretisation_);
+    const Deformation<Real>& deformation = discretisation_->deformation<Real>();
+    Field<Real> pressure(film_.grid()), deformed(film_.grid());
     report("deformation, " + precision,
            median_time([&] { deformation.apply(pressure, deformed); }, 0.0, 0, kernel_runs));
     report("smoother factors, " + precision,
@@ -100,7 +103,7 @@ private:
 
   MPI_Comm comm_;
   const Case& problem_;
-  Grid grid_;
+  SharedDiscretisation discretisation_;
   ContactFilm film_;
   double unit_;
   StationaryResult result_;
@@ -114,13 +117,13 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   Case resized = problem;
   resized.nx = size.nx;
   resized.ny = size.ny;
-  const Grid grid(comm, case_grid(resized));
+  const SharedDiscretisation films = discretise(comm, resized);
   const ContactPath path = path_after_leaving(resized);
   MarchStatistics statistics(path.mesh_period(), resized.scales.static_force);
-  MeshMarch march = make_march(resized, grid, path, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+  MeshMarch march = make_march(resized, films, path, [&](const StepRecord& record, const std::vector<LiveContact>&) {
     statistics.add(record, true);
   });
-  march.start(dry_guess(resized, grid, damped_dry_orbit(resized, path)).motion);
+  march.start(dry_guess(resized, films, damped_dry_orbit(resized, path)).motion);
   march.run(path.mesh_period());
   const double before = common_unit(comm, size), start = MPI_Wtime();
   march.run(2.0 * path.mesh_period());

@@ -9,6 +9,10 @@ GridShape case_grid(const Case& problem) {
   return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
 }
 
+SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
+  return discretise(Grid(comm, case_grid(problem)), problem.scales);
+}
+
 void require_inertia(const Case& problem) {
   if (problem.line && (problem.equivalent_mass || problem.model == MarchModel::quasistatic)) return;
   throw InputError("the case '" + problem.name +
@@ -25,12 +29,13 @@ void require_moving_films(const Case& problem, const std::string& command) {
   if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
-MeshMarch make_march(const Case& problem, const Grid& grid, const ContactPath& path, StepObserver observer,
-                     MarchKeeper* keeper) {
-  SolverOptions films = problem.solver;
-  films.multigrid.levels = problem.step_levels > 0 ? problem.step_levels : step_levels(grid, problem.steps.dT);
+MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+                     StepObserver observer, MarchKeeper* keeper) {
+  SolverOptions solver = problem.solver;
+  solver.multigrid.levels =
+      problem.step_levels > 0 ? problem.step_levels : step_levels(films->grid(), problem.steps.dT);
   const bool inert = problem.model != MarchModel::quasistatic;
-  return MeshMarch(grid, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, films,
+  return MeshMarch(films, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, solver,
                    problem.steps, std::move(observer), problem.prescribed_load, keeper);
 }
 
@@ -38,8 +43,8 @@ DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {
   return find_dry_orbit(problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), usual_film_damping);
 }
 
-OrbitGuess dry_guess(const Case& problem, const Grid& grid, const DryOrbit& dry) {
-  ContactFilm film(grid, problem.scales, problem.solver.multigrid);
+OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+  ContactFilm film(films, problem.scales, problem.solver.multigrid);
   const StationaryResult at_pitch = located("contact at the pitch point", [&] {
     return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
   });

@@ -30,16 +30,17 @@ Summary dry_pair_summary(const Case& problem) {
 }
 
 /// The pair at rest on its films at the chosen position, linearised.
-Summary film_summary(const Case& problem, const Grid& grid, double angular_frequency) {
+Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, double angular_frequency) {
   const Scales& scales = problem.scales;
   const ContactPath path(*problem.line, scales, problem.pinion_speed, problem.steady_position, MeshGeometry::held);
-  MeshMarch march = make_march(problem, grid, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  MeshMarch march =
+      make_march(problem, discretisation, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
   march.start({});
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
   std::vector<std::unique_ptr<ContactFilm>> films;
   std::vector<PairContact> contacts;
   for (const PairContact& contact : march.contacts()) {
-    films.push_back(std::make_unique<ContactFilm>(grid, scales, problem.solver.multigrid));
+    films.push_back(std::make_unique<ContactFilm>(discretisation, scales, problem.solver.multigrid));
     contacts.push_back({contact.contact, films.back().get()});
   }
   LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales);
@@ -63,14 +64,14 @@ Summary film_summary(const Case& problem, const Grid& grid, double angular_frequ
 
 /// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
 /// films by themselves.
-Summary orbit_multipliers(const Case& problem, const Grid& grid, ResumableRun& run) {
+Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
   const ContactPath path = path_after_leaving(problem);
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    if (run.checkpoint().is_new(record)) run.stop().check(grid.comm(), record.T / path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / path.mesh_period());
   };
-  MeshMarch march = make_march(problem, grid, path, on_step, &run.checkpoint());
+  MeshMarch march = make_march(problem, films, path, on_step, &run.checkpoint());
   const PeriodicOrbit orbit =
-      find_periodic_orbit(march, path, dry_guess(problem, grid, damped_dry_orbit(problem, path)), problem.periodic,
+      find_periodic_orbit(march, path, dry_guess(problem, films, damped_dry_orbit(problem, path)), problem.periodic,
                           [](const SearchPeriod&) {});
   const FloquetMultipliers found = floquet_multipliers(march, path, orbit, {.periods = problem.eigen_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};
@@ -105,13 +106,13 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   require_moving_films(given, "eigen");
   Case problem = given;
   problem.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
-  const Grid grid(comm, case_grid(problem));
-  ResumableRun run(problem, grid, "eigen");
+  const SharedDiscretisation films = discretise(comm, problem);
+  ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}};
   summary.update(dry_pair_summary(problem));
   const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
-  summary.update(film_summary(problem, grid, dry_rate));
-  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, grid, run);
+  summary.update(film_summary(problem, films, dry_rate));
+  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, films, run);
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary);

@@ -10,8 +10,8 @@
 
 namespace gearfilm {
 
-OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& path, const OrbitGuess& guess,
-                   const OrbitObservers& observers) {
+OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+                   const OrbitGuess& guess, const OrbitObservers& observers) {
   MarchStatistics statistics(path.mesh_period(), problem.scales.static_force);
   MotionSignal signal;
   bool searching = true;
@@ -22,9 +22,9 @@ OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& pat
       observers.on_step(record, live);
     }
     // What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
-    if (observers.checkpoint.is_new(record)) observers.stop.check(grid.comm(), record.T / path.mesh_period());
+    if (observers.checkpoint.is_new(record)) observers.stop.check(films->grid().comm(), record.T / path.mesh_period());
   };
-  MeshMarch march = make_march(problem, grid, path, on_step, &observers.checkpoint);
+  MeshMarch march = make_march(problem, films, path, on_step, &observers.checkpoint);
   OrbitRun run;
   run.orbit = find_periodic_orbit(march, path, guess, problem.periodic, observers.on_period);
   searching = false;

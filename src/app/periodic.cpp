@@ -30,17 +30,18 @@ Summary dry_summary(const Case& problem, const ContactPath& path) {
 void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   require_moving_films(problem, "periodic");
-  const Grid grid(comm, case_grid(problem));
+  const SharedDiscretisation films = discretise(comm, problem);
+  const Grid& grid = films->grid();
   ResumableRun run(problem, grid, "periodic");
   const ContactPath path = path_after_leaving(problem);
-  const OrbitGuess guess = dry_guess(problem, grid, damped_dry_orbit(problem, path));
+  const OrbitGuess guess = dry_guess(problem, films, damped_dry_orbit(problem, path));
   MarchOutput output(run, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
       [&](const SearchPeriod& period) { output.end_search_period(period); }, run.checkpoint(), run.stop()};
   OrbitRun found;
   try {
-    found = run_orbit(problem, grid, path, guess, observers);
+    found = run_orbit(problem, films, path, guess, observers);
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, path, output.statistics());
     summary["completed"] = false;

@@ -114,14 +114,14 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
 }  // namespace
 
 void run_steady(MPI_Comm comm, const Case& problem) {
-  const Grid grid(comm, case_grid(problem));
+  const SharedDiscretisation discretisation = discretise(comm, problem);
   const Position position = steady_position(problem);
   const OutputDirectory directory(comm, problem.output_directory);
   directory.remove_earlier_results();
-  ContactFilm film(grid, problem.scales, problem.solver.multigrid);
+  ContactFilm film(discretisation, problem.scales, problem.solver.multigrid);
   film.set_conditions(position.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;
-  check_domain(grid, problem.scales, position.conditions, force, position.label);
+  check_domain(film.grid(), problem.scales, position.conditions, force, position.label);
   const StationaryResult result =
       located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.solver); });
   check_validity(film, result.figures, position.label);

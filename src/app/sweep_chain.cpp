@@ -111,12 +111,12 @@ private:
     result["f_m"] = mesh_frequency(*here.gears, here.pinion_speed);
     result["f_n"] =
         natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
-    const Grid grid(group_, case_grid(here));
-    Checkpoint checkpoint(grid, points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+    const SharedDiscretisation films = discretise(group_, here);
+    Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
     try {
       std::optional<DryOrbit> dry;
-      const OrbitRun run = search(here, grid, checkpoint, value, dry, result);
-      write_films(grid, point, run.orbit.end);
+      const OrbitRun run = search(here, films, checkpoint, value, dry, result);
+      write_films(films->grid(), point, run.orbit.end);
       result.update(orbit_summary(here, run));
       result["monodromy"] = run.orbit.monodromy;
       if (!dry) dry = dry_beside(here, run.orbit.start.motion);
@@ -139,7 +139,7 @@ private:
   }
 
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
-  OrbitRun search(const Case& here, const Grid& grid, Checkpoint& checkpoint, double value,
+  OrbitRun search(const Case& here, const SharedDiscretisation& films, Checkpoint& checkpoint, double value,
                   std::optional<DryOrbit>& dry, Summary& result) const {
     const ContactPath path = path_after_leaving(here);
     result["search"] = Summary::array();
@@ -153,14 +153,14 @@ private:
       Case brief = here;
       brief.periodic.max_periods = std::min(here.periodic.max_periods, periods_from_neighbour);
       try {
-        return run_orbit(brief, grid, path, from_neighbour(here, path, value, dry), observers);
+        return run_orbit(brief, films, path, from_neighbour(here, path, value, dry), observers);
       } catch (const SolveError& error) {
         result["neighbour_error"] = error.what();
       }
     }
     result["start"] = "dry orbit";
     dry = damped_dry_orbit(here, path);
-    return run_orbit(here, grid, path, dry_guess(here, grid, *dry), observers);
+    return run_orbit(here, films, path, dry_guess(here, films, *dry), observers);
   }
 
   /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit

@@ -32,7 +32,8 @@ void drive(March&& march, const Case& problem, const ContactPath& path) {
 
 void run_transient(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
-  const Grid grid(comm, case_grid(problem));
+  const SharedDiscretisation films = discretise(comm, problem);
+  const Grid& grid = films->grid();
   // A march that failed may go on with other steps.
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
@@ -57,7 +58,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   };
   try {
     if (lubricated) {
-      drive(make_march(problem, grid, path, observer, &run.checkpoint()), problem, path);
+      drive(make_march(problem, films, path, observer, &run.checkpoint()), problem, path);
     } else {
       const double inertia = problem.scales.inertia(*problem.equivalent_mass);
       drive(DryMarch(problem.scales, path, inertia, problem.steps.dT, observer, 0.0, &run.checkpoint()), problem, path);

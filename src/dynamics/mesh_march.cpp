@@ -25,10 +25,10 @@ int step_levels(const Grid& grid, double dT) {
   return grid.nx() * grid.ny() <= (well_conditioned ? 50000 : 10000) ? 1 : 0;
 }
 
-MeshMarch::MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia,
+MeshMarch::MeshMarch(SharedDiscretisation discretisation, const Scales& scales, const ContactPath& path, double inertia,
                      const SolverOptions& films, const StepOptions& steps, StepObserver observer,
                      std::optional<PrescribedLoad> load, MarchKeeper* keeper)
-    : grid_(grid),
+    : discretisation_(std::move(discretisation)),
       scales_(scales),
       path_(path),
       inertia_(inertia),
@@ -49,7 +49,7 @@ ContactFilm* MeshMarch::free_film() {
     const auto uses = [&](const Tooth& tooth) { return tooth.film == film.get(); };
     if (std::none_of(teeth_.begin(), teeth_.end(), uses)) return film.get();
   }
-  films_.push_back(std::make_unique<ContactFilm>(grid_, scales_, film_options_.multigrid));
+  films_.push_back(std::make_unique<ContactFilm>(discretisation_, scales_, film_options_.multigrid));
   return films_.back().get();
 }
 

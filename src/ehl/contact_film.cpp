@@ -8,19 +8,19 @@
 
 namespace gearfilm {
 
-ContactFilm::ContactFilm(const Grid& grid, const Scales& scales, const MultigridOptions& options)
-    : grid_(grid),
+ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
+    : discretisation_(std::move(discretisation)),
+      grid_(discretisation_->grid()),
+      deformation_(discretisation_->deformation<double>()),
       scales_(scales),
-      halo_(grid),
-      deformation_(grid, scales.C_h),
       properties_(scales),
-      state_(grid),
+      state_(grid_),
       options_(options),
-      usual_(make_film_preconditioner(grid, scales.C_h, options)),
-      film_shift_(grid.local_size()),
-      change_(grid),
-      deformed_(grid),
-      evaluated_pressure_(grid.local_size()) {}
+      usual_(make_film_preconditioner(*discretisation_, options)),
+      film_shift_(grid_.local_size()),
+      change_(grid_),
+      deformed_(grid_),
+      evaluated_pressure_(grid_.local_size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
   if (conditions == conditions_) return;
@@ -51,7 +51,7 @@ void ContactFilm::evaluate(const double* pressure, double H0) {
     }
   }
   properties_.evaluate(state_);
-  exchange_ghosts(halo_, state_);
+  exchange_ghosts(discretisation_->halo(), state_);
   std::copy_n(pressure, evaluated_pressure_.size(), evaluated_pressure_.data());
   evaluated_H0_ = H0;
   evaluated_ = true;
@@ -83,7 +83,7 @@ FilmPreconditioner& ContactFilm::linearisation_for(double storage_shift) {
   if (!double_) {
     MultigridOptions options = options_;
     options.precision = Precision::double_precision;
-    double_ = make_film_preconditioner(grid_, scales_.C_h, options);
+    double_ = make_film_preconditioner(*discretisation_, options);
   }
   return *double_;
 }

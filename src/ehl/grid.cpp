@@ -19,6 +19,19 @@ std::vector<int> even_ranges(MPI_Comm comm, const GridShape& shape) {
   return cut_evenly(shape.rows(), processes);
 }
 
+// Beyond the edge Y_half and across Y = 0 there are ghosts too, which no neighbour fills.
+OwnedDM create_nodes(MPI_Comm comm, const GridShape& shape, const std::vector<int>& y_ranges) {
+  const auto processes = static_cast<PetscInt>(y_ranges.size()) - 1;
+  std::vector<PetscInt> counts(processes);
+  for (PetscInt p = 0; p < processes; ++p) counts[p] = y_ranges[p + 1] - y_ranges[p];
+  const PetscInt all_x = shape.nx;
+  OwnedDM nodes;
+  petsc_check(DMDACreate2d(comm, DM_BOUNDARY_GHOSTED, DM_BOUNDARY_NONE, DMDA_STENCIL_STAR, shape.rows(), shape.nx,
+                           processes, 1, 1, 1, counts.data(), &all_x, nodes.put()));
+  petsc_check(DMSetUp(nodes));
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<int> cut_evenly(int items, int processes) {
@@ -38,13 +51,14 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
       shape_(shape),
       h_x_((shape.x_max - shape.x_min) / (shape.nx - 1)),
       h_y_(2.0 * shape.y_half / (shape.ny - 1)),
-      y_ranges_(std::move(y_ranges)) {
+      y_ranges_(std::move(y_ranges)),
+      nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {
   MPI_Comm_rank(comm, &rank_);
 }
 
 OwnedVec Grid::create_vec() const {
   OwnedVec vec;
-  petsc_check(VecCreateMPI(comm_, local_size(), PETSC_DETERMINE, vec.put()));
+  petsc_check(DMCreateGlobalVector(nodes(), vec.put()));
   return vec;
 }
 

@@ -5,35 +5,34 @@
 namespace gearfilm {
 
 template <class Real>
-MultigridLevel<Real>::MultigridLevel(Grid grid, double C_h)
-    : grid_(std::move(grid)),
-      halo_(grid_),
-      deformation_(grid_, C_h),
-      linear_(grid_),
-      smoother_(grid_, halo_, deformation_),
-      change_(grid_),
-      deformed_(grid_),
-      rows_(grid_) {}
+MultigridLevel<Real>::MultigridLevel(const Discretisation& discretisation)
+    : discretisation_(discretisation),
+      deformation_(discretisation.deformation<Real>()),
+      linear_(grid()),
+      smoother_(grid(), discretisation.halo(), deformation_),
+      change_(grid()),
+      deformed_(grid()),
+      rows_(grid()) {}
 
 template <class Real>
 void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double storage_shift) {
   state_ = &state;
-  linearise(grid_, entrainment, storage_shift, state, linear_);
+  linearise(grid(), entrainment, storage_shift, state, linear_);
   smoother_.factor(linear_, state);
 }
 
 template <class Real>
 void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainment, double storage_shift) {
-  if (!injected_) injected_ = std::make_unique<FilmState>(grid_);
-  inject_state(finer.grid_, grid_, *finer.state_, *injected_);
-  exchange_ghosts(halo_, *injected_);
+  if (!injected_) injected_ = std::make_unique<FilmState>(grid());
+  inject_state(finer.grid(), grid(), *finer.state_, *injected_);
+  exchange_ghosts(discretisation_.halo(), *injected_);
   update(*injected_, entrainment, storage_shift);
 }
 
 template <class Real>
 void MultigridLevel<Real>::apply_operator() {
   deformation_.apply(change_, deformed_);
-  halo_.exchange(change_, deformed_);
+  discretisation_.halo().exchange(change_, deformed_);
   apply_stencil(linear_, change_, deformed_, rows_);
 }
 
@@ -56,10 +55,10 @@ void MultigridLevel<Real>::smooth(const double* right_side, double* change, int 
       rows_.load(right_side);
     } else {
       apply_operator();
-      for (int i = 0; i < grid_.nx(); ++i) {
+      for (int i = 0; i < grid().nx(); ++i) {
         Real* rows = rows_.row(i);
-        const double* right = right_side + static_cast<std::size_t>(i) * grid_.y_count();
-        for (int j = 0; j < grid_.y_count(); ++j) rows[j] = static_cast<Real>(right[j]) - rows[j];
+        const double* right = right_side + static_cast<std::size_t>(i) * grid().y_count();
+        for (int j = 0; j < grid().y_count(); ++j) rows[j] = static_cast<Real>(right[j]) - rows[j];
       }
     }
     smoother_.relax(rows_, change_);
@@ -71,9 +70,9 @@ template <class Real>
 void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, const double* fine_residual, double* residual) {
   const ScopedEvent event(Kernel::transfer);
   fine.rows_.load(fine_residual);
-  fine.halo_.exchange(fine.rows_);
+  fine.discretisation_.halo().exchange(fine.rows_);
   rows_.fill(Real(0));
-  restrict_residual(fine.grid_, grid_, fine.rows_, state_->wet, rows_);
+  restrict_residual(fine.grid(), grid(), fine.rows_, state_->wet, rows_);
   rows_.store(residual);
 }
 
@@ -81,9 +80,9 @@ template <class Real>
 void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, const double* correction, double* fine_change) {
   const ScopedEvent event(Kernel::transfer);
   change_.load(correction);
-  halo_.exchange(change_);
+  discretisation_.halo().exchange(change_);
   fine.change_.load(fine_change);
-  add_interpolated(grid_, fine.grid_, change_, fine.state_->wet, fine.change_);
+  add_interpolated(grid(), fine.grid(), change_, fine.state_->wet, fine.change_);
   fine.change_.store(fine_change);
 }
 

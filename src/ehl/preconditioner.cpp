@@ -2,19 +2,16 @@
 
 #include <vector>
 
-#include "gearfilm/ehl/gather.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr int fewest_rows_per_process = 2;
-
 template <class Real>
 class FilmMultigrid final : public FilmPreconditioner {
 public:
-  FilmMultigrid(const Grid& grid, double C_h, const MultigridOptions& options) : options_(options) {
-    build_levels(grid, C_h);
+  FilmMultigrid(const Discretisation& finest, const MultigridOptions& options) : options_(options) {
+    build_levels(finest);
     build_cycle();
   }
 
@@ -47,7 +44,7 @@ private:
     int sweeps;
   };
 
-  void build_levels(const Grid& grid, double C_h);
+  void build_levels(const Discretisation& finest);
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
@@ -62,32 +59,29 @@ private:
   OwnedPC cycle_;
   OwnedVec right_side_, solution_;  ///< wrap the caller's arrays
   // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
-  std::optional<Grid> whole_grid_;
-  std::optional<Gather> gather_;
+  const Gather* gather_ = nullptr;
   std::unique_ptr<FilmState> whole_state_;
   std::unique_ptr<FilmPreconditioner> whole_;
   std::vector<double> whole_residual_, whole_change_;
 };
 
 template <class Real>
-void FilmMultigrid<Real>::build_levels(const Grid& grid, double C_h) {
-  const Grid* last = &grid;
-  levels_.push_back(std::make_unique<Level>(grid, C_h));
-  while (last->can_coarsen() && (options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels)) {
-    if (grid.processes() > 1 && last->fewest_coarse_rows() < fewest_rows_per_process) {
-      whole_grid_.emplace(last->gathered());
-      gather_.emplace(levels_.back()->grid());
-      whole_state_ = std::make_unique<FilmState>(*whole_grid_);
-      MultigridOptions rest = options_;
-      if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
-      whole_ = std::make_unique<FilmMultigrid<Real>>(*whole_grid_, C_h, rest);
-      whole_residual_.resize(whole_grid_->local_size());
-      whole_change_.resize(whole_grid_->local_size());
-      return;
-    }
-    levels_.push_back(std::make_unique<Level>(last->coarsened(), C_h));
-    last = &levels_.back()->grid();
+void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
+  const auto wanted = [&] { return options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels; };
+  const Discretisation* last = nullptr;
+  for (const Discretisation* next = &finest; next && wanted(); next = next->coarser()) {
+    levels_.push_back(std::make_unique<Level>(*next));
+    last = next;
   }
+  const Discretisation* whole = wanted() ? last->whole() : nullptr;
+  if (!whole) return;
+  gather_ = &last->gather();
+  whole_state_ = std::make_unique<FilmState>(whole->grid());
+  MultigridOptions rest = options_;
+  if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
+  whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest);
+  whole_residual_.resize(whole->grid().local_size());
+  whole_change_.resize(whole->grid().local_size());
 }
 
 template <class Real>
@@ -249,24 +243,24 @@ void FilmMultigrid<Real>::build_cycle() {
 template <class Real>
 void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shift) {
   std::vector<double> own(levels_.back()->grid().local_size());
-  std::vector<double> whole(whole_grid_->local_size());
+  std::vector<double> whole(whole_change_.size());
   for (const auto field : state_fields) {
     (levels_.back()->state().*field).store(own.data());
     gather_->to_all(own.data(), whole.data());
     ((*whole_state_).*field).load(whole.data());
   }
-  exchange_ghosts(Halo(*whole_grid_), *whole_state_);
+  exchange_ghosts(levels_.back()->discretisation().whole()->halo(), *whole_state_);
   whole_->update(*whole_state_, entrainment, storage_shift);
 }
 
 }  // namespace
 
-std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
+std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Discretisation& discretisation,
                                                              const MultigridOptions& options) {
   if (options.precision == Precision::single_precision) {
-    return std::make_unique<FilmMultigrid<float>>(grid, C_h, options);
+    return std::make_unique<FilmMultigrid<float>>(discretisation, options);
   }
-  return std::make_unique<FilmMultigrid<double>>(grid, C_h, options);
+  return std::make_unique<FilmMultigrid<double>>(discretisation, options);
 }
 
 }  // namespace gearfilm

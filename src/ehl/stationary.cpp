@@ -94,11 +94,10 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
 
 StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options) {
   const ScopedStage stage("Stationary film");
-  std::vector<std::unique_ptr<Grid>> coarser;  // next coarser first
-  const Grid* last = &film.grid();
-  while (last->can_coarsen() && (last->nx() - 1) / 2 + 1 >= coarsest_nx && last->fewest_coarse_rows() >= 2) {
-    coarser.push_back(std::make_unique<Grid>(last->coarsened()));
-    last = coarser.back().get();
+  std::vector<SharedDiscretisation> coarser;  // next coarser first
+  for (const Discretisation* next = film.discretisation()->coarser(); next && next->grid().nx() >= coarsest_nx;
+       next = next->coarser()) {
+    coarser.emplace_back(film.discretisation(), next);  // owned by the finest
   }
 
   StationaryResult result;
@@ -106,7 +105,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
   for (std::size_t n = coarser.size() + 1; n-- > 0;) {
     std::unique_ptr<ContactFilm> coarse_film;
     if (n > 0) {
-      coarse_film = std::make_unique<ContactFilm>(*coarser[n - 1], film.scales(), options.multigrid);
+      coarse_film = std::make_unique<ContactFilm>(coarser[n - 1], film.scales(), options.multigrid);
       coarse_film->set_conditions(film.conditions());
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;

@@ -63,7 +63,7 @@ public:
     options.precision = Precision::double_precision;  // exact products
     std::vector<PairContact> contacts;
     for (const int contact : state.contacts) {
-      films_.push_back(std::make_unique<ContactFilm>(march.grid(), march.problem().scales, options));
+      films_.push_back(std::make_unique<ContactFilm>(march.discretisation(), march.problem().scales, options));
       contacts.push_back({contact, films_.back().get()});
     }
     pair =

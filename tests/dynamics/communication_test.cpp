@@ -62,7 +62,8 @@ protected:
   const ContactPath path = path_of(problem);
   const Grid grid{PETSC_COMM_WORLD, shape_of(problem)};
   const double processes = grid.processes();
-  ContactFilm first{grid, problem.scales, {.levels = 1}}, second{grid, problem.scales, {.levels = 1}};
+  const SharedDiscretisation shared = discretise(grid, problem.scales);
+  ContactFilm first{shared, problem.scales, {.levels = 1}}, second{shared, problem.scales, {.levels = 1}};
   LubricatedPair pair{path, {{0, &first}, {1, &second}}, inertia_of(problem), problem.scales};
 };
 

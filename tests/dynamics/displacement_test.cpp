@@ -24,7 +24,8 @@ protected:
 
   /// The films' own mass of the first contact's state.
   std::vector<double> mass(const PairState& state) {
-    ContactFilm film(march.grid(), march.problem().scales, march.problem().solver.multigrid);
+    ContactFilm film(discretise(march.grid(), march.problem().scales), march.problem().scales,
+                     march.problem().solver.multigrid);
     film.set_conditions(march.path().conditions(march.march().contacts().front().contact, march.march().T()));
     std::vector<double> stored(state.films.front().pressure.size());
     film.storage(state.films.front().pressure.data(), state.motion.H0, stored.data());

@@ -48,9 +48,9 @@ class PairAtRest {
 public:
   explicit PairAtRest(const Settings& settings)
       : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}, {"solver.precision", "double"}}, settings))),
-        grid_(PETSC_COMM_WORLD, shape_of(problem_)),
         path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, MeshGeometry::held),
-        march_(grid_, problem_.scales, path_, inertia_of(problem_), problem_.solver, problem_.steps,
+        march_(discretise(Grid(PETSC_COMM_WORLD, shape_of(problem_)), problem_.scales), problem_.scales, path_,
+               inertia_of(problem_), problem_.solver, problem_.steps,
                [](const StepRecord&, const std::vector<LiveContact>&) {}) {
     march_.start({});
     pair_ = std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales);
@@ -61,7 +61,7 @@ public:
   }
 
   const Case& problem() const { return problem_; }
-  const Grid& grid() const { return grid_; }
+  const SharedDiscretisation& discretisation() const { return pair_->contacts().front().film->discretisation(); }
   const ContactPath& path() const { return path_; }
   LubricatedPair& pair() { return *pair_; }
   Vec state() { return state_; }
@@ -74,7 +74,6 @@ public:
 
 private:
   Case problem_;
-  Grid grid_;
   ContactPath path_;
   MeshMarch march_;
   std::unique_ptr<LubricatedPair> pair_;
@@ -134,7 +133,7 @@ TEST(FilmModes, agree_with_a_march_that_rings_down) {
   std::vector<double> samples;
   StepOptions steps = problem.steps;
   steps.dT = 0.05;
-  MeshMarch march(rest.grid(), problem.scales, rest.path(), inertia_of(problem), problem.solver, steps,
+  MeshMarch march(rest.discretisation(), problem.scales, rest.path(), inertia_of(problem), problem.solver, steps,
                   [&](const StepRecord& record, const std::vector<LiveContact>&) {
                     if (record.T > 2.0) samples.push_back(record.motion.H0);  // the films have followed
                   });

@@ -84,7 +84,7 @@ PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
   const Case& problem = march.problem();
   const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
-  ContactFilm film(march.grid(), problem.scales, problem.solver.multigrid);
+  ContactFilm film(discretise(march.grid(), problem.scales), problem.scales, problem.solver.multigrid);
   const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);

@@ -60,9 +60,9 @@ class RecordedMarch {
 public:
   explicit RecordedMarch(Case problem, MPI_Comm comm = PETSC_COMM_WORLD)
       : problem_(std::move(problem)),
-        grid_(comm, shape_of(problem_)),
+        discretisation_(discretise(Grid(comm, shape_of(problem_)), problem_.scales)),
         path_(path_of(problem_)),
-        march_(grid_, problem_.scales, path_, inertia_of(problem_), film_options(), problem_.steps,
+        march_(discretisation_, problem_.scales, path_, inertia_of(problem_), film_options(), problem_.steps,
                [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
                  records_.push_back(record);
                  if (on_step) on_step(record, contacts);
@@ -75,7 +75,8 @@ public:
   void run(double T_end) { march_.run(T_end); }
 
   const Case& problem() const { return problem_; }
-  const Grid& grid() const { return grid_; }
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
+  const Grid& grid() const { return discretisation_->grid(); }
   const ContactPath& path() const { return path_; }
   const Motion& motion() const { return march_.motion(); }
   const std::vector<StepRecord>& records() const { return records_; }
@@ -87,12 +88,12 @@ public:
 private:
   SolverOptions film_options() const {
     SolverOptions options = problem_.solver;
-    options.multigrid.levels = step_levels(grid_, problem_.steps.dT);
+    options.multigrid.levels = step_levels(grid(), problem_.steps.dT);
     return options;
   }
 
   Case problem_;
-  Grid grid_;
+  SharedDiscretisation discretisation_;
   ContactPath path_;
   std::vector<StepRecord> records_;
   MeshMarch march_;

@@ -20,11 +20,11 @@ public:
                               {"model", model},
                               {"load_sharing.kind", sharing},
                               {"load_sharing.jump_time", jump_time}})),
-        grid_(PETSC_COMM_WORLD, shape_of(problem_)),
+        discretisation_(discretise(Grid(PETSC_COMM_WORLD, shape_of(problem_)), problem_.scales)),
         path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, problem_.geometry),
         march_(
-            grid_, problem_.scales, path_, model == "quasistatic" ? 0.0 : inertia_of(problem_), problem_.solver,
-            problem_.steps,
+            discretisation_, problem_.scales, path_, model == "quasistatic" ? 0.0 : inertia_of(problem_),
+            problem_.solver, problem_.steps,
             [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); },
             problem_.prescribed_load) {
     march_.start({});
@@ -32,14 +32,14 @@ public:
   }
 
   const Case& problem() const { return problem_; }
-  const Grid& grid() const { return grid_; }
+  const Grid& grid() const { return discretisation_->grid(); }
   const ContactPath& path() const { return path_; }
   const LoadSharing& sharing() const { return problem_.prescribed_load->sharing; }
   const std::vector<StepRecord>& records() const { return records_; }
 
 private:
   Case problem_;
-  Grid grid_;
+  SharedDiscretisation discretisation_;
   ContactPath path_;
   std::vector<StepRecord> records_;
   MeshMarch march_;
@@ -66,7 +66,7 @@ TEST_P(QuasiStatic, force_is_the_prescribed_share_at_every_step) {
 TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
   const SingleContact contact("quasistatic", GetParam());
   const Scales& scales = contact.problem().scales;
-  ContactFilm film(contact.grid(), scales, contact.problem().solver.multigrid);
+  ContactFilm film(discretise(contact.grid(), scales), scales, contact.problem().solver.multigrid);
   int compared = 0;
   for (double wanted : {-0.5e-3, 1.0e-3, 2.5e-3}) {
     const StepRecord& record = *std::min_element(

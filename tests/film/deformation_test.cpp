@@ -113,7 +113,7 @@ protected:
   // 257 x 129: the pressure's root at the rim of the ellipse costs h^(3/2), and must stay below 1e-4.
   FilmCase contact = table3_pitch();
   Grid grid{PETSC_COMM_WORLD, contact.shape(257, 129)};
-  ContactFilm film{grid, contact.scales, MultigridOptions{}};
+  ContactFilm film{discretise(grid, contact.scales), contact.scales, MultigridOptions{}};
   std::vector<double> pressure = std::vector<double>(grid.local_size());
 };
 

@@ -56,7 +56,7 @@ inline FilmCase circular_contact() {
 struct SolvedFilm {
   SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {})
       : grid(comm, film_case.shape(nx, ny)),
-        film(grid, film_case.scales, options.multigrid),
+        film(discretise(grid, film_case.scales), film_case.scales, options.multigrid),
         result(solve_stationary(film, LoadCondition::force(film_case.scales.static_force), options)) {}
 
   Grid grid;
@@ -111,7 +111,7 @@ inline ContactConditions away_from_pitch() { return {.radius_ratio = 0.9, .entra
 inline FilmSolution film_away_from_pitch(int nx, int ny) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_SELF, pitch.shape(nx, ny));
-  ContactFilm film(grid, pitch.scales, MultigridOptions{});
+  ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   film.set_conditions(away_from_pitch());
   FilmSolution solution =
       solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{}).solution;

@@ -75,7 +75,8 @@ protected:
 
   FilmCase contact = table3_pitch();
   Grid grid{PETSC_COMM_WORLD, contact.shape(65, 33)};
-  ContactFilm film{grid, contact.scales, MultigridOptions{.precision = Precision::double_precision}};
+  ContactFilm film{discretise(grid, contact.scales), contact.scales,
+                   MultigridOptions{.precision = Precision::double_precision}};
   std::vector<double> pressure;
   double H0 = 0.0;
   std::vector<double> storage_before = std::vector<double>(grid.local_size());

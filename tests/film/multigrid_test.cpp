@@ -11,7 +11,7 @@ protected:
   Multigrid() {
     // A film with cavitated nodes need not be converged for this.
     const FilmSolution solution = film_away_from_pitch(65, 33);
-    ContactFilm film(grid, pitch.scales, MultigridOptions{});
+    ContactFilm film(discretisation, pitch.scales, MultigridOptions{});
     film.set_conditions(away_from_pitch());
     std::vector<double> rows(grid.local_size());
     film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());
@@ -31,7 +31,7 @@ protected:
 
   /// The preconditioner's answer to the right side.
   std::vector<double> preconditioned(const MultigridOptions& options) {
-    const auto preconditioner = make_film_preconditioner(grid, pitch.scales.C_h, options);
+    const auto preconditioner = make_film_preconditioner(*discretisation, options);
     preconditioner->update(state, entrainment, storage_shift);
     std::vector<double> change(grid.local_size());
     preconditioner->apply(right_side.data(), change.data());
@@ -46,10 +46,11 @@ protected:
   static constexpr double storage_shift = 5.0;
   const double entrainment = away_from_pitch().entrainment;
   FilmCase pitch = table3_pitch();
-  Grid grid{PETSC_COMM_WORLD, pitch.shape(65, 33)};
+  const SharedDiscretisation discretisation = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(65, 33)), pitch.scales);
+  const Grid& grid = discretisation->grid();
   FilmState state{grid};
-  MultigridLevel<double> fine{grid, pitch.scales.C_h};
-  MultigridLevel<double> coarse{grid.coarsened(), pitch.scales.C_h};
+  MultigridLevel<double> fine{*discretisation};
+  MultigridLevel<double> coarse{*discretisation->coarser()};
   std::vector<double> right_side = std::vector<double>(grid.local_size(), 0.0);
 };
 
@@ -77,7 +78,7 @@ TEST_F(Multigrid, two_levels_are_the_cycle_put_together_by_hand) {
 // The finest level's operator is the Jacobian itself.
 TEST_F(Multigrid, finest_operator_is_the_jacobian) {
   const FilmSolution solution = film_away_from_pitch(65, 33);
-  ContactFilm film(grid, pitch.scales, MultigridOptions{.precision = Precision::double_precision});
+  ContactFilm film(discretisation, pitch.scales, MultigridOptions{.precision = Precision::double_precision});
   film.set_conditions(away_from_pitch());
   std::vector<double> rows(grid.local_size()), expected(grid.local_size());
   film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());

@@ -17,7 +17,7 @@ class LinearisedFilm {
 public:
   LinearisedFilm(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
                  double storage_shift)
-      : grid(comm, contact.shape(nx, ny)), film(grid, contact.scales, options) {
+      : grid(comm, contact.shape(nx, ny)), film(discretise(grid, contact.scales), contact.scales, options) {
     film.set_conditions(away_from_pitch());
     std::vector<double> residual(grid.local_size());
     film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, residual.data());
@@ -148,7 +148,7 @@ TEST_P(Preconditioner, solves_cavitated_rows) {
 }
 
 TEST_P(Preconditioner, has_the_levels_asked_for) {
-  EXPECT_EQ(make_film_preconditioner(distributed.grid, 1.0, options())->levels(), std::get<0>(GetParam()));
+  EXPECT_EQ(make_film_preconditioner(*distributed.film.discretisation(), options())->levels(), std::get<0>(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
@@ -161,8 +161,9 @@ INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
 
 TEST(PreconditionerLevels, go_down_to_the_coarsest_grid_by_default) {
   // 65 x 33, 33 x 17, 17 x 9, 9 x 5, 5 x 3
-  const Grid grid(PETSC_COMM_WORLD, table3_pitch().shape(65, 33));
-  EXPECT_EQ(make_film_preconditioner(grid, 1.0, MultigridOptions{})->levels(), 5);
+  const FilmCase pitch = table3_pitch();
+  const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(65, 33)), pitch.scales);
+  EXPECT_EQ(make_film_preconditioner(*shared, MultigridOptions{})->levels(), 5);
 }
 
 // A finer grid's white noise takes longer to become smooth; from then on the grid hardly matters.

@@ -153,7 +153,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
 
   const GridShape shape = pitch.shape(65, 33);
   const Grid grid(PETSC_COMM_WORLD, shape);
-  ContactFilm film(grid, pitch.scales, MultigridOptions{});
+  ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   constexpr double offset = 0.01;
   film.set_conditions({.radius_ratio = solids.radius_x / pitch.scales.solids.radius_x,
                        .entrainment = operation.entrainment_velocity / pitch.scales.operation.entrainment_velocity,
@@ -163,7 +163,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
   const double ratio = pitch.scales.length / own.length;
   const Grid own_grid(PETSC_COMM_WORLD,
                       {shape.nx, shape.ny, ratio * shape.x_min, ratio * shape.x_max, ratio * shape.y_half});
-  ContactFilm own_film(own_grid, own, MultigridOptions{});
+  ContactFilm own_film(discretise(own_grid, own), own, MultigridOptions{});
   const auto own_result = solve_stationary(own_film, LoadCondition::force(own.static_force), SolverOptions{});
 
   // Two solutions to a residual of 1e-8.
@@ -182,7 +182,7 @@ protected:
   const FilmCase pitch = table3_pitch();
   const double force = pitch.scales.static_force;
   SolvedFilm under_force{PETSC_COMM_WORLD, pitch, 65, 33};
-  ContactFilm film{under_force.grid, pitch.scales, MultigridOptions{}};
+  ContactFilm film{under_force.film.discretisation(), pitch.scales, MultigridOptions{}};
 
   void expect_same_film(const StationaryResult& result) {
     // Two solutions to a residual of 1e-8.

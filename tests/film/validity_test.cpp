@@ -18,7 +18,7 @@ protected:
   std::string message_for(const Domain& domain, double force_ratio, double gap) {
     const FilmCase pitch = table3_pitch();
     const Grid grid(PETSC_COMM_WORLD, grid_shape(domain, pitch.scales.hertz.ellipticity, 65, 33));
-    ContactFilm film(grid, pitch.scales, MultigridOptions{});
+    ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
     const HertzContact dry = dry_contact(pitch.scales, film.conditions(), force_ratio * pitch.scales.static_force);
     std::vector<double> pressure(grid.local_size()), residual(grid.local_size());
     hertz_pressure(grid, pitch.scales, dry, pressure.data());
@@ -35,7 +35,7 @@ TEST_F(Validity, accepts_a_converged_film) {
 TEST_F(Validity, accepts_a_contact_without_load) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
-  ContactFilm film(grid, pitch.scales, MultigridOptions{});
+  ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   std::vector<double> pressure(grid.local_size(), 0.0), residual(grid.local_size());
   film.residual(pressure.data(), 1.0, nullptr, residual.data());
   EXPECT_NO_THROW(check_validity(film, film.figures(), where));
@@ -84,7 +84,7 @@ TEST_F(Validity, refuses_a_film_that_is_not_positive) {
 TEST_F(Validity, refuses_a_film_that_is_not_a_number) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
-  ContactFilm film(grid, pitch.scales, MultigridOptions{});
+  ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   std::vector<double> pressure(grid.local_size(), 0.0), residual(grid.local_size());
   if (grid.rank() == grid.processes() - 1) pressure[grid.local_size() / 2] = std::nan("");
   film.residual(pressure.data(), 1.0, nullptr, residual.data());

@@ -33,8 +33,8 @@ struct OrbitObservers {
 };
 
 /// Throws SolveError where no orbit is found, and Stopped.
-OrbitRun run_orbit(const Case& problem, const Grid& grid, const ContactPath& path, const OrbitGuess& guess,
-                   const OrbitObservers& observers);
+OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+                   const OrbitGuess& guess, const OrbitObservers& observers);
 
 /// Its figures in SI.
 Summary orbit_summary(const Case& problem, const OrbitRun& run);

@@ -22,11 +22,12 @@ int step_levels(const Grid& grid, double dT);
 
 class MeshMarch {
 public:
-  /// All contacts use `grid`; inertia I_n. `films` configures the films' own solvers. With a prescribed load the path
-  /// has a single contact, and an inertia of zero means the quasi-static balance. A keeper must outlive the march.
-  MeshMarch(const Grid& grid, const Scales& scales, const ContactPath& path, double inertia, const SolverOptions& films,
-            const StepOptions& steps, StepObserver observer, std::optional<PrescribedLoad> load = {},
-            MarchKeeper* keeper = nullptr);
+  /// All contacts have films of this discretisation; inertia I_n. `films` configures the films' own solvers. With a
+  /// prescribed load the path has a single contact, and an inertia of zero means the quasi-static balance. A keeper
+  /// must outlive the march.
+  MeshMarch(SharedDiscretisation discretisation, const Scales& scales, const ContactPath& path, double inertia,
+            const SolverOptions& films, const StepOptions& steps, StepObserver observer,
+            std::optional<PrescribedLoad> load = {}, MarchKeeper* keeper = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
@@ -46,7 +47,7 @@ public:
 
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
-  MPI_Comm comm() const { return grid_.comm(); }
+  MPI_Comm comm() const { return discretisation_->grid().comm(); }
 
 private:
   struct Tooth {
@@ -67,7 +68,7 @@ private:
   void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
   std::string label(int contact) const;
 
-  const Grid& grid_;
+  SharedDiscretisation discretisation_;
   Scales scales_;
   const ContactPath& path_;
   double inertia_;

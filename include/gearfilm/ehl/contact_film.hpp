@@ -28,8 +28,9 @@ struct FilmFigures {
 
 class ContactFilm {
 public:
-  ContactFilm(const Grid& grid, const Scales& scales, const MultigridOptions& options);
+  ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options);
 
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return grid_; }
   const Scales& scales() const { return scales_; }
   const ContactConditions& conditions() const { return conditions_; }
@@ -65,11 +66,11 @@ private:
   bool is_current(const double* pressure, double H0) const;
   FilmPreconditioner& linearisation_for(double storage_shift);
 
+  SharedDiscretisation discretisation_;
   const Grid& grid_;
+  const Deformation<double>& deformation_;
   Scales scales_;
   ContactConditions conditions_;
-  Halo halo_;
-  Deformation<double> deformation_;
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;

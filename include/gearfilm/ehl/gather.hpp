@@ -1,8 +1,6 @@
 // A field cut among the processes, whole on every process: for grids too small to be cut.
 #pragma once
 
-#include <vector>
-
 #include "gearfilm/ehl/grid.hpp"
 
 namespace gearfilm {
@@ -14,14 +12,15 @@ public:
   explicit Gather(const Grid& grid);
 
   /// Own part -> whole field, on all processes. Collective.
-  void to_all(const double* own, double* whole);
+  void to_all(const double* own, double* whole) const;
   /// Whole field -> own part.
   void own_part(const double* whole, double* own) const;
 
 private:
+  using OwnedScatter = PetscHandle<VecScatter, VecScatterDestroy>;
+
   const Grid& grid_;
-  std::vector<int> counts_, offsets_;
-  std::vector<double> blocks_;  ///< as they arrive, process after process
+  OwnedScatter to_natural_;  ///< from compact fields to the natural order of the DMDA, which is that of whole fields
 };
 
 }  // namespace gearfilm

@@ -5,8 +5,12 @@
 // included, and row 0 has its neighbour 1 on either side.
 // A process owns all x for a range of j, so that x-lines and x-transforms are local. In memory y is contiguous
 // (index i*y_count + j): all x-lines are then processed together, with vector instructions across the lines.
+//
+// The cut is that of a PETSc DMDA whose first direction is y and whose second is x: its vectors are laid out like
+// compact fields, its local vectors, with one ghost row on either side, like a Field.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -62,6 +66,8 @@ public:
     return global_row >= y_begin() && global_row < y_begin() + y_count() ? global_row - y_begin() : -1;
   }
 
+  /// The nodes as PETSc knows them; copies of a grid share it. -dm_view shows it when it is made.
+  DM nodes() const { return *nodes_; }
   /// A PETSc vector laid out like compact fields.
   OwnedVec create_vec() const;
 
@@ -83,6 +89,7 @@ private:
   double h_x_;
   double h_y_;
   std::vector<int> y_ranges_;
+  std::shared_ptr<const OwnedDM> nodes_;
 };
 
 }  // namespace gearfilm

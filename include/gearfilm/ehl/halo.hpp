@@ -14,7 +14,8 @@ MPI_Datatype mpi_type() {
   return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
 }
 
-/// Serves all fields of one grid, in either precision.
+/// Serves all fields of one grid, in either precision. Which ghost is whose row is the DMDA's; PETSc's own update of
+/// local vectors copies the own nodes too.
 class Halo {
 public:
   explicit Halo(const Grid& grid);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "gearfilm/ehl/discretisation.hpp"
 #include "gearfilm/ehl/line_smoother.hpp"
 #include "gearfilm/ehl/transfer.hpp"
 
@@ -12,11 +13,13 @@ namespace gearfilm {
 template <class Real>
 class MultigridLevel {
 public:
-  MultigridLevel(Grid grid, double C_h);
+  /// The discretisation must outlive the level.
+  explicit MultigridLevel(const Discretisation& discretisation);
   MultigridLevel(const MultigridLevel&) = delete;
   MultigridLevel& operator=(const MultigridLevel&) = delete;
 
-  const Grid& grid() const { return grid_; }
+  const Discretisation& discretisation() const { return discretisation_; }
+  const Grid& grid() const { return discretisation_.grid(); }
   const FilmState& state() const { return *state_; }
 
   /// Linearises about a state with ghosts and wet mask, which must stay until the next update, and factors the
@@ -39,9 +42,8 @@ private:
   /// rows_ = linearised film * change_
   void apply_operator();
 
-  Grid grid_;
-  Halo halo_;
-  Deformation<Real> deformation_;
+  const Discretisation& discretisation_;
+  const Deformation<Real>& deformation_;
   LinearFilm<Real> linear_;
   LineSmoother<Real> smoother_;
   const FilmState* state_ = nullptr;

@@ -9,6 +9,7 @@
 
 #include <memory>
 
+#include "gearfilm/ehl/discretisation.hpp"
 #include "gearfilm/ehl/film_state.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
 
@@ -29,8 +30,8 @@ public:
   virtual int levels() const = 0;
 };
 
-/// Arithmetic and number of levels by the options; C_h as in Scales. The grid must outlive the preconditioner.
-std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Grid& grid, double C_h,
+/// Arithmetic and number of levels by the options. The discretisation must outlive the preconditioner.
+std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Discretisation& discretisation,
                                                              const MultigridOptions& options);
 
 }  // namespace gearfilm
