@@ -31,6 +31,7 @@ GREY = "#999999"  # of marked lines
 PALE = "#DDDDDD"  # of grids
 COLOURS = 128     # of a PNG
 COLOUR_MAP = "cividis"  # of maps; distinguishable likewise
+RESULTS_FORMAT = 1      # results_format of include/gearfilm/output/format_version.hpp
 
 
 class PlotError(Exception):
@@ -49,6 +50,7 @@ def open_results(path, command, lack):
     foreign = f"{path} is not a result of gearfilm {command}"
     try:
         with h5py.File(path) as results:
+            require_format(results, path, command)
             yield results
     except OSError:
         raise PlotError(f"{path} is not an HDF5 file that can be read") from None
@@ -56,6 +58,15 @@ def open_results(path, command, lack):
         raise PlotError(f"{foreign}: {lack}") from None
     except Foreign as found:
         raise PlotError(f"{foreign}: {found}") from None
+
+
+def require_format(results, path, command):
+    """Results of another version of the program may have the same names for something else."""
+    version = results.attrs.get("format_version")
+    if version != RESULTS_FORMAT:
+        theirs = "no format version" if version is None else f"format version {read_text(version)}"
+        raise PlotError(f"{path} has {theirs}, and this script reads version {RESULTS_FORMAT} alone; "
+                        f"run gearfilm {command} again, or use the scripts of the gearfilm that wrote it")
 
 
 def read_table(results, name, columns):

@@ -4,6 +4,7 @@
 
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/output/format_version.hpp"
 #include "gearfilm/output/provenance.hpp"
 
 namespace gearfilm {
@@ -67,6 +68,7 @@ Summary derived_quantities(const Case& problem) {
 
 void write_identity(ResultsFile& file, const Case& problem, const std::string& command) {
   file.attribute("/", "program", std::string("gearfilm"));
+  file.attribute("/", "format_version", results_format);
   const Summary libraries = provenance(file.comm());
   for (const auto& [name, value] : libraries.items()) {
     file.attribute("/", name, value.is_string() ? value.get<std::string>() : value.dump());

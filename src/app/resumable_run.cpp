@@ -40,7 +40,7 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
     directory_.remove_earlier_results();
     forget();
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::anew);
-    write_json(comm_, file, identity);
+    keep_identity(comm_, file, identity);
   }
 }
 

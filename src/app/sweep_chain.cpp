@@ -81,11 +81,11 @@ private:
 
   void read_films(const SweepPoint& point, double value) {
     const Grid grid(group_, case_grid(case_at(problem_, value)));
-    const std::filesystem::path file = points_.films(point);
-    const std::optional<Summary> description = read_state_description(group_, file);
-    if (!description) return;
-    last_->guess.neighbour = {{(*description)["H0"].get<double>(), (*description)["V0"].get<double>()},
-                              films_from(read_state_fields(grid, file), (*description)["films"].get<std::size_t>())};
+    const std::optional<StateFile> found = read_state(grid, points_.films(point));
+    if (!found) return;
+    const Summary& description = found->description;
+    last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
+                              films_from(found->fields, description["films"].get<std::size_t>())};
   }
 
   void write_films(const Grid& grid, const SweepPoint& point, const PairState& state) const {

@@ -27,7 +27,7 @@ SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.o
   if (const std::optional<Summary> before = read_identity(comm, file)) {
     require_same_identity(*before, identity, file);
   } else {
-    write_json(comm, file, identity);
+    keep_identity(comm, file, identity);
   }
   write_together(comm, folder_, [&] {
     if (rank_in(comm) == 0) std::filesystem::create_directories(folder_ / "points");

@@ -66,7 +66,7 @@ std::filesystem::path Checkpoint::file(const KeptState& state) const {
   return folder_ / name;
 }
 
-// States are numbered through all runs. One that is not whole has been spoiled since: the one before it serves.
+// States are numbered through all runs. One that was damaged since, or whose steps were: the one before it serves.
 void Checkpoint::find_states() {
   std::string names;
   if (grid_.rank() == 0) {
@@ -82,12 +82,21 @@ void Checkpoint::find_states() {
   }
   std::ranges::sort(kept_, {}, &KeptState::number);
   for (std::size_t n = 0; n < kept_.size(); ++n) {
-    const std::optional<Summary> description = read_state_description(grid_.comm(), file(kept_[n]));
-    if (!description) return forget_from(n);
-    kept_[n].T = (*description)["T"].get<double>();
-    kept_[n].steps_end = (*description)["steps_end"].get<std::uint64_t>();
-    kept_[n].with_snapshots = !(*description)["snapshots"].empty();
+    if (!complete(kept_[n], n > 0 ? kept_[n - 1].steps : JournalMark())) return forget_from(n);
   }
+}
+
+/// Completes what the name of a state does not tell. Whether the state and its steps are what was written.
+bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) const {
+  const std::optional<StateFile> found = read_state(grid_, file(state));
+  if (!found) return false;
+  const Summary& description = found->description;
+  state.T = description["T"].get<double>();
+  state.with_snapshots = !description["snapshots"].empty();
+  const auto steps_end = description["steps_end"].get<std::uint64_t>();
+  if (steps_end < steps_before.end) return false;
+  state.steps = journal_.mark_at(steps_end, steps_before);
+  return state.steps.checksum == description["steps_checksum"].get<std::uint64_t>();
 }
 
 void Checkpoint::remove_file(const KeptState& state) const {
@@ -118,23 +127,23 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
   for (auto state = first; state != end; ++state) {
     const bool last = state + 1 == end;
     if (!last && !state->with_snapshots) continue;
-    const std::optional<Summary> description = read_state_description(grid_.comm(), file(*state));
-    if (!description) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
-    const Summary& begin = (*description)["begin"];
+    const std::optional<StateFile> found = read_state(grid_, file(*state));
+    if (!found) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
+    const Summary& description = found->description;
+    const Summary& begin = description["begin"];
     for (const auto& [name, value] : run_begin_.items()) {
       if (std::abs(begin[name].get<double>() - value.get<double>()) < same_begin) continue;
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
       return {};
     }
-    const CompactFields fields = read_state_fields(grid_, file(*state));
-    read_snapshots(grid_, *description, fields, recalled_);
+    read_snapshots(grid_, description, found->fields, recalled_);
     if (!last) continue;
-    kept.T = (*description)["T"].get<double>();
-    kept.state.motion = {(*description)["H0"].get<double>(), (*description)["V0"].get<double>()};
-    kept.state.films = films_from(fields, (*description)["films"].get<std::size_t>());
+    kept.T = description["T"].get<double>();
+    kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
+    kept.state.films = films_from(found->fields, description["films"].get<std::size_t>());
   }
-  const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps_end;
-  kept.records = journal_.read(steps_begin, (end - 1)->steps_end);
+  const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
+  kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
   return kept;
 }
 
@@ -156,11 +165,15 @@ void Checkpoint::drop_snapshots() {
 void Checkpoint::keep(double T, const PairState& state) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
-  const std::uint64_t steps_before = kept_.empty() ? 0 : kept_.back().steps_end;
-  KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, 0, !attached_.empty()};
-  next.steps_end = journal_.write(steps_before, waiting_);
-  Summary description = {
-      {"T", T}, {"H0", state.motion.H0}, {"V0", state.motion.V0}, {"begin", run_begin_}, {"steps_end", next.steps_end}};
+  const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
+  KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
+  next.steps = journal_.write(steps_before, waiting_);
+  Summary description = {{"T", T},
+                         {"H0", state.motion.H0},
+                         {"V0", state.motion.V0},
+                         {"begin", run_begin_},
+                         {"steps_end", next.steps.end},
+                         {"steps_checksum", next.steps.checksum}};
   CompactFields fields = fields_of(state);
   description["films"] = state.films.size();
   description["snapshots"] = Summary::array();

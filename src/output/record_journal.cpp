@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -58,31 +59,47 @@ StepRecord unpack(Unpacking& values) {
 
 }  // namespace
 
-std::uint64_t RecordJournal::write(std::uint64_t offset, const std::vector<StepRecord>& records) const {
+JournalMark RecordJournal::write(const JournalMark& before, const std::vector<StepRecord>& records) const {
   std::vector<double> values;
   for (const StepRecord& record : records) pack(record, values);
   const std::uint64_t size = values.size() * sizeof(double);
   write_together(comm_, path_, [&] {
     if (rank_in(comm_) != 0) return;
-    if (offset > 0) std::filesystem::resize_file(path_, offset);
+    if (before.end > 0) std::filesystem::resize_file(path_, before.end);
     write_bytes(path_, {reinterpret_cast<const char*>(values.data()), size},
-                offset > 0 ? std::ios::app : std::ios::trunc);
+                before.end > 0 ? std::ios::app : std::ios::trunc);
     flush_to_disk(path_);
   });
-  return offset + size;
+  return {before.end + size, before.checksum + checksum(values, before.end / sizeof(double))};
+}
+
+JournalMark RecordJournal::mark_at(std::uint64_t end, const JournalMark& before) const {
+  std::uint64_t part = 0;
+  if (rank_in(comm_) == 0) part = checksum(values_between(before.end, end), before.end / sizeof(double));
+  MPI_Bcast(&part, 1, MPI_UINT64_T, 0, comm_);
+  return {end, before.checksum + part};
+}
+
+/// Empty where they are not all there.
+std::vector<double> RecordJournal::values_between(std::uint64_t begin, std::uint64_t end) const {
+  std::vector<double> values((end - begin) / sizeof(double));
+  std::ifstream file(path_, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(begin));
+  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(end - begin));
+  return file ? values : std::vector<double>();
 }
 
 std::vector<StepRecord> RecordJournal::read(std::uint64_t begin, std::uint64_t end) const {
-  std::vector<double> values((end - begin) / sizeof(double));
+  const std::size_t count = (end - begin) / sizeof(double);
+  std::vector<double> values;
   std::string reason;
   if (rank_in(comm_) == 0) {
-    std::ifstream file(path_, std::ios::binary);
-    file.seekg(static_cast<std::streamoff>(begin));
-    file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(end - begin));
-    if (!file) reason = path_.string() + " lacks steps that were there; start anew, without -restart";
+    values = values_between(begin, end);
+    if (values.size() < count) reason = path_.string() + " lacks steps that were there; start anew, without -restart";
   }
   broadcast(comm_, reason);
   if (!reason.empty()) throw InputError(reason);
+  values.resize(count);
   MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, 0, comm_);
   std::vector<StepRecord> records;
   for (Unpacking rest(values); !rest.done();) records.push_back(unpack(rest));

@@ -36,6 +36,14 @@ void ResultsFile::attribute(const std::string& group, const std::string& name, d
   });
 }
 
+void ResultsFile::attribute(const std::string& group, const std::string& name, int value) {
+  const PetscInt number = value;
+  write([&] {
+    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
+    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_INT, &number));
+  });
+}
+
 void ResultsFile::dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value) {
   write([&] {
     petsc_check(PetscViewerHDF5WriteAttribute(viewer_, dataset.c_str(), name.c_str(), PETSC_STRING, value.c_str()));

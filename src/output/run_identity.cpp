@@ -4,6 +4,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_file.hpp"
+#include "gearfilm/output/format_version.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -19,6 +20,11 @@ Summary identity_of(const Case& problem, const std::string& command, const std::
   return identity;
 }
 
+void keep_identity(MPI_Comm comm, const std::filesystem::path& file, Summary identity) {
+  identity["format"] = restart_format;
+  write_json(comm, file, identity);
+}
+
 std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path& file) {
   int exists = 0;
   std::error_code ignored;
@@ -29,6 +35,8 @@ std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path&
   if (!identity.is_object()) {
     throw InputError("'" + file.string() + "' cannot be read; delete its folder, or choose another one");
   }
+  require_restart_format(identity, file);
+  identity.erase("format");
   return std::make_optional(std::move(identity));
 }
 

@@ -1,9 +1,12 @@
 #include "gearfilm/output/state_file.hpp"
 
+#include <array>
 #include <cstdint>
 #include <fstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/checksum.hpp"
+#include "gearfilm/output/format_version.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -48,35 +51,48 @@ private:
   MPI_Datatype own_field_ = MPI_DATATYPE_NULL;
 };
 
-MPI_Offset fields_begin(std::size_t description) {
-  return static_cast<MPI_Offset>(sizeof(std::uint64_t)) + static_cast<MPI_Offset>(description);
+using Head = std::array<std::uint64_t, 2>;  // length and checksum of the description
+
+MPI_Offset fields_begin(std::size_t description) { return static_cast<MPI_Offset>(sizeof(Head) + description); }
+
+/// Of all fields, over all processes: the place of a value is that in the file.
+std::uint64_t checksum_of(const Grid& grid, const CompactFields& fields) {
+  const auto rows = static_cast<std::size_t>(grid.rows()), count = static_cast<std::size_t>(grid.y_count());
+  std::size_t before = static_cast<std::size_t>(grid.y_begin());
+  std::uint64_t own = 0, sum = 0;
+  for (const std::vector<double>& field : fields) {
+    for (std::size_t first = 0; first < field.size(); first += count, before += rows) {
+      own += checksum(std::span(field).subspan(first, count), before);
+    }
+  }
+  MPI_Allreduce(&own, &sum, 1, MPI_UINT64_T, MPI_SUM, grid.comm());
+  return sum;
 }
 
-InputError unusable(const std::filesystem::path& path, const std::string& reason) {
-  return InputError("'" + path.string() + "' " + reason + "; start anew, without -restart");
+/// Whether a file of this format has the size that its description says. What lies beyond the end of a file is read
+/// as anything: the fields' checksum might match it.
+bool has_all_fields(const Summary& description, std::uintmax_t description_size, std::uintmax_t size) {
+  std::uintmax_t values = description["fields"].get<std::uintmax_t>();
+  for (const Summary& nodes : description["nodes"]) values *= nodes.get<std::uintmax_t>();
+  return size == sizeof(Head) + description_size + values * sizeof(double);
 }
 
-/// The description as it stands in the file; empty where the file is not whole.
+/// The description as it stands in the file; empty where it is damaged, or fields are missing.
 std::string description_in(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  std::uint64_t length = 0;
-  file.read(reinterpret_cast<char*>(&length), sizeof length);
-  if (error || !file || length > size) return {};
-  std::string text(length, ' ');
-  file.read(text.data(), static_cast<std::streamsize>(length));
+  Head head = {};
+  file.read(reinterpret_cast<char*>(head.data()), sizeof head);
+  if (error || !file || head[0] > size) return {};
+  std::string text(head[0], ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file || checksum(text) != head[1]) return {};
+  // A file of zeros has the checksum of no text.
   const Summary description = Summary::parse(text, nullptr, false);
-  if (!file || !description.is_object() || !description.contains("nodes")) return {};
-  const auto values = description["fields"].get<std::uintmax_t>() * description["nodes"][0].get<std::uintmax_t>() *
-                      description["nodes"][1].get<std::uintmax_t>();
-  return size == static_cast<std::uintmax_t>(fields_begin(length)) + values * sizeof(double) ? text : std::string();
-}
-
-std::string shared_description(MPI_Comm comm, const std::filesystem::path& path) {
-  std::string text = rank_in(comm) == 0 ? description_in(path) : std::string();
-  broadcast(comm, text);
-  return text;
+  if (!description.is_object()) return {};
+  const bool this_format = description.contains("format") && description["format"] == restart_format;
+  return this_format && !has_all_fields(description, text.size(), size) ? std::string() : text;
 }
 
 /// Writes the fields behind the description, down to the disk.
@@ -96,8 +112,9 @@ void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offs
   });
 }
 
-/// The same back.
-CompactFields extract_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, std::size_t count) {
+/// The same back; nothing where it cannot be read.
+std::optional<CompactFields> extract_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin,
+                                            std::size_t count) {
   const auto size = static_cast<std::size_t>(grid.local_size());
   std::vector<double> values(count * size);
   MPI_File file = MPI_FILE_NULL;
@@ -110,7 +127,7 @@ CompactFields extract_fields(const Grid& grid, const std::filesystem::path& path
     MPI_File_close(&file);
     code = code == MPI_SUCCESS ? read : code;
   }
-  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) throw unusable(path, "cannot be read");
+  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) return {};
   CompactFields fields;
   for (std::size_t n = 0; n < count; ++n) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(n * size);
@@ -138,14 +155,16 @@ std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films
 
 void write_state(const Grid& grid, const std::filesystem::path& path, Summary description,
                  const CompactFields& fields) {
+  description["format"] = restart_format;
   description["fields"] = fields.size();
   description["nodes"] = {grid.nx(), grid.rows()};
+  description["checksum"] = checksum_of(grid, fields);
   const std::string text = description.dump();
   const std::filesystem::path part = part_of(path);
   write_together(grid.comm(), path, [&] {
     if (grid.rank() != 0) return;
-    const std::uint64_t length = text.size();
-    write_bytes(part, {reinterpret_cast<const char*>(&length), sizeof length});
+    const Head head = {text.size(), checksum(text)};
+    write_bytes(part, {reinterpret_cast<const char*>(head.data()), sizeof head});
     write_bytes(part, text, std::ios::app);
     flush_to_disk(part);
   });
@@ -156,23 +175,24 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   });
 }
 
-std::optional<Summary> read_state_description(MPI_Comm comm, const std::filesystem::path& path) {
-  const std::string text = shared_description(comm, path);
+std::optional<StateFile> read_state(const Grid& grid, const std::filesystem::path& path) {
+  std::string text = grid.rank() == 0 ? description_in(path) : std::string();
+  broadcast(grid.comm(), text);
   if (text.empty()) return {};
-  return Summary::parse(text);
-}
-
-CompactFields read_state_fields(const Grid& grid, const std::filesystem::path& path) {
-  const std::string text = shared_description(grid.comm(), path);
-  if (text.empty()) throw unusable(path, "cannot be read");
-  const Summary description = Summary::parse(text);
-  const int nx = description["nodes"][0].get<int>(), rows = description["nodes"][1].get<int>();
+  StateFile state{Summary::parse(text), {}};
+  require_restart_format(state.description, path);
+  const int nx = state.description["nodes"][0].get<int>(), rows = state.description["nodes"][1].get<int>();
   if (nx != grid.nx() || rows != grid.rows()) {
-    throw unusable(path, "is of a grid of " + std::to_string(nx) + " x " + std::to_string(2 * rows - 1) + " nodes");
+    throw InputError("'" + path.string() + "' is of a grid of " + std::to_string(nx) + " x " +
+                     std::to_string(2 * rows - 1) + " nodes; start anew, without -restart");
   }
-  const auto count = description["fields"].get<std::size_t>();
-  if (count == 0) return {};
-  return extract_fields(grid, path, fields_begin(text.size()), count);
+  if (const auto count = state.description["fields"].get<std::size_t>(); count > 0) {
+    std::optional<CompactFields> fields = extract_fields(grid, path, fields_begin(text.size()), count);
+    if (!fields) return {};
+    state.fields = std::move(*fields);
+  }
+  if (checksum_of(grid, state.fields) != state.description["checksum"].get<std::uint64_t>()) return {};
+  return state;
 }
 
 }  // namespace gearfilm

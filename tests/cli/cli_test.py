@@ -102,6 +102,7 @@ class Results(ProgramTest):
         self.assertGreater(len(required), 15)
         with h5py.File(self.output / "results.h5") as results:
             self.assertEqual(text(results.attrs["program"]), "gearfilm")
+            self.assertEqual(results.attrs["format_version"], 1)
             self.assertEqual(text(results.attrs["version"]), version)
             self.assertEqual(text(results.attrs["command"]), "steady")
             parameters = {name: text(value) for name, value in results["parameters"].attrs.items()}

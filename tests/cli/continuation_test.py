@@ -1,12 +1,38 @@
 """Runs that go on from the states that others have left; environment as for cli_test.py."""
+import json
 import shutil
 import unittest
 
 import numpy
 
 from films import SAME, summary_in
-from restarts import EIGEN, MARCH, SEARCH, RestartTest, results_in, states_in
+from restarts import EIGEN, HEAD, MARCH, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
 from vibration import SAME_ORBIT, table_in
+
+
+def flip(file, place):
+    """Changes a bit, and nothing of the size."""
+    data = bytearray(file.read_bytes())
+    data[place] ^= 1
+    file.write_bytes(data)
+
+
+def damage(checkpoint, kind):
+    """Spoils the newest state of a folder, or the steps that belong to it."""
+    newest, steps = checkpoint / states_in(checkpoint)[-1], checkpoint / "steps"
+    size = newest.stat().st_size
+    if kind == "more steps":
+        with open(steps, "ab") as file:
+            file.write(b"a step that was half writt")
+    elif kind == "bit in its steps":
+        description = newest.read_bytes()[HEAD:]
+        flip(steps, json.JSONDecoder().raw_decode(description.decode("latin1"))[0]["steps_end"] - 100)
+    elif kind == "bit in its fields":
+        flip(newest, size // 2)
+    elif kind == "bit in its description":
+        flip(newest, HEAD + 8)
+    else:
+        newest.write_bytes(newest.read_bytes()[:-8] if kind == "short" else b"")
 
 
 class Cut(RestartTest):
@@ -73,17 +99,11 @@ class Cut(RestartTest):
 
     def test_damaged_state_or_more_steps_than_it_says(self):
         expected = self.keep(*MARCH, name="kept")
-        for damage in ("short", "empty", "more steps"):
-            with self.subTest(damage=damage):
+        for kind in ("short", "empty", "more steps", "bit in its steps", "bit in its fields", "bit in its description"):
+            with self.subTest(damage=kind):
                 shutil.copytree(self.folder / "kept", self.folder / "run")
                 self.cut(4)
-                checkpoint = self.folder / "run/checkpoint"
-                if damage == "more steps":
-                    with open(checkpoint / "steps", "ab") as steps:
-                        steps.write(b"a step that was half writt")
-                else:
-                    newest = checkpoint / states_in(checkpoint)[-1]
-                    newest.write_bytes(newest.read_bytes()[:-8] if damage == "short" else b"")
+                damage(self.folder / "run/checkpoint", kind)
                 self.assert_same(self.complete(*MARCH), expected)
                 shutil.rmtree(self.folder / "run")
 
@@ -100,6 +120,51 @@ class Cut(RestartTest):
         # Where nothing is left to march, the results are made again.
         (self.folder / "run/results.h5").unlink()
         self.assert_same(self.complete(*march), expected)
+
+
+class OtherVersions(RestartTest):
+    """Files of another format version are refused, with that version."""
+
+    VERSIONS = ((7, "format version 7"), (None, "no format version"))
+
+    def set_version(self, content, version):
+        self.assertEqual(content.pop("format"), 1)
+        return content if version is None else content | {"format": version}
+
+    def test_identity_of_a_march(self):
+        self.stop_at_once(MARCH)
+        identity = self.folder / "run/checkpoint/run.json"
+        content = json.loads(identity.read_text(encoding="utf-8"))
+        for version, words in self.VERSIONS:
+            identity.write_text(json.dumps(self.set_version(dict(content), version)), encoding="utf-8")
+            for processes in (1, 2):
+                self.assert_wrong(["run.json", words, "version 1"], *MARCH, "-restart", "-output_dir", "run",
+                                  processes=processes)
+
+    def test_identity_of_a_sweep(self):
+        self.stop_at_once(SWEEP)
+        identity = self.folder / "run/sweep.json"
+        content = json.loads(identity.read_text(encoding="utf-8"))
+        for version, words in self.VERSIONS:
+            identity.write_text(json.dumps(self.set_version(dict(content), version)), encoding="utf-8")
+            self.assert_wrong(["sweep.json", words, "version 1"], *SWEEP, "-output_dir", "run")
+
+    def test_state(self):
+        self.run_well(*MARCH, "-mesh_periods", 0.5, "-keep_checkpoint", "-output_dir", "run")
+        state = self.folder / "run/checkpoint" / states_in(self.folder / "run/checkpoint")[-1]
+        data = state.read_bytes()
+        end = HEAD + int.from_bytes(data[:8], "little")
+        for version, words in self.VERSIONS:
+            text = json.dumps(self.set_version(json.loads(data[HEAD:end]), version)).encode()
+            head = len(text).to_bytes(8, "little") + checksum(text).to_bytes(8, "little")
+            state.write_bytes(head + text + data[end:])
+            for processes in (1, 2):
+                self.assert_wrong([state.name, words, "version 1"], *MARCH, "-restart", "-output_dir", "run",
+                                  processes=processes)
+
+    def stop_at_once(self, arguments):
+        stopped = self.run_program(*arguments, "-time_limit", 1e-9, "-output_dir", "run")
+        self.assertEqual(stopped.status, 3, stopped)
 
 
 class Failed(RestartTest):

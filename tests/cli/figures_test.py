@@ -84,6 +84,7 @@ class Figures(ProgramTest):
         results = h5py.File(self.folder / "results.h5", "w")
         self.addCleanup(results.close)
         results.attrs["command"] = numpy.bytes_(command)
+        results.attrs["format_version"] = 1
         results.create_group("parameters").attrs.update(
             {name.replace("__", "."): numpy.bytes_(value) for name, value in parameters.items()})
         return results
@@ -162,6 +163,15 @@ class Figures(ProgramTest):
         (self.folder / "results.h5").write_text("no table", encoding="utf-8")
         for name in COMMANDS_OF:
             self.assert_refused(name, "results.h5 is not an HDF5 file")
+
+    def test_results_of_another_version(self):
+        for version, words in ((7, "format version 7"), (None, "no format version")):
+            self.write_results("transient")
+            with h5py.File(self.folder / "results.h5", "a") as results:
+                del results.attrs["format_version"]
+                if version is not None:
+                    results.attrs["format_version"] = version
+            self.assert_refused("march", words, "version 1", "run gearfilm transient again")
 
     def test_missing_columns(self):
         for name, dataset in (("march", "history/contacts"), ("orbit", "history/steps"), ("sweep", "sweep")):

@@ -75,6 +75,7 @@ class Refusals(PaperTest):
         self.assert_refused(self.figures("--only", 11), "not an HDF5 file")
         with h5py.File(run / "results.h5", "w") as results:
             results.attrs["command"] = numpy.bytes_("steady")
+            results.attrs["format_version"] = 1
         self.assert_refused(self.figures("--only", 11), "not a result of gearfilm periodic")
 
     def test_missing_program(self):

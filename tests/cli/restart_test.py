@@ -8,10 +8,9 @@ import time
 import unittest
 
 from films import BARBIERI
-from restarts import EIGEN, MARCH, SEARCH, SMALL, RestartTest, states_in
+from restarts import EIGEN, MARCH, SEARCH, SMALL, SWEEP, RestartTest, states_in
 from vibration import table_in
 
-SWEEP = ["sweep", BARBIERI, *SMALL, "-sweep_values", "15000, 15500, 16000", "-sweep_direction", "up"]
 # A run that is complete before it is stopped is done again. None was when this was written.
 ATTEMPTS = 5
 

@@ -20,6 +20,7 @@ SMALL = ["-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.6, "-time_dt", 0.1]
 # With snapshots in every segment between two enterings or leavings.
 MARCH = ["transient", BARBIERI, *SMALL, "-output_snapshot_interval", 0.3]  # of two mesh periods
 SEARCH = ["periodic", BARBIERI, *SMALL]
+SWEEP = ["sweep", BARBIERI, *SMALL, "-sweep_values", "15000, 15500, 16000", "-sweep_direction", "up"]
 EIGEN = ["eigen", BARBIERI, *SMALL, "-eigen_orbit", "yes", "-eigen_periods", 3]
 # How a run was conducted is echoed with its results, and is no part of them.
 CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
@@ -27,6 +28,7 @@ CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
 TIMES = {"wall_time"}
 EFFORT = TIMES | {"newton", "krylov"}
 LONGEST_LINE = 4096  # and the size of the pipe
+HEAD = 16  # bytes of a state before its description: length and checksum of this
 
 
 def processes_of_session(session):
@@ -170,6 +172,17 @@ def results_in(folder):
     for file in folder.glob("*.xmf"):
         results[file.name] = file.read_text(encoding="utf-8")
     return results
+
+
+def checksum(text):
+    """Of the bytes of a description, as in include/gearfilm/output/checksum.hpp."""
+    total = 0
+    for place, byte in enumerate(text, start=1):
+        z = byte ^ place * 0x9e3779b97f4a7c15 % 2**64
+        for shift, factor in ((30, 0xbf58476d1ce4e5b9), (27, 0x94d049bb133111eb)):
+            z = (z ^ z >> shift) * factor % 2**64
+        total += z ^ z >> 31
+    return total % 2**64
 
 
 def states_in(checkpoint):

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "pair_case.hpp"
 
@@ -18,6 +19,7 @@ protected:
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::temp_directory_path() /
               ("gearfilm_" + std::string(test->name()) + "_" + std::to_string(grid_.processes()));
+    path_ = folder_ / "a.state";
     if (grid_.rank() == 0) {
       std::filesystem::remove_all(folder_);
       std::filesystem::create_directories(folder_);
@@ -54,43 +56,91 @@ protected:
     return record;
   }
 
+  /// Changes the lowest bit of a byte; the second time back.
+  void change_bit(const std::filesystem::path& path, std::uintmax_t place) const {
+    MPI_Barrier(PETSC_COMM_WORLD);
+    if (grid_.rank() == 0) {
+      std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+      file.seekg(static_cast<std::streamoff>(place));
+      const int byte = file.get();
+      file.seekp(static_cast<std::streamoff>(place));
+      file.put(static_cast<char>(byte ^ 1));
+    }
+    MPI_Barrier(PETSC_COMM_WORLD);
+  }
+
   Grid grid_;
   std::filesystem::path folder_;
+  std::filesystem::path path_;
 };
 
 TEST_F(CheckpointTest, state_comes_back_to_the_bit) {
   const CompactFields fields = {field(1.0), field(2.0), field(3.0)};
-  write_state(grid_, folder_ / "a.state", {{"T", 1.0 / 3.0}}, fields);
-  EXPECT_EQ(read_state_description(grid_.comm(), folder_ / "a.state")->at("T").get<double>(), 1.0 / 3.0);
-  EXPECT_EQ(read_state_fields(grid_, folder_ / "a.state"), fields);
+  write_state(grid_, path_, {{"T", 1.0 / 3.0}}, fields);
+  const std::optional<StateFile> state = read_state(grid_, path_);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->description["T"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(state->fields, fields);
 }
 
 TEST_F(CheckpointTest, state_is_read_by_another_number_of_processes) {
-  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
+  write_state(grid_, path_, {}, {field(1.0), field(2.0)});
   const Grid alone(PETSC_COMM_SELF, grid_.shape());
-  const CompactFields whole = read_state_fields(alone, folder_ / "a.state");
+  const std::optional<StateFile> whole = read_state(alone, path_);
+  ASSERT_TRUE(whole);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
-      EXPECT_EQ(whole.front()[i * grid_.rows() + grid_.y_begin() + j], field(1.0)[i * grid_.y_count() + j]);
+      EXPECT_EQ(whole->fields[1][i * grid_.rows() + grid_.y_begin() + j], field(2.0)[i * grid_.y_count() + j]);
     }
   }
 }
 
 TEST_F(CheckpointTest, state_that_was_cut_off_is_none) {
-  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
-  const auto size = std::filesystem::file_size(folder_ / "a.state");
+  write_state(grid_, path_, {}, {field(1.0)});
+  const auto size = std::filesystem::file_size(path_);
   for (const std::uintmax_t cut : {size - 1, size / 2, std::uintmax_t{20}, std::uintmax_t{3}, std::uintmax_t{0}}) {
     MPI_Barrier(PETSC_COMM_WORLD);
-    if (grid_.rank() == 0) std::filesystem::resize_file(folder_ / "a.state", cut);
-    EXPECT_FALSE(read_state_description(grid_.comm(), folder_ / "a.state"));
-    EXPECT_THROW(read_state_fields(grid_, folder_ / "a.state"), InputError);
+    if (grid_.rank() == 0) std::filesystem::resize_file(path_, cut);
+    MPI_Barrier(PETSC_COMM_WORLD);
+    EXPECT_FALSE(read_state(grid_, path_));
   }
 }
 
+// All bytes of the head and the description, every 97th of the fields.
+TEST_F(CheckpointTest, state_with_any_bit_changed_is_none) {
+  write_state(grid_, path_, {{"T", 1.0 / 3.0}}, {field(1.0), field(2.0)});
+  const auto size = std::filesystem::file_size(path_);
+  const auto fields = size - 2 * sizeof(double) * grid_.nx() * grid_.rows();
+  for (std::uintmax_t n = 0; n < size; n += n < fields ? 1 : 97) {
+    change_bit(path_, n);
+    EXPECT_FALSE(read_state(grid_, path_)) << n;
+    change_bit(path_, n);
+  }
+  EXPECT_TRUE(read_state(grid_, path_));
+}
+
+TEST_F(CheckpointTest, state_of_zeros_is_none) {
+  if (grid_.rank() == 0) std::ofstream(path_) << std::string(1000, '\0');
+  MPI_Barrier(PETSC_COMM_WORLD);
+  EXPECT_FALSE(read_state(grid_, path_));
+}
+
 TEST_F(CheckpointTest, state_of_another_grid_is_refused) {
-  write_state(grid_, folder_ / "a.state", {}, {field(1.0)});
+  write_state(grid_, path_, {}, {field(1.0)});
   const Grid other(PETSC_COMM_WORLD, {33, 19, -2.0, 1.5, 1.2});
-  EXPECT_THROW(read_state_fields(other, folder_ / "a.state"), InputError);
+  EXPECT_THROW(read_state(other, path_), InputError);
+}
+
+TEST(ChecksumTest, tells_values_and_their_places_and_is_a_sum_of_parts) {
+  const std::vector<double> values = {0.0, 1.0, -1.0, 0.0};
+  const std::uint64_t whole = checksum(values);
+  EXPECT_EQ(whole, checksum(std::span(values).first(1)) + checksum(std::span(values).subspan(1), 1));
+  for (const std::vector<double>& other : {std::vector<double>{1.0, 0.0, -1.0, 0.0},
+                                           {-0.0, 1.0, -1.0, 0.0},
+                                           {0.0, 1.0, -1.0},
+                                           {0.0, 1.0, -1.0, 0.0, 0.0}}) {
+    EXPECT_NE(checksum(other), whole);
+  }
 }
 
 TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
@@ -124,6 +174,25 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
   }
   EXPECT_TRUE(checkpoint.caught_up());
   EXPECT_FALSE(checkpoint.begin_run(3.0, {0.3, 0.0}));
+}
+
+TEST_F(CheckpointTest, state_before_the_damage_serves) {
+  const std::filesystem::path folder = folder_ / "checkpoint";
+  {
+    Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::anew);
+    checkpoint.begin_run(0.0, {});
+    for (const double T : {0.1, 0.2}) {
+      checkpoint.record(step(T));
+      checkpoint.keep(T, {{T, 0.0}, {{field(T), field(T)}}});
+    }
+  }
+  const auto kept_until = [&] { return Checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped).kept_until(); };
+  EXPECT_EQ(kept_until(), 0.2);
+  const auto steps = std::filesystem::file_size(folder / "steps");
+  change_bit(folder / "steps", steps / 2 + 1);  // of the second step
+  EXPECT_EQ(kept_until(), 0.1);
+  change_bit(folder / "run000_00000.state", 1000);
+  EXPECT_EQ(kept_until(), 0.0);
 }
 
 TEST_F(CheckpointTest, run_that_begins_otherwise_is_not_taken_over) {

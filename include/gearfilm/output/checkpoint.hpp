@@ -49,12 +49,13 @@ private:
     int run = 0;
     int number = 0;
     double T = 0.0;
-    std::uint64_t steps_end = 0;  ///< offset behind its last step
+    JournalMark steps;  ///< behind its last step
     bool with_snapshots = false;
   };
 
   std::filesystem::path file(const KeptState& state) const;
   void find_states();
+  bool complete(KeptState& state, const JournalMark& steps_before) const;
   void remove_file(const KeptState& state) const;
   void forget_from(std::size_t first);
   void remove_superfluous();

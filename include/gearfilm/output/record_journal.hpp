@@ -12,17 +12,27 @@
 
 namespace gearfilm {
 
+/// How far the steps go, and what they are up to there.
+struct JournalMark {
+  std::uint64_t end = 0;       ///< offset behind the last step [bytes]
+  std::uint64_t checksum = 0;  ///< of all values before it (checksum.hpp)
+};
+
 class RecordJournal {
 public:
   RecordJournal(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {}
 
-  /// Puts steps at an offset [bytes] in the place of what follows there, down to the disk; returns the offset behind
-  /// them. Throws OutputError.
-  std::uint64_t write(std::uint64_t offset, const std::vector<StepRecord>& records) const;
+  /// Puts steps behind a mark in the place of what follows there, down to the disk; returns the mark behind them.
+  /// Throws OutputError.
+  JournalMark write(const JournalMark& before, const std::vector<StepRecord>& records) const;
+  /// The mark behind a later step, from what is on the disk: another one than was written, where that is damaged.
+  JournalMark mark_at(std::uint64_t end, const JournalMark& before) const;
   /// The steps between two offsets, on all processes. Throws InputError where they are not there.
   std::vector<StepRecord> read(std::uint64_t begin, std::uint64_t end) const;
 
 private:
+  std::vector<double> values_between(std::uint64_t begin, std::uint64_t end) const;
+
   MPI_Comm comm_;
   std::filesystem::path path_;
 };

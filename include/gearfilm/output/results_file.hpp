@@ -1,10 +1,12 @@
 // results.h5: fields of contacts, with parameters and version as attributes.
 //
-//   /                     attributes: program, command, those of provenance.hpp; x_min, x_max, y_half of the domain [a,
-//   a, b] /parameters           attributes: every parameter of the run /contact0             attributes: position and
-//   scales of the contact /contact0/P, H        pressure [Pa] and film thickness [m] as (nx, ny) /contact0/x, y
-//   coordinates along and across entrainment [m] /contact0/mesh        the same as (nx, ny, 2), for ParaView through
-//   results.xmf
+//   /                attributes: program, format_version (format_version.hpp), command, those of provenance.hpp; x_min,
+//                    x_max, y_half of the domain [a, a, b]
+//   /parameters      attributes: every parameter of the run
+//   /contact0        attributes: position and scales of the contact
+//   /contact0/P, H   pressure [Pa] and film thickness [m] as (nx, ny)
+//   /contact0/x, y   coordinates along and across entrainment [m]
+//   /contact0/mesh   the same as (nx, ny, 2), for ParaView through results.xmf
 // Written by all processes together through PETSc's HDF5 viewer; every write that fails is an OutputError on all.
 #pragma once
 
@@ -31,6 +33,7 @@ public:
 
   void attribute(const std::string& group, const std::string& name, const std::string& value);
   void attribute(const std::string& group, const std::string& name, double value);
+  void attribute(const std::string& group, const std::string& name, int value);
   /// The same on a dataset, which must exist.
   void dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value);
 

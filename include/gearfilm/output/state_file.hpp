@@ -1,9 +1,10 @@
 // Fields of a grid with a description, in one file that is there whole or not at all.
 //
-//   8 bytes       length of the description
-//   description   JSON; "fields" and "nodes" ([nx, rows]) are added to it
+//   16 bytes      length of the description, and its checksum
+//   description   JSON; "format", "fields", "nodes" ([nx, rows]) and "checksum" of the fields are added to it
 //   fields        doubles, one field after the other as (nx, rows), rows those with Y >= 0
-// Does not depend on the number of processes. Written and read by all together (MPI-IO).
+// Does not depend on the number of processes. Written and read by all together (MPI-IO). What was damaged since, even
+// if it kept its size, is as good as missing.
 #pragma once
 
 #include <filesystem>
@@ -26,9 +27,13 @@ std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films
 /// Collective; throws OutputError. The file is on the disk, under its name, when the call returns.
 void write_state(const Grid& grid, const std::filesystem::path& path, Summary description, const CompactFields& fields);
 
-/// Nothing where the file is missing or not whole. Collective.
-std::optional<Summary> read_state_description(MPI_Comm comm, const std::filesystem::path& path);
-/// Throws InputError where the file cannot be read, or is of another grid. Collective.
-CompactFields read_state_fields(const Grid& grid, const std::filesystem::path& path);
+struct StateFile {
+  Summary description;
+  CompactFields fields;
+};
+
+/// Nothing where the file is missing, not whole, or damaged. Throws InputError where it is of another format version
+/// or of another grid. Collective.
+std::optional<StateFile> read_state(const Grid& grid, const std::filesystem::path& path);
 
 }  // namespace gearfilm
