@@ -13,6 +13,36 @@ constexpr const char* purpose = "Lubricant films and vibration of spur-gear pair
 constexpr const char* general_options[][2] = {{"-help", "print commands and parameters"},
                                               {"-version", "print the version"}};
 
+constexpr const char* introduction = R"(
+.SH NAME
+gearfilm \- lubricant films and vibration of spur\-gear pairs
+.SH SYNOPSIS
+.B gearfilm
+.I COMMAND CASE.yaml
+[\fI\-option value\fR ...]
+.br
+.B mpiexec \-n
+.I N
+.B gearfilm
+.I COMMAND CASE.yaml
+[\fI\-option value\fR ...]
+.SH DESCRIPTION
+gearfilm computes the lubricant films between the teeth of a spur\-gear pair, and the vibration of the pair that they
+carry, on any number of processes.
+A case file describes the pair, or one bare contact, in SI units.
+Results are written into a folder, that of
+.BR \-output_dir .
+.SH COMMANDS
+)";
+
+constexpr const char* about_parameters = R"(.PP
+All others are parameters.
+A key such as pinion.teeth stands in the case file (pinion: {teeth: 28}); the option
+.B \-pinion_teeth 28
+on the command line overrides it.
+Options of PETSc and SLEPc are passed on to them.
+)";
+
 // Calls each(name, meaning) for all commands.
 template <class Each>
 void for_each_command(Each each) {
@@ -34,37 +64,11 @@ std::string help_text() {
 }
 
 std::string manual_page() {
-  std::string page = ".TH GEARFILM 1 \"\" \"gearfilm " + roff_text(version) +
-                     "\" \"User Commands\"\n"
-                     ".SH NAME\n"
-                     "gearfilm \\- lubricant films and vibration of spur\\-gear pairs\n"
-                     ".SH SYNOPSIS\n"
-                     ".B gearfilm\n"
-                     ".I COMMAND CASE.yaml\n"
-                     "[\\fI\\-option value\\fR ...]\n"
-                     ".br\n"
-                     ".B mpiexec \\-n\n"
-                     ".I N\n"
-                     ".B gearfilm\n"
-                     ".I COMMAND CASE.yaml\n"
-                     "[\\fI\\-option value\\fR ...]\n"
-                     ".SH DESCRIPTION\n"
-                     "gearfilm computes the lubricant films between the teeth of a spur\\-gear pair, and the vibration "
-                     "of the pair that they carry, on any number of processes.\n"
-                     "A case file describes the pair, or one bare contact, in SI units.\n"
-                     "Results are written into a folder, that of\n"
-                     ".BR \\-output_dir .\n"
-                     ".SH COMMANDS\n";
+  std::string page = ".TH GEARFILM 1 \"\" \"gearfilm " + roff_text(version) + "\" \"User Commands\"" + introduction;
   for_each_command([&](const std::string& name, const std::string& meaning) { page += roff_entry(name, "", meaning); });
   page += ".SH OPTIONS\n";
   for (const auto& [option, meaning] : general_options) page += roff_entry(option, "", meaning);
-  page +=
-      ".PP\n"
-      "All others are parameters. A key such as pinion.teeth stands in the case file (pinion: {teeth: 28}); the "
-      "option\n"
-      "\\fB\\-pinion_teeth 28\\fR on the command line overrides it. Options of PETSc and SLEPc are passed on to "
-      "them.\n" +
-      parameter_roff();
+  page += about_parameters + parameter_roff();
   return page + ".SH EXIT STATUS\n" + roff_entry("0", "", "done") +
          roff_entry("1", "", "wrong input; nothing is written") +
          roff_entry("2", "", "not solved, or results that cannot be written") +

@@ -135,7 +135,8 @@ class Installed(unittest.TestCase):
             self.assertIn(words, done.stderr)
 
     def test_program_has_its_manual_page_and_completion(self):
-        self.assertTrue(os.access(self.prefix / "bin/gearfilm", os.X_OK))
+        version = output_of([self.prefix / "bin/gearfilm", "-version"], env=environment_of(1, self.folder))
+        self.assertEqual(version, output_of([PROGRAM, "-version"], env=environment_of(1, self.folder)))
         for name, command in (("share/man/man1/gearfilm.1", "man"),
                               ("share/bash-completion/completions/gearfilm", "completion")):
             text = (self.prefix / name).read_text(encoding="utf-8")
