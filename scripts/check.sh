@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# All checks beside the tests: clang-tidy, sanitizers, valgrind.
+# All checks beside the tests: clang-tidy, pages of the public headers, sanitizers, valgrind.
 #   scripts/check.sh
 set -euo pipefail
 cd "$(dirname "$0")"
 ./tidy.sh
+./pages.sh
 ./sanitize.sh
 ./memcheck.sh

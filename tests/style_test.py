@@ -10,7 +10,7 @@ PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
 ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "dynamics", "orbits", "input", "output", "app"]
 LONGEST_FILE = 600
-DOCUMENTS = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def read(path):
@@ -18,7 +18,7 @@ def read(path):
 
 
 def sources(*suffixes):
-    folders = ("include", "src", "tests", "scripts")
+    folders = ("include", "src", "tests", "scripts", "docs")
     return sorted(path for folder in folders for path in (SOURCE / folder).rglob("*")
                   if path.suffix in suffixes and "__pycache__" not in path.parts)
 
@@ -54,6 +54,8 @@ class Files(unittest.TestCase):
 
     def test_headers_are_guarded_once(self):
         for path in sources(".hpp", ".in"):
+            if ".hpp" not in path.suffixes:
+                continue
             self.assertEqual(len(re.findall(r"^#pragma once$", read(path), re.MULTILINE)), 1, relative(path))
 
     def test_text_is_clean(self):

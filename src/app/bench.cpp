@@ -2,13 +2,13 @@
 // (yardstick.hpp).
 #include <cmath>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/stopwatch.hpp"
 #include "gearfilm/app/yardstick.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
 #include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_orbit.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/summary.hpp"

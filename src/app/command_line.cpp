@@ -1,11 +1,12 @@
 #include "gearfilm/app/command_line.hpp"
 
-#include <array>
 #include <cctype>
 #include <cmath>
 
-#include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/command_docs.hpp"
+#include "gearfilm/app/command_table.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case.hpp"
 #include "gearfilm/input/memory.hpp"
 #include "gearfilm/input/oddities.hpp"
 #include "gearfilm/input/options.hpp"
@@ -15,36 +16,6 @@
 
 namespace gearfilm {
 namespace {
-
-struct Command {
-  const char* name;
-  void (*run)(MPI_Comm, const Case&);
-  bool resumable;  ///< can be stopped and continued
-  const char* meaning;
-};
-
-constexpr std::array<Command, 7> commands = {{
-    {"info", run_info, false, "derived quantities of a case, no field solve"},
-    {"steady", run_steady, false, "stationary film of one contact"},
-    {"transient", run_transient, true, "the gear pair marched in time"},
-    {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
-    {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},
-    {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
-    {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
-}};
-constexpr const char* parameters_command = "parameters";
-
-std::string usage() {
-  std::string text = "gearfilm " + std::string(version) +
-                     "\nLubricant films and vibration of spur-gear pairs.\n\n"
-                     "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
-                     "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
-  for (const Command& command : commands) {
-    text += "  " + std::string(command.name) + std::string(12 - std::string(command.name).size(), ' ') +
-            command.meaning + "\n";
-  }
-  return text + "  parameters  the table of all parameters in Markdown (needs no case)\n\n";
-}
 
 // A dash or two and a letter. PETSc skips words with a dash and something else without a word, unless they are values.
 bool starts_option(const std::string& word) {
@@ -94,19 +65,19 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     return;
   }
   if (command_line.wants_help()) {
-    petsc_check(PetscPrintf(comm, "%s%s", usage().c_str(), parameter_help().c_str()));
+    petsc_check(PetscPrintf(comm, "%s", help_text().c_str()));
     return;
   }
-  if (command_line.command() == parameters_command) {
+  for (const TextCommand& command : text_commands()) {
+    if (command_line.command() != command.name) continue;
     if (!command_line.case_file().empty()) {
-      throw InputError("cannot use '" + command_line.case_file() + "'; the command parameters takes nothing");
+      throw InputError("cannot use '" + command_line.case_file() + "'; the command " + command.name + " takes nothing");
     }
-    petsc_check(PetscPrintf(comm, "%s", parameter_markdown().c_str()));
+    require_known_options(command_line.petsc_arguments());
+    petsc_check(PetscPrintf(comm, "%s", command.text().c_str()));
     return;
   }
-  std::string known;
-  for (const Command& command : commands) {
-    known += (known.empty() ? "" : ", ") + std::string(command.name);
+  for (const Command& command : commands()) {
     if (command_line.command() != command.name) continue;
     if (command_line.case_file().empty()) {
       throw InputError("no case file given; run 'gearfilm " + command_line.command() + " CASE.yaml'");
@@ -129,7 +100,7 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
   }
   throw InputError(
       (command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
-      "; use one of " + known + ", " + parameters_command + ", or -help");
+      "; use one of " + command_names() + ", or -help");
 }
 
 }  // namespace gearfilm

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"

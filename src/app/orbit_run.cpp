@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/floquet.hpp"
 
 namespace gearfilm {

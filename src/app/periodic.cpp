@@ -1,9 +1,9 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,11 +1,11 @@
 // `gearfilm steady`: the stationary film of one contact at one position on the line of action.
 #include <sstream>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_file.hpp"
 

@@ -4,11 +4,11 @@
 #include <limits>
 #include <thread>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_table.hpp"
 #include "gearfilm/parallel/agreement.hpp"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 

@@ -1,9 +1,9 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
-#include "gearfilm/app/case_setup.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,7 +1,8 @@
-// The table of parameters as text: -help and docs/parameters.md.
+// The table of parameters as text: -help, docs/parameters.md and the options of the manual page.
 #include <sstream>
 
 #include "gearfilm/input/parameter.hpp"
+#include "gearfilm/input/roff.hpp"
 
 namespace gearfilm {
 namespace {
@@ -80,6 +81,21 @@ std::string parameter_markdown() {
              << parameter.meaning << " |\n";
       });
   return text.str();
+}
+
+std::string parameter_roff() {
+  std::ostringstream roff;
+  for_each_in_sections(
+      [&](const Parameter& first) {
+        roff << ".SS " << roff_text(heading(first)) << "\n" << roff_text(describe_scope(first.scope)) << "\n";
+      },
+      [&](const Parameter& parameter) {
+        const std::string symbol = symbol_and_unit(parameter);
+        roff << roff_entry(
+            parameter.option(), describe_allowed(parameter),
+            parameter.meaning + (symbol.empty() ? "" : "; " + symbol) + " (" + describe_presence(parameter) + ")");
+      });
+  return roff.str();
 }
 
 }  // namespace gearfilm

@@ -51,7 +51,7 @@ struct Parameter {
   std::string option() const;
 };
 
-/// All parameters, grouped by section. A new parameter is one more record in src/io/parameter_table.cpp.
+/// All parameters, grouped by section. A new parameter is one more record in src/input/parameter_table.cpp.
 const std::vector<Parameter>& parameter_table();
 
 /// The record of a key, or nullptr.
@@ -79,5 +79,8 @@ std::string parameter_help();
 
 /// The content of docs/parameters.md.
 std::string parameter_markdown();
+
+/// The options of the manual page, by sections.
+std::string parameter_roff();
 
 }  // namespace gearfilm

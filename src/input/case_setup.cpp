@@ -1,4 +1,4 @@
-#include "gearfilm/app/case_setup.hpp"
+#include "gearfilm/input/case_setup.hpp"
 
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"

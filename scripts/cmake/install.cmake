@@ -1,0 +1,75 @@
+# What is installed: the program with its manual page and completion, and the library with what finds it
+# (docs/examples/README.md).
+include(CMakePackageConfigHelpers)
+set(GEARFILM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gearfilm)
+
+# The interface of the library: all headers of these rooms but the private ones, which no public header includes.
+set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel ehl dynamics orbits input)
+set(GEARFILM_PRIVATE_HEADERS
+  lubricant/independent_iterations.hpp
+  parallel/agreement.hpp parallel/events.hpp
+  ehl/line_smoother.hpp ehl/linear_film.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
+  input/case_file.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
+  input/text_file.hpp)
+set(exclude "")
+foreach(header ${GEARFILM_PRIVATE_HEADERS})
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/include/gearfilm/${header})
+    message(FATAL_ERROR "scripts/cmake/install.cmake names a header that is not there: ${header}")
+  endif()
+  list(APPEND exclude PATTERN gearfilm/${header} EXCLUDE)
+endforeach()
+foreach(room ${GEARFILM_PUBLIC_ROOMS})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
+          COMPONENT headers FILES_MATCHING PATTERN *.hpp ${exclude})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/include/gearfilm/error.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
+        COMPONENT headers)
+
+# One archive of all public rooms; how they are built is no concern of those who link it.
+set(objects "")
+foreach(room ${GEARFILM_PUBLIC_ROOMS})
+  list(APPEND objects $<TARGET_OBJECTS:gearfilm_${room}>)
+endforeach()
+add_library(gearfilm_library STATIC ${objects})
+set_target_properties(gearfilm_library PROPERTIES OUTPUT_NAME gearfilm EXPORT_NAME gearfilm LINKER_LANGUAGE CXX)
+target_include_directories(gearfilm_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_features(gearfilm_library INTERFACE cxx_std_20)
+target_compile_definitions(gearfilm_library INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+target_link_libraries(gearfilm_library INTERFACE PkgConfig::SLEPC PkgConfig::PETSC MPI::MPI_C PkgConfig::FFTW
+                                                 PkgConfig::FFTWF ${GEARFILM_YAML_CPP})
+install(TARGETS gearfilm_library EXPORT gearfilm ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT gearfilm NAMESPACE gearfilm:: FILE gearfilmTargets.cmake DESTINATION ${GEARFILM_CMAKE_DIR})
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilmConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/gearfilmConfig.cmake INSTALL_DESTINATION ${GEARFILM_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gearfilmConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gearfilmConfig.cmake ${PROJECT_BINARY_DIR}/gearfilmConfigVersion.cmake
+        DESTINATION ${GEARFILM_CMAKE_DIR})
+
+# pkg-config finds the folders from where its own file is, so that the prefix may be chosen when installing. It knows no
+# MPI, whose flags are written out.
+file(RELATIVE_PATH GEARFILM_PC_TO_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" GEARFILM_PC_TO_PREFIX ${GEARFILM_PC_TO_PREFIX})
+set(GEARFILM_MPI_CFLAGS ${MPI_C_INCLUDE_DIRS})
+list(TRANSFORM GEARFILM_MPI_CFLAGS PREPEND -I)
+list(JOIN GEARFILM_MPI_CFLAGS " " GEARFILM_MPI_CFLAGS)
+list(JOIN MPI_C_LIBRARIES " " GEARFILM_MPI_LIBS)
+configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilm.pc.in ${PROJECT_BINARY_DIR}/gearfilm.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/gearfilm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# The program itself writes its manual page and its completion, where it runs: not when built for another machine, and
+# not where MPI starts nowhere but in jobs.
+if(NOT CMAKE_CROSSCOMPILING)
+  install(CODE "
+    foreach(text IN ITEMS man completion)
+      execute_process(COMMAND \"$<TARGET_FILE:gearfilm>\" \${text} OUTPUT_FILE \"${PROJECT_BINARY_DIR}/gearfilm.\${text}\"
+                      ERROR_QUIET RESULT_VARIABLE status TIMEOUT 60)
+      if(NOT status EQUAL 0)
+        file(REMOVE \"${PROJECT_BINARY_DIR}/gearfilm.\${text}\")
+        message(WARNING \"gearfilm does not run here; 'gearfilm \${text}' is not installed\")
+      endif()
+    endforeach()")
+  install(FILES ${PROJECT_BINARY_DIR}/gearfilm.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME gearfilm.1 OPTIONAL)
+  install(FILES ${PROJECT_BINARY_DIR}/gearfilm.completion
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gearfilm OPTIONAL)
+endif()

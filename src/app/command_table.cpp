@@ -1,0 +1,40 @@
+#include "gearfilm/app/command_table.hpp"
+
+#include <array>
+
+#include "gearfilm/app/command_docs.hpp"
+#include "gearfilm/app/commands.hpp"
+#include "gearfilm/input/parameter.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr std::array<Command, 7> case_commands = {{
+    {"info", run_info, false, "derived quantities of a case, no field solve"},
+    {"steady", run_steady, false, "stationary film of one contact"},
+    {"transient", run_transient, true, "the gear pair marched in time"},
+    {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
+    {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},
+    {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
+    {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
+}};
+
+constexpr std::array<TextCommand, 3> printing_commands = {{
+    {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
+    {"man", manual_page, "the manual page, for man (needs no case)"},
+    {"completion", bash_completion, "completion of commands and options, for bash (needs no case)"},
+}};
+
+}  // namespace
+
+std::span<const Command> commands() { return case_commands; }
+std::span<const TextCommand> text_commands() { return printing_commands; }
+
+std::string command_names() {
+  std::string names;
+  for (const Command& command : commands()) names += (names.empty() ? "" : ", ") + std::string(command.name);
+  for (const TextCommand& command : text_commands()) names += ", " + std::string(command.name);
+  return names;
+}
+
+}  // namespace gearfilm
