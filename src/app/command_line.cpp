@@ -10,6 +10,7 @@
 #include "gearfilm/input/oddities.hpp"
 #include "gearfilm/input/options.hpp"
 #include "gearfilm/input/plain_text.hpp"
+#include "gearfilm/output/results_docs.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 
@@ -32,18 +33,31 @@ constexpr std::array<Command, 7> commands = {{
     {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
     {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
 }};
-constexpr const char* parameters_command = "parameters";
+
+/// A page of the manual that follows from a table.
+struct Page {
+  const char* name;
+  std::string (*text)();
+  const char* meaning;
+};
+
+constexpr std::array<Page, 2> pages = {{
+    {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
+    {"figures", figures_markdown, "the tables of all figures in the results in Markdown (needs no case)"},
+}};
 
 std::string usage() {
   std::string text = "gearfilm " + std::string(version) +
                      "\nLubricant films and vibration of spur-gear pairs.\n\n"
                      "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
                      "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
-  for (const Command& command : commands) {
+  const auto add_line = [&](const auto& command) {
     text += "  " + std::string(command.name) + std::string(12 - std::string(command.name).size(), ' ') +
             command.meaning + "\n";
-  }
-  return text + "  parameters  the table of all parameters in Markdown (needs no case)\n\n";
+  };
+  for (const Command& command : commands) add_line(command);
+  for (const Page& page : pages) add_line(page);
+  return text + "\n";
 }
 
 // A dash or two and a letter. PETSc skips words with a dash and something else without a word, unless they are values.
@@ -97,11 +111,12 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     petsc_check(PetscPrintf(comm, "%s%s", usage().c_str(), parameter_help().c_str()));
     return;
   }
-  if (command_line.command() == parameters_command) {
+  for (const Page& page : pages) {
+    if (command_line.command() != page.name) continue;
     if (!command_line.case_file().empty()) {
-      throw InputError("cannot use '" + command_line.case_file() + "'; the command parameters takes nothing");
+      throw InputError("cannot use '" + command_line.case_file() + "'; the command " + page.name + " takes nothing");
     }
-    petsc_check(PetscPrintf(comm, "%s", parameter_markdown().c_str()));
+    petsc_check(PetscPrintf(comm, "%s", page.text().c_str()));
     return;
   }
   std::string known;
@@ -127,9 +142,10 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
     return;
   }
+  for (const Page& page : pages) known += ", " + std::string(page.name);
   throw InputError(
       (command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
-      "; use one of " + known + ", " + parameters_command + ", or -help");
+      "; use one of " + known + ", or -help");
 }
 
 }  // namespace gearfilm
