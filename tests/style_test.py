@@ -77,6 +77,10 @@ class Documents(unittest.TestCase):
         self.assertEqual(read(SOURCE / "docs/parameters.md"), output_of("parameters"),
                          "write docs/parameters.md anew: gearfilm parameters > docs/parameters.md")
 
+    def test_figure_page_is_what_the_program_prints(self):
+        self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
+                         "write docs/results.md anew: gearfilm figures > docs/results.md")
+
     def test_links_lead_somewhere(self):
         for path in DOCUMENTS:
             for target in re.findall(r"\]\(([^)\s]+)\)", read(path)):

@@ -43,7 +43,7 @@ void solve(MPI_Comm comm) {
   const Domain domain = default_domain(moes_groups(solids, oil, operation).M);
   const Grid grid(comm, grid_shape(domain, scales.hertz.ellipticity, option("-nx", 65), option("-ny", 65)));
   const SolverOptions options;
-  ContactFilm film(grid, scales, options.multigrid);
+  ContactFilm film(discretise(grid, scales), scales, options.multigrid);
   const StationaryResult result = solve_stationary(film, LoadCondition::force(scales.static_force), options);
   check_validity(film, result.figures, "bare contact");
 

@@ -27,7 +27,7 @@ struct ThinnestFilm {
 // What the march tells is dimensionless, and the same on all processes.
 void note(ThinnestFilm& thinnest, const StepRecord& step, const Scales& scales) {
   for (const ContactRecord& contact : step.contacts) {
-    const double thickness = scales.film * contact.figures.smallest_film;
+    const double thickness = scales.film * contact.figures["h_min"];
     if (thickness < thinnest.thickness) {
       thinnest = {thickness, scales.time * step.T, contact.position, contact.contact};
     }
@@ -37,7 +37,7 @@ void note(ThinnestFilm& thinnest, const StepRecord& step, const Scales& scales) 
 void watch(MPI_Comm comm, const char* case_file) {
   const Case problem = read_case(comm, case_file);
   require_inertia(problem);
-  const Grid grid(comm, case_grid(problem));
+  const SharedDiscretisation films = discretise(comm, problem);
   const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position);
 
   int steps = 0;
@@ -49,7 +49,7 @@ void watch(MPI_Comm comm, const char* case_file) {
     ++steps;
     note(thinnest, step, problem.scales);
   };
-  MeshMarch march = make_march(problem, grid, path, observer);
+  MeshMarch march = make_march(problem, films, path, observer);
   march.start(problem.start_motion);
   march.run(problem.mesh_periods * path.mesh_period());
 

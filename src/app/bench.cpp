@@ -129,20 +129,22 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   march.run(2.0 * path.mesh_period());
   const double seconds = MPI_Wtime() - start, unit = 0.5 * (before + common_unit(comm, size));
   const PeriodFigures& period = statistics.periods().back();
-  const double contact_step = period.wall_seconds / period.contact_steps / unit;
+  const double steps = period["steps"].value();
+  const double newton = period["newton_iterations"].value() / steps;
+  const double krylov = period["krylov_iterations"].value() / steps;
+  const int contact_steps = static_cast<int>(period["contact_steps"].value());
+  const double contact_step = period["wall_time"].value() / contact_steps / unit;
   petsc_check(PetscPrintf(comm,
                           "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
                           "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, resized.steps.dT, seconds, period.contact_steps, contact_step,
-                          static_cast<double>(period.newton) / period.steps,
-                          static_cast<double>(period.krylov) / period.steps));
+                          size.nx, size.ny, resized.steps.dT, seconds, contact_steps, contact_step, newton, krylov));
   return {{"nx", size.nx},
           {"ny", size.ny},
           {"dT", resized.steps.dT},
           {"seconds", seconds},
-          {"contact_steps", period.contact_steps},
-          {"newton_per_step", static_cast<double>(period.newton) / period.steps},
-          {"krylov_per_step", static_cast<double>(period.krylov) / period.steps},
+          {"contact_steps", contact_steps},
+          {"newton_per_step", newton},
+          {"krylov_per_step", krylov},
           {"contact_step_convolutions", contact_step}};
 }
 

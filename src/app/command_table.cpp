@@ -5,6 +5,7 @@
 #include "gearfilm/app/command_docs.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/input/parameter.hpp"
+#include "gearfilm/output/results_docs.hpp"
 
 namespace gearfilm {
 namespace {
@@ -19,8 +20,9 @@ constexpr std::array<Command, 7> case_commands = {{
     {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 
-constexpr std::array<TextCommand, 3> printing_commands = {{
+constexpr std::array<TextCommand, 4> printing_commands = {{
     {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
+    {"figures", figures_markdown, "the tables of all figures in the results in Markdown (needs no case)"},
     {"man", manual_page, "the manual page, for man (needs no case)"},
     {"completion", bash_completion, "completion of commands and options, for bash (needs no case)"},
 }};

@@ -46,7 +46,8 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales);
   const PairState at_rest = march.state();
   const OwnedVec state = pair.create_state();
-  for (std::size_t k = 0; k < contacts.size(); ++k) pair.set_field(state, k, at_rest.films[k].pressure);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    pair.set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
   const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.eigen_modes});
   const std::complex<double> lambda = swinging_mode(modes, angular_frequency).eigenvalue;

@@ -113,8 +113,8 @@ void MarchOutput::report(const StepRecord& record, double period) {
        << record.pressure_integral() / problem_.scales.static_force;
   if (!record.contacts.empty()) text << ", xi = " << 1e3 * record.contacts.front().position << " mm";
   if (lubricated_ && !record.contacts.empty()) {
-    double smallest = record.contacts.front().figures.smallest_film;
-    for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.figures.smallest_film);
+    double smallest = record.contacts.front().figures["h_min"];
+    for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.figures["h_min"]);
     text << ", smallest film " << 1e6 * problem_.scales.film * smallest << " um";
   }
   progress_.report(std::min(1.0, period / expected_periods_), text.str());
@@ -122,38 +122,34 @@ void MarchOutput::report(const StepRecord& record, double period) {
 
 namespace {
 
-Summary film_pair(const Scales& scales, const FilmPair& films, const std::string& prefix) {
-  return {{prefix + "_h_central", scales.film * films.central}, {prefix + "_h_min", scales.film * films.smallest}};
-}
-
-/// Largest, or smallest, of one figure over the periods that have it.
-double extreme(const Summary& periods, const std::string& name, bool largest) {
-  double value = largest ? -HUGE_VAL : HUGE_VAL;
+/// One figure over all the periods that have it.
+Summary over_periods(const Summary& periods, const PeriodFigure& figure) {
+  Summary kept;
   for (const Summary& period : periods) {
-    if (!period.contains(name)) continue;
-    value = largest ? std::max(value, period[name].get<double>()) : std::min(value, period[name].get<double>());
+    const auto found = period.find(figure.name);
+    if (found == period.end()) continue;
+    const bool replaces = kept.is_null() || figure.reduction == Reduction::last ||
+                          (figure.reduction == Reduction::largest ? *found > kept : *found < kept);
+    if (replaces) kept = *found;
   }
-  return value;
+  return kept;
 }
 
 }  // namespace
 
 Summary period_summary(const Scales& scales, const PeriodFigures& period) {
   Summary summary;
-  summary["H0"] = period.end.H0;
-  summary["V0"] = period.end.V0;
-  summary["force_ratio_max"] = period.largest_integral / scales.static_force;
-  summary["total_force_ratio_max"] = period.largest_total / scales.static_force;
-  summary["total_force_ratio_min"] = period.smallest_total / scales.static_force;
-  summary["p_max"] = scales.pressure * period.largest_pressure;
-  if (period.smallest_film) summary["h_min"] = scales.film * *period.smallest_film;
-  if (period.at_pitch) summary.update(film_pair(scales, *period.at_pitch, "pitch"));
-  if (period.at_entry) summary.update(film_pair(scales, *period.at_entry, "entry"));
-  summary["steps"] = period.steps;
-  summary["contact_steps"] = period.contact_steps;
-  summary["newton_iterations"] = period.newton;
-  summary["krylov_iterations"] = period.krylov;
-  summary["wall_time"] = period.wall_seconds;
+  for (std::size_t n = 0; n < period_figures.size(); ++n) {
+    if (!period.values[n]) continue;
+    const PeriodFigure& figure = period_figures[n];
+    const double value = figure.unit.in_si(scales, *period.values[n]);
+    Summary& entry = summary[std::string(figure.name)];
+    if (figure.unit.whole) {
+      entry = static_cast<long>(value);
+    } else {
+      entry = value;
+    }
+  }
   return summary;
 }
 
@@ -167,13 +163,10 @@ Summary march_summary(const Case& problem, const ContactPath& path, const MarchS
   summary["mesh_period"] = scales.time * path.mesh_period();
   Summary periods = Summary::array();
   for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
-  if (!periods.empty()) {
-    for (const std::string name : {"force_ratio_max", "total_force_ratio_max", "p_max"}) {
-      summary[name] = extreme(periods, name, true);
-    }
-    if (problem.model != MarchModel::dry) summary["h_min"] = extreme(periods, "h_min", false);
-    summary["H0"] = periods.back()["H0"];
-    summary["V0"] = periods.back()["V0"];
+  for (const PeriodFigure& figure : period_figures) {
+    if (!figure.of_march()) continue;
+    if (const Summary value = over_periods(periods, figure); !value.is_null())
+      summary[std::string(figure.name)] = value;
   }
   summary["periods"] = std::move(periods);
   summary["events"] = Summary::array();

@@ -44,11 +44,16 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
   summary["nx"] = problem.nx;
   summary["ny"] = problem.ny;
   if (problem.line) summary["position"] = problem.steady_position;
-  summary["h_central"] = scales.film * result.figures.central_film;
-  summary["h_min"] = scales.film * result.figures.smallest_film;
-  summary["p_central"] = scales.pressure * result.figures.central_pressure;
-  summary["p_max"] = scales.pressure * result.figures.largest_pressure;
-  summary["force"] = scales.force(result.figures.pressure_integral);
+  const ContactMoment at{scales,
+                         position.conditions,
+                         result.figures,
+                         problem.steady_position,
+                         problem.line ? &*problem.line : nullptr,
+                         problem.pinion_speed};
+  for (const auto& figure : contact_figures) {
+    if (figure.needs == Needs::gears && !problem.line) continue;
+    summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
+  }
   summary["H0"] = result.solution.H0;
   summary["H_central"] = result.figures.central_film;
   summary["H_min"] = result.figures.smallest_film;
@@ -88,7 +93,8 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "b", scales.hertz.b);
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
-  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group + "/mesh", film.grid(), {{0.0, {group}}});
+  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group + "/mesh", film.grid(),
+             {{0.0, {{group, {"P", "H"}}}}});
   write_summary(comm, problem.output_directory, summary);
 }
 

@@ -7,6 +7,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
+#include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -90,30 +91,30 @@ double number(const Summary& point, const char* name) {
   return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
 }
 
+std::vector<TableColumn> point_columns() {
+  std::vector<TableColumn> columns = {{"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"},
+                                      {"I_n", "-"},         {"f_m", "Hz"},     {"f_n", "Hz"}};
+  for (const PeriodFigure& figure : period_figures) {
+    if (figure.of_sweep()) columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
+  }
+  columns.insert(columns.end(), {{"transmission_error_peak_to_peak", "m"},
+                                 {"transmission_error_rms", "m"},
+                                 {"H0_after_leaving", "-"},
+                                 {"V0_after_leaving", "-"},
+                                 {"contact_lost", "-"},
+                                 {"floquet_modulus", "-"},
+                                 {"stable", "-"},
+                                 {"free_frequency", "Hz"},
+                                 {"damping_ratio", "-"},
+                                 {"periods_used", "-"},
+                                 {"defect", "-"},
+                                 {"film_defect", "-"}});
+  return columns;
+}
+
 /// One row a point; what a failed point lacks is not a number.
 void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
-  const std::vector<TableColumn> figures = {{"speed_rpm", "rpm"},
-                                            {"torque", "N m"},
-                                            {"m_ge", "kg"},
-                                            {"I_n", "-"},
-                                            {"f_m", "Hz"},
-                                            {"f_n", "Hz"},
-                                            {"force_ratio_max", "-"},
-                                            {"total_force_ratio_min", "-"},
-                                            {"h_min", "m"},
-                                            {"p_max", "Pa"},
-                                            {"transmission_error_peak_to_peak", "m"},
-                                            {"transmission_error_rms", "m"},
-                                            {"H0_after_leaving", "-"},
-                                            {"V0_after_leaving", "-"},
-                                            {"contact_lost", "-"},
-                                            {"floquet_modulus", "-"},
-                                            {"stable", "-"},
-                                            {"free_frequency", "Hz"},
-                                            {"damping_ratio", "-"},
-                                            {"periods_used", "-"},
-                                            {"defect", "-"},
-                                            {"film_defect", "-"}};
+  const std::vector<TableColumn> figures = point_columns();
   std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
   columns.insert(columns.end(), figures.begin(), figures.end());
   for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})

@@ -60,7 +60,11 @@ public:
       const double value = problem_.sweep.values[point.index];
       std::optional<Summary> result = points_.read(group_, point);
       if (result) {
-        keep(result->contains("error") ? std::nullopt : std::optional(read_neighbour(*result)));
+        if (result->contains("error")) {
+          keep({});
+        } else {
+          keep(read_neighbour(*result));
+        }
         if (last_) read_films(point, value);
       } else {
         result = compute(point, value);
@@ -85,12 +89,12 @@ private:
     if (!found) return;
     const Summary& description = found->description;
     last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
-                              films_from(found->fields, description["films"].get<std::size_t>())};
+                              films_from(found->fields, description["films"])};
   }
 
   void write_films(const Grid& grid, const SweepPoint& point, const PairState& state) const {
     write_state(grid, points_.films(point),
-                {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", state.films.size()}}, fields_of(state));
+                {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", field_names(state)}}, fields_of(state));
   }
 
   /// What only a point that is still to be computed needs.

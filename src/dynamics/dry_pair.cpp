@@ -51,7 +51,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
           dry_contact(scales_, conditions, figures.pressure_integral).pressure / scales_.pressure;
       figures.central_pressure = figures.largest_pressure;
     }
-    record.contacts.push_back({contact, path_.position(contact, T_), figures});
+    record.contacts.push_back(contact_record(path_, scales_, contact, T_, figures));
     live.push_back({contact, nullptr});
   }
   observer_(record, live);

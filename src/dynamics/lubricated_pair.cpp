@@ -192,7 +192,7 @@ void LubricatedPair::precondition_exactly(Vec rows, Vec change) {
 std::vector<ContactRecord> LubricatedPair::records(double T) const {
   std::vector<ContactRecord> records;
   for (const PairContact& contact : contacts_) {
-    records.push_back({contact.contact, path_.position(contact.contact, T), contact.film->figures()});
+    records.push_back(contact_record(path_, contact.film->scales(), contact.contact, T, contact.film->figures()));
   }
   return records;
 }

@@ -8,6 +8,38 @@ namespace {
 
 constexpr double lost_force_ratio = 0.02;
 
+/// Where a contact is, for the reductions that ask for it.
+struct Moments {
+  bool nearest_pitch = false;
+  bool entered = false;
+};
+
+void reduce(std::optional<double>& kept, Reduction reduction, double value, const Moments& moments = {}) {
+  switch (reduction) {
+    case Reduction::largest:
+      kept = std::max(kept.value_or(value), value);
+      break;
+    case Reduction::smallest:
+      kept = std::min(kept.value_or(value), value);
+      break;
+    case Reduction::sum:
+      kept = kept.value_or(0.0) + value;
+      break;
+    case Reduction::steps:
+      kept = kept.value_or(0.0) + 1.0;
+      break;
+    case Reduction::last:
+      kept = value;
+      break;
+    case Reduction::at_pitch:
+      if (moments.nearest_pitch) kept = value;
+      break;
+    case Reduction::at_entry:
+      if (moments.entered) kept = value;
+      break;
+  }
+}
+
 }  // namespace
 
 void MarchStatistics::add(const StepRecord& record, bool lubricated) {
@@ -41,7 +73,7 @@ void MarchStatistics::add_loss(const StepRecord& record) {
     ContactLoss& loss = losses_.back();
     loss.end = record.T;
     for (const ContactRecord& contact : record.contacts) {
-      loss.largest_central_film = std::max(loss.largest_central_film, contact.figures.central_film);
+      loss.largest_central_film = std::max(loss.largest_central_film, contact.figures["h_central"]);
     }
   }
   lost_ = lost;
@@ -55,40 +87,26 @@ bool MarchStatistics::contact_lost(double T_begin, double T_end) const {
 void MarchStatistics::add_to_period(const StepRecord& record, bool lubricated) {
   // A step that ends within round-off of the period's end still belongs to it.
   const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(record.T / mesh_period_ - 1e-9) - 1.0));
-  const double total = record.pressure_integral();
   if (index >= periods_.size()) {
     periods_.resize(index + 1);
-    periods_.back().smallest_total = total;
     pitch_distance_ = HUGE_VAL;
   }
   PeriodFigures& period = periods_[index];
-  period.end = record.motion;
-  period.largest_total = std::max(period.largest_total, total);
-  period.smallest_total = std::min(period.smallest_total, total);
-  for (const ContactRecord& contact : record.contacts) {
-    period.largest_integral = std::max(period.largest_integral, contact.figures.pressure_integral);
-    period.largest_pressure = std::max(period.largest_pressure, contact.figures.largest_pressure);
+  for (std::size_t n = 0; n < period_figures.size(); ++n) {
+    const PeriodFigure& figure = period_figures[n];
+    if (!figure.of_contact) reduce(period.values[n], figure.reduction, step_figures[figure.source].value(record));
   }
-  if (lubricated) add_films(record, period);
-  period.steps += 1;
-  period.contact_steps += static_cast<int>(record.contacts.size());
-  period.newton += record.newton;
-  period.krylov += record.krylov;
-  period.wall_seconds += record.wall_seconds;
+  for (const ContactRecord& contact : record.contacts) add_contact(contact, lubricated, period);
 }
 
-void MarchStatistics::add_films(const StepRecord& record, PeriodFigures& period) {
-  for (const ContactRecord& contact : record.contacts) {
-    const FilmPair films{contact.figures.central_film, contact.figures.smallest_film};
-    period.smallest_film = std::min(period.smallest_film.value_or(films.smallest), films.smallest);
-    if (std::abs(contact.position) < pitch_distance_) {
-      pitch_distance_ = std::abs(contact.position);
-      period.at_pitch = films;
-    }
-    if (entered_ == contact.contact) {
-      period.at_entry = films;
-      entered_.reset();
-    }
+void MarchStatistics::add_contact(const ContactRecord& contact, bool lubricated, PeriodFigures& period) {
+  const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.contact};
+  if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
+  if (moments.entered) entered_.reset();
+  for (std::size_t n = 0; n < period_figures.size(); ++n) {
+    const PeriodFigure& figure = period_figures[n];
+    if (!figure.of_contact || (figure.needs == Needs::film && !lubricated)) continue;
+    reduce(period.values[n], figure.reduction, contact.figures.values[figure.source], moments);
   }
 }
 

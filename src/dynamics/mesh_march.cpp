@@ -13,9 +13,12 @@ namespace gearfilm {
 namespace {
 
 /// A stationary film.
-ToothFilm still(std::vector<double> pressure) {
+ContactFields still(std::vector<double> pressure) {
   std::vector<double> rate(pressure.size(), 0.0);
-  return {std::move(pressure), std::move(rate)};
+  ContactFields fields;
+  fields.emplace(field::pressure.name, std::move(pressure));
+  fields.emplace(field::rate.name, std::move(rate));
+  return fields;
 }
 
 }  // namespace
@@ -53,14 +56,15 @@ ContactFilm* MeshMarch::free_film() {
   return films_.back().get();
 }
 
-MeshMarch::Tooth MeshMarch::enter(int contact, const std::vector<double>* neighbour) {
+MeshMarch::Tooth MeshMarch::enter(int contact, const ContactFields* neighbour) {
   const ScopedStage stage("Entering film");
   ContactFilm* film = free_film();
   film->set_conditions(path_.conditions(contact, T_));
   const LoadCondition load = LoadCondition::displacement(motion_.H0);
   StationaryResult entered = located(label(contact) + ", entering", [&] {
-    return neighbour ? continue_stationary(*film, load, film_options_, {*neighbour, motion_.H0})
-                     : solve_stationary(*film, load, film_options_);
+    return neighbour
+               ? continue_stationary(*film, load, film_options_, {values_of(*neighbour, field::pressure), motion_.H0})
+               : solve_stationary(*film, load, film_options_);
   });
   check_validity(*film, entered.figures, label(contact));
   return {contact, film, still(std::move(entered.solution.pressure))};
@@ -88,7 +92,7 @@ void MeshMarch::balance_at_rest() {
     for (int contact : contacts) {
       const auto known =
           std::find_if(before.begin(), before.end(), [&](const Tooth& t) { return t.contact == contact; });
-      teeth_.push_back(enter(contact, known != before.end() ? &known->state.pressure : &before.front().state.pressure));
+      teeth_.push_back(enter(contact, known != before.end() ? &known->state : &before.front().state));
       sum += teeth_.back().film->figures().pressure_integral;
     }
     return sum;
@@ -114,7 +118,7 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
     motion_ = *motion;
     teeth_.clear();
     for (int contact : path_.contacts_after(T_)) {
-      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state.pressure));
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state));
     }
   } else {
     balance_at_rest();
@@ -125,7 +129,7 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
 
 void MeshMarch::observe(const StepRecord& record) const {
   std::vector<LiveContact> live;
-  for (const Tooth& tooth : teeth_) live.push_back({tooth.contact, tooth.film});
+  for (const Tooth& tooth : teeth_) live.push_back({tooth.contact, tooth.film, &tooth.state});
   observer_(record, live);
   if (keeper_) keeper_->record(record);
 }
@@ -135,8 +139,8 @@ void MeshMarch::observe_present() const {
   record.T = T_;
   record.motion = motion_;
   for (const Tooth& tooth : teeth_) {
-    tooth.film->evaluate(tooth.state.pressure.data(), motion_.H0);
-    record.contacts.push_back({tooth.contact, path_.position(tooth.contact, T_), tooth.film->figures()});
+    tooth.film->evaluate(values_of(tooth.state, field::pressure).data(), motion_.H0);
+    record.contacts.push_back(contact_record(path_, scales_, tooth.contact, T_, tooth.film->figures()));
   }
   observe(record);
 }
@@ -151,7 +155,7 @@ void MeshMarch::exchange_contacts() {
   for (int contact : contacts) {
     const auto known = [&](const Tooth& tooth) { return tooth.contact == contact; };
     if (std::none_of(teeth_.begin(), teeth_.end(), known)) {
-      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state.pressure));
+      teeth_.push_back(enter(contact, teeth_.empty() ? nullptr : &teeth_.back().state));
     }
   }
   if (kept != present || teeth_.size() != kept) observe_present();
@@ -183,17 +187,19 @@ void MeshMarch::resume(double T, const PairState& state) {
 
 // One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
 // that no jump is no change.
-bool MeshMarch::follow(const Tooth& tooth, double H0, ToothFilm& after) const {
+bool MeshMarch::follow(const Tooth& tooth, double H0, ContactFields& after) const {
   const double shift = 1.0 / step_options_.dT;
   tooth.film->set_conditions(path_.conditions(tooth.contact, T_));
-  std::vector<double> mass(after.pressure.size());
-  tooth.film->storage(after.pressure.data(), motion_.H0, mass.data());
-  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= after.rate[n] / shift;
+  std::vector<double>& pressure = values_of(after, field::pressure);
+  const std::vector<double>& rate = values_of(after, field::rate);
+  std::vector<double> mass(pressure.size());
+  tooth.film->storage(pressure.data(), motion_.H0, mass.data());
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rate[n] / shift;
   for (const NewtonOptions& options : {step_options_.newton, film_options_.newton}) {
     StationaryNewton newton(*tooth.film, options);
-    FilmSolution moved{after.pressure, H0};
+    FilmSolution moved{pressure, H0};
     if (!newton.solve(LoadCondition::displacement(H0), moved, shift, mass.data())) continue;
-    after.pressure = std::move(moved.pressure);
+    pressure = std::move(moved.pressure);
     return true;
   }
   return false;
@@ -206,7 +212,7 @@ void MeshMarch::displace(const Motion& motion) {
   while (motion_.H0 != motion.H0) {
     const double left = motion.H0 - motion_.H0;
     const double H0 = std::abs(left) <= std::abs(jump) * (1.0 + 1e-9) ? motion.H0 : motion_.H0 + jump;
-    std::vector<ToothFilm> after;
+    std::vector<ContactFields> after;
     bool all = true;
     for (const Tooth& tooth : teeth_) {
       after.push_back(tooth.state);
@@ -230,13 +236,15 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
   const ScopedStage stage("Time steps");
   LubricatedPair pair(path_, contacts(), inertia_, scales_, share);
   const OwnedVec state = pair.create_state();
-  for (std::size_t k = 0; k < teeth_.size(); ++k) pair.set_field(state, k, teeth_[k].state.pressure);
+  for (std::size_t k = 0; k < teeth_.size(); ++k) {
+    pair.set_field(state, k, values_of(teeth_[k].state, field::pressure));
+  }
   pair.set_motion(state, motion_);
   SegmentStepper stepper(pair, steps, [&](const StepRecord& record) {
     T_ = record.T;
     motion_ = record.motion;
     for (std::size_t k = 0; k < teeth_.size(); ++k) {
-      check_validity(*teeth_[k].film, record.contacts[k].figures, label(teeth_[k].contact));
+      check_validity(*teeth_[k].film, film_figures(record.contacts[k].figures), label(teeth_[k].contact));
     }
     observe(record);
   });
@@ -244,7 +252,8 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
   T_ = T_end;
   motion_ = pair.motion(state);
   for (std::size_t k = 0; k < teeth_.size(); ++k) {
-    teeth_[k].state = {pair.field(state, k), pair.field(stepper.rate(), k)};
+    values_of(teeth_[k].state, field::pressure) = pair.field(state, k);
+    values_of(teeth_[k].state, field::rate) = pair.field(stepper.rate(), k);
   }
 }
 

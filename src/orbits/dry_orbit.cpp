@@ -117,7 +117,7 @@ DryOrbit describe(const DryMap& map, const ContactPath& path, const Motion& star
   orbit.monodromy = map.derivative(start);
   map.march(start, 1.0, 0.01 * path.mesh_period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
     for (const ContactRecord& contact : record.contacts) {
-      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures.pressure_integral);
+      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
     }
   });
   return orbit;

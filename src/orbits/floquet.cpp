@@ -13,20 +13,24 @@ namespace {
 constexpr double smallest_disturbance = 5e-3;  // that has a direction well above the noise of a march
 constexpr double largest_disturbance = 5e-2;   // that the linearised map still describes
 
-/// The linearised map. Vectors hold the pressures of all contacts, divided by sqrt(their number) so that they weigh as
-/// a root mean square, and on the first process H_0 and V_0.
+/// The linearised map. Vectors hold the compared fields of all contacts, divided by sqrt(their number) so that they
+/// weigh as a root mean square, and on the first process H_0 and V_0.
 class PeriodMap {
 public:
   PeriodMap(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit, double size_of_difference)
       : march_(march), path_(path), start_(orbit.start), end_(orbit.end), difference_(size_of_difference) {
     MPI_Comm_rank(march.comm(), &rank_);
-    for (const ToothFilm& film : start_.films) pressures_ += static_cast<PetscInt>(film.pressure.size());
-    PetscInt all = pressures_;
+    for (const ContactFields& fields : start_.films) {
+      for (const auto& [name, values] : fields) {
+        if (field_named(name).compared) values_ += static_cast<PetscInt>(values.size());
+      }
+    }
+    PetscInt all = values_;
     MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPIU_INT, MPI_SUM, march.comm());
     weight_ = 1.0 / std::sqrt(static_cast<double>(all));
   }
 
-  PetscInt local_size() const { return pressures_ + (rank_ == 0 ? 2 : 0); }
+  PetscInt local_size() const { return values_ + (rank_ == 0 ? 2 : 0); }
   MPI_Comm comm() const { return march_.comm(); }
 
   /// What distinguishes a state from the orbit's end.
@@ -57,8 +61,12 @@ private:
     const VecReading values(disturbance);
     PairState state = start_;
     const double* next = values;
-    for (ToothFilm& film : state.films) {
-      for (double& pressure : film.pressure) pressure = std::max(0.0, pressure + step / weight_ * *next++);
+    for (ContactFields& fields : state.films) {
+      for (auto& [name, field] : fields) {
+        const ContactField kind = field_named(name);
+        if (!kind.compared) continue;
+        for (double& value : field) value = std::max(kind.smallest, value + step / weight_ * *next++);
+      }
     }
     double motion[2] = {0.0, 0.0};
     if (rank_ == 0) std::copy_n(next, 2, motion);
@@ -71,8 +79,10 @@ private:
     const VecWriting values(vec);
     double* next = values;
     for (std::size_t k = 0; k < a.films.size(); ++k) {
-      for (std::size_t n = 0; n < a.films[k].pressure.size(); ++n) {
-        *next++ = weight_ * (a.films[k].pressure[n] - b.films[k].pressure[n]);
+      for (const auto& [name, first] : a.films[k]) {
+        if (!field_named(name).compared) continue;
+        const std::vector<double>& second = b.films[k].at(name);
+        for (std::size_t n = 0; n < first.size(); ++n) *next++ = weight_ * (first[n] - second[n]);
       }
     }
     if (rank_ != 0) return;
@@ -85,7 +95,7 @@ private:
   PairState start_, end_;
   double difference_;
   double weight_ = 1.0;
-  PetscInt pressures_ = 0;
+  PetscInt values_ = 0;  ///< of this process
   int rank_ = 0;
 };
 

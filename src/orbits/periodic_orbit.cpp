@@ -51,12 +51,15 @@ private:
   Monodromy entries_;
 };
 
-/// Largest change of any pressure between two states with the same contacts.
+/// Largest change of any field between two states with the same contacts.
 double film_change(const PairState& before, const PairState& after, MPI_Comm comm) {
   double largest = 0.0;
   for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
-    const std::vector<double>&first = before.films[k].pressure, &second = after.films[k].pressure;
-    for (std::size_t n = 0; n < first.size(); ++n) largest = std::max(largest, std::abs(second[n] - first[n]));
+    for (const auto& [name, first] : before.films[k]) {
+      if (!field_named(name).compared) continue;
+      const std::vector<double>& second = after.films[k].at(name);
+      for (std::size_t n = 0; n < first.size(); ++n) largest = std::max(largest, std::abs(second[n] - first[n]));
+    }
   }
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm);
   return largest;

@@ -16,17 +16,28 @@ constexpr std::size_t states_kept = 2;
 // A run done again on another number of processes begins with the same motion within the solvers' tolerance.
 constexpr double same_begin = 1e-6;
 
+/// What the journal has of a contact, in its order.
+Summary figure_names() {
+  Summary names = Summary::array();
+  for (const auto& figure : contact_figures) names.push_back(std::string(figure.name));
+  return names;
+}
+
 Summary description_of(const FilmSnapshot& snapshot) {
   Summary contacts = Summary::array();
-  for (const ContactSnapshot& contact : snapshot.contacts) contacts.push_back({contact.contact, contact.position});
+  for (const ContactSnapshot& contact : snapshot.contacts) {
+    Summary names = Summary::array();
+    for (const auto& [name, field] : contact.fields) names.push_back(name);
+    contacts.push_back({contact.contact, contact.position, names});
+  }
   return {{"T", snapshot.T}, {"contacts", contacts}};
 }
 
 void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields& fields) {
   for (const ContactSnapshot& contact : snapshot.contacts) {
-    for (const Field<double>* field : {&contact.pressure, &contact.film}) {
+    for (const auto& [name, field] : contact.fields) {
       fields.emplace_back(static_cast<std::size_t>(grid.local_size()));
-      field->store(fields.back().data());
+      field.store(fields.back().data());
     }
   }
 }
@@ -34,15 +45,17 @@ void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields
 /// The snapshots of a state; their fields come behind those of the films.
 void read_snapshots(const Grid& grid, const Summary& description, const CompactFields& fields,
                     std::deque<FilmSnapshot>& snapshots) {
-  std::size_t next = 2 * description["films"].get<std::size_t>();
+  std::size_t next = 0;
+  for (const Summary& names : description["films"]) next += names.size();
   for (const Summary& entry : description["snapshots"]) {
     FilmSnapshot snapshot{entry["T"].get<double>(), {}};
     for (const Summary& contact : entry["contacts"]) {
-      Field<double> pressure(grid), film(grid);
-      pressure.load(fields.at(next++).data());
-      film.load(fields.at(next++).data());
-      snapshot.contacts.push_back(
-          {contact[0].get<int>(), contact[1].get<double>(), std::move(pressure), std::move(film)});
+      snapshot.contacts.push_back({contact[0].get<int>(), contact[1].get<double>(), {}});
+      for (const Summary& name : contact[2]) {
+        Field<double> field(grid);
+        field.load(fields.at(next++).data());
+        snapshot.contacts.back().fields.push_back({name.get<std::string>(), std::move(field)});
+      }
     }
     snapshots.push_back(std::move(snapshot));
   }
@@ -91,6 +104,10 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) con
   const std::optional<StateFile> found = read_state(grid_, file(state));
   if (!found) return false;
   const Summary& description = found->description;
+  if (description["figures"] != figure_names()) {
+    throw InputError("'" + folder_.string() +
+                     "' was kept by a program with other figures; start anew, without -restart");
+  }
   state.T = description["T"].get<double>();
   state.with_snapshots = !description["snapshots"].empty();
   const auto steps_end = description["steps_end"].get<std::uint64_t>();
@@ -140,7 +157,7 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
     if (!last) continue;
     kept.T = description["T"].get<double>();
     kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
-    kept.state.films = films_from(found->fields, description["films"].get<std::size_t>());
+    kept.state.films = films_from(found->fields, description["films"]);
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
   kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
@@ -175,7 +192,8 @@ void Checkpoint::keep(double T, const PairState& state) {
                          {"steps_end", next.steps.end},
                          {"steps_checksum", next.steps.checksum}};
   CompactFields fields = fields_of(state);
-  description["films"] = state.films.size();
+  description["films"] = field_names(state);
+  description["figures"] = figure_names();
   description["snapshots"] = Summary::array();
   for (const FilmSnapshot& snapshot : attached_) {
     description["snapshots"].push_back(description_of(snapshot));

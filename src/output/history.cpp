@@ -3,27 +3,26 @@
 namespace gearfilm {
 namespace {
 
+TableColumn column_of(std::string_view name, const Unit& unit) {
+  return {std::string(name), std::string(unit.name), unit.whole};
+}
+
 std::vector<TableColumn> step_columns() {
-  return {{"step", "-", true},
-          {"T", "-"},
-          {"t", "s"},
-          {"dT", "-"},
-          {"distance", "m"},
-          {"H0", "-"},
-          {"V0", "-"},
-          {"h0", "m"},
-          {"force_total", "N"},
-          {"contacts", "-", true},
-          {"newton", "-", true},
-          {"krylov", "-", true},
-          {"wall_time", "s"}};
+  std::vector<TableColumn> columns;
+  for (const RowKey& key : step_keys) columns.push_back(column_of(key.name, key.unit));
+  for (const auto& figure : step_figures) columns.push_back(column_of(figure.name, figure.unit));
+  return columns;
+}
+
+bool is_there(const Figure<ContactMoment>& figure, bool lubricated) {
+  return lubricated || figure.needs != Needs::film;
 }
 
 std::vector<TableColumn> contact_columns(bool lubricated) {
-  std::vector<TableColumn> columns = {{"step", "-", true}, {"contact", "-", true}, {"T", "-"},
-                                      {"xi", "m"},         {"force", "N"},         {"p_max", "Pa"}};
-  if (lubricated) {
-    columns.insert(columns.end(), {{"p_central", "Pa"}, {"h_central", "m"}, {"h_min", "m"}});
+  std::vector<TableColumn> columns;
+  for (const RowKey& key : contact_keys) columns.push_back(column_of(key.name, key.unit));
+  for (const auto& figure : contact_figures) {
+    if (is_there(figure, lubricated)) columns.push_back(column_of(figure.name, figure.unit));
   }
   return columns;
 }
@@ -40,20 +39,18 @@ History::History(ResultsFile& file, const Scales& scales, const ContactPath& pat
 void History::append(const StepRecord& record) {
   std::vector<double> rows;
   for (const ContactRecord& contact : record.contacts) {
-    const FilmFigures& figures = contact.figures;
     rows.insert(rows.end(),
-                {static_cast<double>(step_), static_cast<double>(contact.contact), record.T, contact.position,
-                 scales_.force(figures.pressure_integral), scales_.pressure * figures.largest_pressure});
-    if (lubricated_) {
-      rows.insert(rows.end(), {scales_.pressure * figures.central_pressure, scales_.film * figures.central_film,
-                               scales_.film * figures.smallest_film});
+                {static_cast<double>(step_), static_cast<double>(contact.contact), record.T, contact.position});
+    for (std::size_t n = 0; n < contact_figures.size(); ++n) {
+      if (!is_there(contact_figures[n], lubricated_)) continue;
+      rows.push_back(contact_figures[n].unit.in_si(scales_, contact.figures.values[n]));
     }
   }
   if (!rows.empty()) contacts_.append(rows);
-  steps_.append({static_cast<double>(step_), record.T, scales_.time * record.T, record.dT, path_.distance(record.T),
-                 record.motion.H0, record.motion.V0, scales_.film * record.motion.H0,
-                 scales_.force(record.pressure_integral()), static_cast<double>(record.contacts.size()),
-                 static_cast<double>(record.newton), static_cast<double>(record.krylov), record.wall_seconds});
+  std::vector<double> row = {static_cast<double>(step_), record.T, scales_.time * record.T, record.dT,
+                             path_.distance(record.T)};
+  for (const auto& figure : step_figures) row.push_back(figure.unit.in_si(scales_, figure.value(record)));
+  steps_.append(row);
   ++step_;
 }
 

@@ -15,10 +15,8 @@ void pack(const StepRecord& record, std::vector<double>& values) {
                 {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
                  static_cast<double>(record.newton), static_cast<double>(record.krylov), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
-    const FilmFigures& figures = contact.figures;
-    values.insert(values.end(),
-                  {static_cast<double>(contact.contact), contact.position, figures.pressure_integral,
-                   figures.central_film, figures.smallest_film, figures.central_pressure, figures.largest_pressure});
+    values.insert(values.end(), {static_cast<double>(contact.contact), contact.position});
+    values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
   }
 }
 
@@ -48,11 +46,7 @@ StepRecord unpack(Unpacking& values) {
   for (ContactRecord& contact : record.contacts) {
     contact.contact = values.whole();
     contact.position = values.real();
-    contact.figures.pressure_integral = values.real();
-    contact.figures.central_film = values.real();
-    contact.figures.smallest_film = values.real();
-    contact.figures.central_pressure = values.real();
-    contact.figures.largest_pressure = values.real();
+    for (double& figure : contact.figures.values) figure = values.real();
   }
   return record;
 }

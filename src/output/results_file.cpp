@@ -110,15 +110,16 @@ std::string xdmf_data(const std::string& size, const std::string& dataset) {
          "</DataItem>";
 }
 
-std::string xdmf_contact(const std::string& results_name, const std::string& mesh, const std::string& group,
+std::string xdmf_contact(const std::string& results_name, const std::string& mesh, const FieldGroup& group,
                          const std::string& size) {
-  std::string text = "        <Grid Name=\"" + group.substr(group.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
+  std::string text =
+      "        <Grid Name=\"" + group.name.substr(group.name.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
   text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
   text +=
       "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
-  for (const std::string name : {"P", "H"}) {
+  for (const std::string& name : group.datasets) {
     text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
-            xdmf_data(size, results_name + ":" + group + "/" + name) + "</Attribute>\n";
+            xdmf_data(size, results_name + ":" + group.name + "/" + name) + "</Attribute>\n";
   }
   return text + "        </Grid>\n";
 }
@@ -135,7 +136,7 @@ void write_xdmf(const std::filesystem::path& path, const std::string& results_na
   for (const TimedFields& fields : series) {
     file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
          << "        <Time Value=\"" << fields.time << "\"/>\n";
-    for (const std::string& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
+    for (const FieldGroup& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
     file << "      </Grid>\n";
   }
   file << "    </Grid>\n  </Domain>\n</Xdmf>\n";

@@ -19,10 +19,14 @@ void Snapshots::write(const FilmSnapshot& snapshot) {
   TimedFields fields{time, {}};
   for (const ContactSnapshot& contact : snapshot.contacts) {
     const std::string group = name.str() + "/contact" + std::to_string(contact.contact);
-    file_.field(group, "P", "Pa", domain_, contact.pressure, scales_.pressure);
-    file_.field(group, "H", "m", domain_, contact.film, scales_.film);
+    fields.groups.push_back({group, {}});
+    for (const auto& [field, values] : contact.fields) {
+      const ContactField kind = field_named(field);
+      const std::string dataset(kind.dataset);
+      file_.field(group, dataset, std::string(kind.unit.name), domain_, values, kind.unit.in_si(scales_, 1.0));
+      fields.groups.back().datasets.push_back(dataset);
+    }
     file_.attribute(group, "xi", contact.position);
-    fields.groups.push_back(group);
   }
   written_.push_back(std::move(fields));
   write_xdmf(xdmf_, "results.h5", "/mesh/mesh", domain_.grid(), written_);

@@ -140,17 +140,29 @@ std::optional<CompactFields> extract_fields(const Grid& grid, const std::filesys
 
 CompactFields fields_of(const PairState& state) {
   CompactFields fields;
-  for (const ToothFilm& film : state.films) {
-    fields.push_back(film.pressure);
-    fields.push_back(film.rate);
+  for (const ContactFields& film : state.films) {
+    for (const auto& [name, values] : film) fields.push_back(values);
   }
   return fields;
 }
 
-std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films) {
-  std::vector<ToothFilm> result;
-  for (std::size_t k = 0; k < films; ++k) result.push_back({fields.at(2 * k), fields.at(2 * k + 1)});
-  return result;
+Summary field_names(const PairState& state) {
+  Summary names = Summary::array();
+  for (const ContactFields& film : state.films) {
+    names.push_back(Summary::array());
+    for (const auto& [name, values] : film) names.back().push_back(name);
+  }
+  return names;
+}
+
+std::vector<ContactFields> films_from(const CompactFields& fields, const Summary& names) {
+  std::vector<ContactFields> films;
+  std::size_t next = 0;
+  for (const Summary& contact : names) {
+    films.emplace_back();
+    for (const Summary& name : contact) films.back()[name.get<std::string>()] = fields.at(next++);
+  }
+  return films;
 }
 
 void write_state(const Grid& grid, const std::filesystem::path& path, Summary description,

@@ -49,9 +49,9 @@ protected:
     record.motion = {-1.0 / 3.0, T / 7.0};
     record.newton = 3;
     record.krylov = 17;
-    FilmFigures figures;
-    figures.pressure_integral = T / 3.0;
-    figures.smallest_film = T / 11.0;
+    ContactFigures figures;
+    figures["force"] = T / 3.0;
+    figures["h_min"] = T / 11.0;
     record.contacts = {{4, T / 13.0, figures}};
     return record;
   }
@@ -144,7 +144,9 @@ TEST(ChecksumTest, tells_values_and_their_places_and_is_a_sum_of_parts) {
 }
 
 TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
-  const auto state_at = [&](double T) { return PairState{{T / 3.0, T / 9.0}, {{field(T), field(T + 0.5)}}}; };
+  const auto state_at = [&](double T) {
+    return PairState{{T / 3.0, T / 9.0}, {{{"pressure", field(T)}, {"rate", field(T + 0.5)}}}};
+  };
   {
     Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);
     for (int run = 0; run < 3; ++run) {
@@ -166,11 +168,11 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
     const double T = run + 0.2 * 4;
     EXPECT_EQ(kept->T, T);
     EXPECT_EQ(kept->state.motion.H0, T / 3.0);
-    EXPECT_EQ(kept->state.films.front().pressure, field(T));
-    EXPECT_EQ(kept->state.films.front().rate, field(T + 0.5));
+    EXPECT_EQ(kept->state.films.front().at("pressure"), field(T));
+    EXPECT_EQ(kept->state.films.front().at("rate"), field(T + 0.5));
     ASSERT_EQ(kept->records.size(), 8U);
     EXPECT_EQ(kept->records.back().motion.V0, T / 7.0);
-    EXPECT_EQ(kept->records.back().contacts.front().figures.smallest_film, T / 11.0);
+    EXPECT_EQ(kept->records.back().contacts.front().figures["h_min"], T / 11.0);
   }
   EXPECT_TRUE(checkpoint.caught_up());
   EXPECT_FALSE(checkpoint.begin_run(3.0, {0.3, 0.0}));
@@ -183,7 +185,7 @@ TEST_F(CheckpointTest, state_before_the_damage_serves) {
     checkpoint.begin_run(0.0, {});
     for (const double T : {0.1, 0.2}) {
       checkpoint.record(step(T));
-      checkpoint.keep(T, {{T, 0.0}, {{field(T), field(T)}}});
+      checkpoint.keep(T, {{T, 0.0}, {{{"pressure", field(T)}, {"rate", field(T)}}}});
     }
   }
   const auto kept_until = [&] { return Checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped).kept_until(); };
@@ -193,6 +195,37 @@ TEST_F(CheckpointTest, state_before_the_damage_serves) {
   EXPECT_EQ(kept_until(), 0.1);
   change_bit(folder / "run000_00000.state", 1000);
   EXPECT_EQ(kept_until(), 0.0);
+}
+
+// Names that nothing else knows, different ones on two contacts, with a snapshot behind them.
+TEST_F(CheckpointTest, every_named_field_of_a_contact_comes_back) {
+  const std::vector<ContactFields> films = {
+      {{"pressure", field(1.0)}, {"rate", field(2.0)}, {"temperature", field(3.0)}},
+      {{"flash_temperature", field(4.0)}, {"pressure", field(5.0)}, {"rate", field(6.0)}}};
+  Field<double> shown(grid_);
+  shown.load(field(7.0).data());
+  {
+    Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);
+    EXPECT_FALSE(checkpoint.begin_run(0.0, {}));
+    checkpoint.record(step(0.1));
+    checkpoint.attach({0.1, {{4, 1e-3, {{"pressure", shown}, {"temperature", shown}}}}});
+    checkpoint.keep(0.1, {{}, films});
+  }
+  Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
+  const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->state.films, films);
+  const std::optional<FilmSnapshot> snapshot = checkpoint.recall_snapshot();
+  ASSERT_TRUE(snapshot);
+  const std::vector<NamedField>& fields = snapshot->contacts.front().fields;
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_EQ(fields[0].name, "pressure");
+  EXPECT_EQ(fields[1].name, "temperature");
+  for (const NamedField& again : fields) {
+    std::vector<double> values(static_cast<std::size_t>(grid_.local_size()));
+    again.values.store(values.data());
+    EXPECT_EQ(values, field(7.0));
+  }
 }
 
 TEST_F(CheckpointTest, run_that_begins_otherwise_is_not_taken_over) {

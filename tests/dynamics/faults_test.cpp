@@ -30,7 +30,9 @@ TEST(Faults, pressure_that_is_not_a_number_is_found_in_the_next_step) {
   march.start();
   const Grid& grid = march.grid();
   PairState state = march.march().state();
-  if (grid.rank() == grid.processes() - 1) state.films.front().pressure[grid.nx() / 2 * grid.y_count()] = nan;
+  if (grid.rank() == grid.processes() - 1) {
+    values_of(state.films.front(), field::pressure)[grid.nx() / 2 * grid.y_count()] = nan;
+  }
   march.march().resume(0.0, state);
   const std::string message = failure_of([&] { march.run(1.0); });
   EXPECT_THAT(message, HasSubstr("contact 0"));

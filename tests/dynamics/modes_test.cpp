@@ -56,7 +56,9 @@ public:
     pair_ = std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales);
     state_ = pair_->create_state();
     const PairState at_rest = march_.state();
-    for (std::size_t k = 0; k < at_rest.films.size(); ++k) pair_->set_field(state_, k, at_rest.films[k].pressure);
+    for (std::size_t k = 0; k < at_rest.films.size(); ++k) {
+      pair_->set_field(state_, k, values_of(at_rest.films[k], field::pressure));
+    }
     pair_->set_motion(state_, at_rest.motion);
   }
 

@@ -76,15 +76,15 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
           };
           return off(a) < off(b);
         });
-    const FilmFigures& marched = record.contacts.front().figures;
+    const ContactFigures& marched = record.contacts.front().figures;
     film.set_conditions(contact.path().conditions(0, record.T));
     const StationaryResult still = solve_stationary(
         film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
         contact.problem().solver);
     report("xi = %.3f mm: central film %.5f, stationary %.5f", 1e3 * record.contacts.front().position,
-           marched.central_film, still.figures.central_film);
-    EXPECT_NEAR(marched.central_film, still.figures.central_film, 0.01 * still.figures.central_film);
-    EXPECT_NEAR(marched.central_pressure, still.figures.central_pressure, 0.01 * still.figures.central_pressure);
+           marched["h_central"], still.figures.central_film);
+    EXPECT_NEAR(marched["h_central"], still.figures.central_film, 0.01 * still.figures.central_film);
+    EXPECT_NEAR(marched["p_central"], still.figures.central_pressure, 0.01 * still.figures.central_pressure);
     ++compared;
   }
   EXPECT_EQ(compared, 3);
@@ -100,7 +100,7 @@ TEST(LoadJump, catches_oil_whatever_the_steps) {
     double film = 0.0;
     for (const StepRecord& record : contact.records()) {
       if (record.contacts.empty() || std::abs(record.contacts.front().position) > 2.9e-3) continue;
-      film = std::max(film, record.contacts.front().figures.central_film);
+      film = std::max(film, record.contacts.front().figures["h_central"]);
     }
     return film;
   };
@@ -108,7 +108,7 @@ TEST(LoadJump, catches_oil_whatever_the_steps) {
   const double film = greatest(usual), finer = greatest({"quasistatic", "step", "0.025"}),
                faster = greatest({"quasistatic", "step", "0.05", "0.00625"});
   report("greatest central film %.4f, with half the steps %.4f, in a quarter of the time %.4f", film, finer, faster);
-  EXPECT_GT(film, 1.4 * usual.records().front().contacts.front().figures.central_film);
+  EXPECT_GT(film, 1.4 * usual.records().front().contacts.front().figures["h_central"]);
   EXPECT_NEAR(finer, film, 0.05 * film);
   EXPECT_NEAR(faster, film, 0.05 * film);
 }

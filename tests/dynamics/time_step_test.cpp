@@ -13,7 +13,7 @@ EndOfMarch march_of(const std::string& dT, double T_end) {
   RecordedMarch march(table3_case(with(after_leaving(), {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
   march.start();
   march.run(T_end);
-  return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures.central_film};
+  return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures["h_central"]};
 }
 
 // Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell

@@ -46,6 +46,7 @@ public:
   /// Length travelled along the line of action [m].
   double distance(double T) const { return velocity_ * meshing_time(T); }
   const LineOfAction& line() const { return line_; }
+  double pinion_speed() const { return pinion_speed_; }  ///< [rad/s]
 
 private:
   /// Times closer than this are one event.

@@ -5,32 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/dynamics/period_figures.hpp"
 
 namespace gearfilm {
-
-/// Central and smallest film of one contact at one moment.
-struct FilmPair {
-  double central = 0.0;
-  double smallest = 0.0;
-};
-
-/// One mesh period, counted from T = 0.
-struct PeriodFigures {
-  Motion end;                     ///< at its last step
-  double largest_integral = 0.0;  ///< pressure integral of one contact
-  double largest_total = 0.0;     ///< of all contacts together
-  double smallest_total = 0.0;
-  double largest_pressure = 0.0;
-  std::optional<double> smallest_film;  ///< absent in the dry model, as are the following
-  std::optional<FilmPair> at_pitch;     ///< at the step nearest xi = 0
-  std::optional<FilmPair> at_entry;     ///< at the first step after the last entry
-  int steps = 0;
-  int contact_steps = 0;  ///< films really computed
-  int newton = 0;
-  int krylov = 0;
-  double wall_seconds = 0.0;
-};
 
 struct MeshEvent {
   enum class Kind { entry, exit };
@@ -64,7 +41,7 @@ private:
   void add_events(const StepRecord& record);
   void add_loss(const StepRecord& record);
   void add_to_period(const StepRecord& record, bool lubricated);
-  void add_films(const StepRecord& record, PeriodFigures& period);
+  void add_contact(const ContactRecord& contact, bool lubricated, PeriodFigures& period);
 
   double mesh_period_;
   double static_force_;
@@ -74,7 +51,7 @@ private:
   std::vector<int> present_;  ///< contacts of the last record
   bool lost_ = false;
   std::optional<int> entered_;   ///< contact whose first step is still to come
-  double pitch_distance_ = 0.0;  ///< |xi| of the present period's at_pitch [m]
+  double pitch_distance_ = 0.0;  ///< |xi| of the nearest contact of the present period so far [m]
 };
 
 }  // namespace gearfilm

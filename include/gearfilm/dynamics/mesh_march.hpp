@@ -53,14 +53,14 @@ private:
   struct Tooth {
     int contact = 0;
     ContactFilm* film = nullptr;
-    ToothFilm state;
+    ContactFields state;
   };
 
   /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
-  Tooth enter(int contact, const std::vector<double>* neighbour);
+  Tooth enter(int contact, const ContactFields* neighbour);
   void balance_at_rest();
   /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
-  bool follow(const Tooth& tooth, double H0, ToothFilm& after) const;
+  bool follow(const Tooth& tooth, double H0, ContactFields& after) const;
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   void observe_present() const;

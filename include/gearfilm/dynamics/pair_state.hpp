@@ -7,16 +7,10 @@
 
 namespace gearfilm {
 
-/// The film of one contact: compact pressure, and the rate d(rho H)/dT at which it squeezes.
-struct ToothFilm {
-  std::vector<double> pressure;
-  std::vector<double> rate;
-};
-
 /// Motion and films of all present contacts, leading contact first.
 struct PairState {
   Motion motion;
-  std::vector<ToothFilm> films;  ///< none in the dry model
+  std::vector<ContactFields> films;  ///< none in the dry model
 };
 
 }  // namespace gearfilm

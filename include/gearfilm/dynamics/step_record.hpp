@@ -4,7 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/dynamics/contact_fields.hpp"
+#include "gearfilm/dynamics/contact_figures.hpp"
+#include "gearfilm/dynamics/contact_path.hpp"
 
 namespace gearfilm {
 
@@ -17,8 +19,12 @@ struct Motion {
 struct ContactRecord {
   int contact = 0;      ///< number of the tooth pair, counted from the leading one at T = 0
   double position = 0;  ///< xi [m]
-  FilmFigures figures;  ///< of a dry contact: its pressure integral and largest pressure only
+  ContactFigures figures;
 };
+
+/// The record of a contact of which the film, or the dry contact, gave these figures at time T.
+ContactRecord contact_record(const ContactPath& path, const Scales& scales, int contact, double T,
+                             const FilmFigures& film);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -32,7 +38,7 @@ struct StepRecord {
 
   double pressure_integral() const {
     double sum = 0.0;
-    for (const ContactRecord& contact : contacts) sum += contact.figures.pressure_integral;
+    for (const ContactRecord& contact : contacts) sum += contact.figures["force"];
     return sum;
   }
 };
@@ -40,7 +46,8 @@ struct StepRecord {
 /// A tooth contact that is being computed.
 struct LiveContact {
   int contact = 0;
-  const ContactFilm* film = nullptr;  ///< null in the dry model
+  const ContactFilm* film = nullptr;      ///< null in the dry model
+  const ContactFields* fields = nullptr;  ///< as the last segment left them: pressures are those of the film
 };
 
 /// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).

@@ -1,6 +1,7 @@
 // The fields of all contacts at one time, in memory.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "gearfilm/dynamics/step_record.hpp"
@@ -8,12 +9,17 @@
 
 namespace gearfilm {
 
-/// Dimensionless fields of one contact.
+/// A dimensionless field and its name (contact_fields.hpp).
+struct NamedField {
+  std::string name;
+  Field<double> values;
+};
+
+/// The fields of one contact, in the order in which they are written.
 struct ContactSnapshot {
   int contact = 0;
   double position = 0.0;  ///< xi [m]
-  Field<double> pressure;
-  Field<double> film;
+  std::vector<NamedField> fields;
 };
 
 struct FilmSnapshot {
@@ -21,14 +27,7 @@ struct FilmSnapshot {
   std::vector<ContactSnapshot> contacts;
 };
 
-/// Copies the fields of a step.
-inline FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
-  FilmSnapshot snapshot{record.T, {}};
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    snapshot.contacts.push_back(
-        {contacts[k].contact, record.contacts[k].position, contacts[k].film->pressure(), contacts[k].film->film()});
-  }
-  return snapshot;
-}
+/// Copies the fields of a step that have a dataset in the results.
+FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
 
 }  // namespace gearfilm

@@ -80,10 +80,16 @@ private:
   bool damaged_ = false;
 };
 
-/// Groups of results.h5 that hold P and H of the contacts at one time [s].
+/// A group of results.h5 with the fields of one contact.
+struct FieldGroup {
+  std::string name;
+  std::vector<std::string> datasets;
+};
+
+/// The contacts at one time [s].
 struct TimedFields {
   double time = 0.0;
-  std::vector<std::string> groups;
+  std::vector<FieldGroup> groups;
 };
 
 /// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time. mesh: the

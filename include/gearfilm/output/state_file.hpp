@@ -20,9 +20,11 @@ namespace gearfilm {
 /// Compact fields, this process's part.
 using CompactFields = std::vector<std::vector<double>>;
 
-/// The films of a state as fields, and back from the first of a list.
+/// The films of a state as fields, contact after contact, and the names of each contact's for the description.
 CompactFields fields_of(const PairState& state);
-std::vector<ToothFilm> films_from(const CompactFields& fields, std::size_t films);
+Summary field_names(const PairState& state);
+/// Back from the first of a list.
+std::vector<ContactFields> films_from(const CompactFields& fields, const Summary& names);
 
 /// Collective; throws OutputError. The file is on the disk, under its name, when the call returns.
 void write_state(const Grid& grid, const std::filesystem::path& path, Summary description, const CompactFields& fields);

@@ -1,0 +1,37 @@
+#include "gearfilm/dynamics/contact_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+
+double hertz_pressure_of(const ContactMoment& at) {
+  if (!(at.film.pressure_integral > 0.0)) return 0.0;
+  return dry_contact(at.scales, at.conditions, at.film.pressure_integral).pressure / at.scales.pressure;
+}
+
+double sliding_of(const ContactMoment& at) {
+  return at.line->sliding_velocity(at.position, at.pinion_speed) / at.scales.operation.entrainment_velocity;
+}
+
+ContactFigures figures_of(const ContactMoment& at) {
+  ContactFigures figures;
+  for (std::size_t n = 0; n < contact_figures.size(); ++n) {
+    if (contact_figures[n].needs == Needs::gears && !at.line) continue;
+    figures.values[n] = contact_figures[n].value(at);
+  }
+  return figures;
+}
+
+FilmFigures film_figures(const ContactFigures& figures) {
+  FilmFigures film;
+  film.pressure_integral = figures["force"];
+  film.central_film = figures["h_central"];
+  film.smallest_film = figures["h_min"];
+  film.central_pressure = figures["p_central"];
+  film.largest_pressure = figures["p_max"];
+  film.finite = std::ranges::all_of(figures.values, [](double value) { return std::isfinite(value); });
+  return film;
+}
+
+}  // namespace gearfilm

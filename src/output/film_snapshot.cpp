@@ -1,0 +1,24 @@
+#include "gearfilm/output/film_snapshot.hpp"
+
+namespace gearfilm {
+
+// The film itself has the pressure of the step; what else a contact carries is in its fields.
+FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  FilmSnapshot snapshot{record.T, {}};
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    ContactSnapshot contact{contacts[k].contact, record.contacts[k].position, {}};
+    contact.fields.push_back({std::string(field::pressure.name), contacts[k].film->pressure()});
+    contact.fields.push_back({std::string(field::film.name), contacts[k].film->film()});
+    const ContactFields none;
+    for (const auto& [name, values] : contacts[k].fields ? *contacts[k].fields : none) {
+      if (field_named(name).dataset.empty() || name == field::pressure.name) continue;
+      Field<double> field(contacts[k].film->grid());
+      field.load(values.data());
+      contact.fields.push_back({name, std::move(field)});
+    }
+    snapshot.contacts.push_back(std::move(contact));
+  }
+  return snapshot;
+}
+
+}  // namespace gearfilm

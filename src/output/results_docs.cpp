@@ -1,0 +1,62 @@
+#include "gearfilm/output/results_docs.hpp"
+
+#include <sstream>
+
+#include "gearfilm/dynamics/period_figures.hpp"
+#include "gearfilm/output/history.hpp"
+
+namespace gearfilm {
+namespace {
+
+std::string code(std::string_view text) {
+  std::string quoted(text);
+  if (!quoted.empty()) quoted.insert(0, 1, '`').push_back('`');
+  return quoted;
+}
+
+std::string condition(Needs needs) { return needs == Needs::film ? "; not in the dry model" : ""; }
+
+template <class Keys, class Figures>
+void describe_table(std::ostream& text, std::string_view name, std::string_view rows, const Keys& keys,
+                    const Figures& figures) {
+  text << "\n## " << code(name) << "\n\n" << rows << "\n\n| Column | Symbol | Unit | Meaning |\n|---|---|---|---|\n";
+  for (const RowKey& key : keys)
+    text << "| " << code(key.name) << " | | " << key.unit.name << " | " << key.meaning << " |\n";
+  for (const auto& figure : figures) {
+    text << "| " << code(figure.name) << " | " << code(figure.symbol) << (figure.symbol.empty() ? "| " : " | ")
+         << figure.unit.name << " | " << figure.meaning << condition(figure.needs) << " |\n";
+  }
+}
+
+void describe_periods(std::ostream& text) {
+  text
+      << "\n## Figures of a mesh period\n\n"
+         "Keys of the summaries of `periodic`, of each point of `sweep`, and of each of the `periods` of `transient`.\n"
+         "Those marked *march* stand in the summary of `transient` for all periods together as well, those marked\n"
+         "*sweep* are columns of the table `/sweep`.\n\n"
+         "| Key | Unit | Meaning | Also in |\n|---|---|---|---|\n";
+  for (const PeriodFigure& figure : period_figures) {
+    const std::string march = figure.of_march() ? "march" : "", sweep = figure.of_sweep() ? "sweep" : "";
+    text << "| " << code(figure.name) << " | " << figure.unit.name << " | " << figure.meaning << condition(figure.needs)
+         << " | " << march << (march.empty() || sweep.empty() ? "" : ", ") << sweep
+         << (march.empty() && sweep.empty() ? "|\n" : " |\n");
+  }
+}
+
+}  // namespace
+
+std::string figures_markdown() {
+  std::ostringstream text;
+  text << "# Figures\n\n"
+          "This page is the output of `gearfilm figures`.\n\n"
+          "The history of `transient` and `periodic` in `results.h5`, and what mesh periods keep of it. Everything is "
+          "SI\n"
+          "but for the pure numbers. The summary of `steady` has the figures of its contact under the names of the\n"
+          "columns of `/history/contacts`; a bare contact has no sliding velocity.\n";
+  describe_table(text, "/history/steps", "One row a time step.", step_keys, step_figures);
+  describe_table(text, "/history/contacts", "One row a contact and time step.", contact_keys, contact_figures);
+  describe_periods(text);
+  return text.str();
+}
+
+}  // namespace gearfilm
