@@ -68,10 +68,11 @@ private:
 template <class Real>
 void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
   const auto wanted = [&] { return options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels; };
-  const Discretisation* last = nullptr;
-  for (const Discretisation* next = &finest; next && wanted(); next = next->coarser()) {
-    levels_.push_back(std::make_unique<Level>(*next));
-    last = next;
+  levels_.push_back(std::make_unique<Level>(finest));
+  const Discretisation* last = &finest;
+  while (wanted() && last->coarser()) {
+    last = last->coarser();
+    levels_.push_back(std::make_unique<Level>(*last));
   }
   const Discretisation* whole = wanted() ? last->whole() : nullptr;
   if (!whole) return;

@@ -9,6 +9,7 @@ TableColumn column_of(std::string_view name, const Unit& unit) {
 
 std::vector<TableColumn> step_columns() {
   std::vector<TableColumn> columns;
+  columns.reserve(step_keys.size() + step_figures.size());
   for (const RowKey& key : step_keys) columns.push_back(column_of(key.name, key.unit));
   for (const auto& figure : step_figures) columns.push_back(column_of(figure.name, figure.unit));
   return columns;
@@ -20,6 +21,7 @@ bool is_there(const Figure<ContactMoment>& figure, bool lubricated) {
 
 std::vector<TableColumn> contact_columns(bool lubricated) {
   std::vector<TableColumn> columns;
+  columns.reserve(contact_keys.size() + contact_figures.size());
   for (const RowKey& key : contact_keys) columns.push_back(column_of(key.name, key.unit));
   for (const auto& figure : contact_figures) {
     if (is_there(figure, lubricated)) columns.push_back(column_of(figure.name, figure.unit));

@@ -53,12 +53,12 @@ private:
 
 using Head = std::array<std::uint64_t, 2>;  // length and checksum of the description
 
-MPI_Offset fields_begin(std::size_t description) { return static_cast<MPI_Offset>(sizeof(Head) + description); }
+MPI_Offset fields_begin(std::size_t description) { return static_cast<MPI_Offset>(sizeof(Head)) + static_cast<MPI_Offset>(description); }
 
 /// Of all fields, over all processes: the place of a value is that in the file.
 std::uint64_t checksum_of(const Grid& grid, const CompactFields& fields) {
   const auto rows = static_cast<std::size_t>(grid.rows()), count = static_cast<std::size_t>(grid.y_count());
-  std::size_t before = static_cast<std::size_t>(grid.y_begin());
+  auto before = static_cast<std::size_t>(grid.y_begin());
   std::uint64_t own = 0, sum = 0;
   for (const std::vector<double>& field : fields) {
     for (std::size_t first = 0; first < field.size(); first += count, before += rows) {
