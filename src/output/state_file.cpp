@@ -53,7 +53,9 @@ private:
 
 using Head = std::array<std::uint64_t, 2>;  // length and checksum of the description
 
-MPI_Offset fields_begin(std::size_t description) { return static_cast<MPI_Offset>(sizeof(Head)) + static_cast<MPI_Offset>(description); }
+MPI_Offset fields_begin(std::size_t description) {
+  return static_cast<MPI_Offset>(sizeof(Head)) + static_cast<MPI_Offset>(description);
+}
 
 /// Of all fields, over all processes: the place of a value is that in the file.
 std::uint64_t checksum_of(const Grid& grid, const CompactFields& fields) {
