@@ -128,8 +128,9 @@ class Installed(unittest.TestCase):
             (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.16)\n"
                                                     f"project(user LANGUAGES {languages})\n"
                                                     f"find_package(gearfilm {find} REQUIRED)\n", encoding="utf-8")
-            done = subprocess.run(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}",
-                                   f"-DCMAKE_C_COMPILER={CC}", f"-DCMAKE_CXX_COMPILER={CXX}"],
+            done = subprocess.run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja",
+                                   f"-DCMAKE_PREFIX_PATH={self.prefix}", f"-DCMAKE_C_COMPILER={CC}",
+                                   f"-DCMAKE_CXX_COMPILER={CXX}"],
                                   capture_output=True, text=True, check=False, timeout=120)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(words, done.stderr)
