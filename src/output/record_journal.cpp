@@ -53,10 +53,13 @@ StepRecord unpack(Unpacking& values) {
 
 }  // namespace
 
+// The seconds of a step are not the same on all processes: those of the first one are kept.
 JournalMark RecordJournal::write(const JournalMark& before, const std::vector<StepRecord>& records) const {
   std::vector<double> values;
   for (const StepRecord& record : records) pack(record, values);
   const std::uint64_t size = values.size() * sizeof(double);
+  std::uint64_t part = checksum(values, before.end / sizeof(double));
+  MPI_Bcast(&part, 1, MPI_UINT64_T, 0, comm_);
   write_together(comm_, path_, [&] {
     if (rank_in(comm_) != 0) return;
     if (before.end > 0) std::filesystem::resize_file(path_, before.end);
@@ -64,7 +67,7 @@ JournalMark RecordJournal::write(const JournalMark& before, const std::vector<St
                 before.end > 0 ? std::ios::app : std::ios::trunc);
     flush_to_disk(path_);
   });
-  return {before.end + size, before.checksum + checksum(values, before.end / sizeof(double))};
+  return {before.end + size, before.checksum + part};
 }
 
 JournalMark RecordJournal::mark_at(std::uint64_t end, const JournalMark& before) const {

@@ -173,7 +173,8 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   description["fields"] = fields.size();
   description["nodes"] = {grid.nx(), grid.rows()};
   description["checksum"] = checksum_of(grid, fields);
-  const std::string text = description.dump();
+  std::string text = description.dump();
+  broadcast(grid.comm(), text);  // all count from its end
   const std::filesystem::path part = part_of(path);
   write_together(grid.comm(), path, [&] {
     if (grid.rank() != 0) return;

@@ -83,6 +83,25 @@ TEST_F(CheckpointTest, state_comes_back_to_the_bit) {
   EXPECT_EQ(state->fields, fields);
 }
 
+// Its fields begin where the description of the first process ends.
+TEST_F(CheckpointTest, description_is_that_of_the_first_process) {
+  const CompactFields fields = {field(1.0)};
+  write_state(grid_, path_, {{"words", std::string(1 + 3 * grid_.rank(), 'a')}}, fields);
+  const std::optional<StateFile> state = read_state(grid_, path_);
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->description["words"], "a");
+  EXPECT_EQ(state->fields, fields);
+}
+
+TEST_F(CheckpointTest, journal_has_the_times_of_the_first_process) {
+  std::vector<StepRecord> records = {step(0.1), step(0.2)};
+  for (StepRecord& record : records) record.wall_seconds = 0.5 * grid_.rank();
+  const RecordJournal journal(PETSC_COMM_WORLD, path_);
+  const JournalMark end = journal.write({}, records);
+  EXPECT_EQ(end.checksum, journal.mark_at(end.end, {}).checksum);
+  for (const StepRecord& record : journal.read(0, end.end)) EXPECT_EQ(record.wall_seconds, 0.0);
+}
+
 TEST_F(CheckpointTest, state_is_read_by_another_number_of_processes) {
   write_state(grid_, path_, {}, {field(1.0), field(2.0)});
   const Grid alone(PETSC_COMM_SELF, grid_.shape());

@@ -26,7 +26,8 @@ Summary field_names(const PairState& state);
 /// Back from the first of a list.
 std::vector<ContactFields> films_from(const CompactFields& fields, const Summary& names);
 
-/// Collective; throws OutputError. The file is on the disk, under its name, when the call returns.
+/// Collective; throws OutputError. The file is on the disk, under its name, when the call returns. The description is
+/// that of the first process.
 void write_state(const Grid& grid, const std::filesystem::path& path, Summary description, const CompactFields& fields);
 
 struct StateFile {
