@@ -48,9 +48,10 @@ void solve(MPI_Comm comm) {
   check_validity(film, result.figures, "bare contact");
 
   // Figures are the same on all processes, and PetscPrintf speaks once.
-  petsc_check(PetscPrintf(
-      comm, "h_central = %.6f um  h_min = %.6f um  p_max = %.6f GPa\n", 1e6 * scales.film * result.figures.central_film,
-      1e6 * scales.film * result.figures.smallest_film, 1e-9 * scales.pressure * result.figures.largest_pressure));
+  petsc_check(PetscPrintf(comm, "h_central = %.6f um  h_min = %.6f um  p_max = %.6f GPa\n",
+                          1e6 * scales.thickness * result.figures.central_film,
+                          1e6 * scales.thickness * result.figures.smallest_film,
+                          1e-9 * scales.pressure * result.figures.largest_pressure));
   print_centre_line(grid, scales, film.pressure());
 }
 

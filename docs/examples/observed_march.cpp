@@ -27,7 +27,7 @@ struct ThinnestFilm {
 // What the march tells is dimensionless, and the same on all processes.
 void note(ThinnestFilm& thinnest, const StepRecord& step, const Scales& scales) {
   for (const ContactRecord& contact : step.contacts) {
-    const double thickness = scales.film * contact.figures["h_min"];
+    const double thickness = scales.thickness * contact.figures["h_min"];
     if (thickness < thinnest.thickness) {
       thinnest = {thickness, scales.time * step.T, contact.position, contact.contact};
     }

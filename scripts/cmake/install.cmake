@@ -8,7 +8,7 @@ set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel ehl dynamics orbits in
 set(GEARFILM_PRIVATE_HEADERS
   lubricant/independent_iterations.hpp
   parallel/agreement.hpp parallel/events.hpp
-  ehl/line_smoother.hpp ehl/linear_film.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
+  ehl/line_smoother.hpp ehl/film_stencil.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
   input/case_file.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
   input/text_file.hpp)
 set(exclude "")

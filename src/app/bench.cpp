@@ -84,7 +84,7 @@ private:
     report("smoother factors, " + precision,
            median_time([&] { level.update(film_.state(), 1.0, 0.0); }, 0.0, 0, kernel_runs));
     report("smoother sweep, " + precision,
-           median_time([&] { level.smooth(rows_.data(), change_.data(), 1, true); }, 0.0, 0, kernel_runs));
+           median_time([&] { level.smooth(rows_, change_, 1, true); }, 0.0, 0, kernel_runs));
   }
 
   void film_kernels() {
@@ -92,13 +92,13 @@ private:
     report("film and residual", median_time(
                                     [&] {
                                       solution.H0 = std::nextafter(solution.H0, 0.0);  // else the film is reused
-                                      film_.residual(solution.pressure.data(), solution.H0, nullptr, rows_.data());
+                                      film_.residual(solution.pressure, solution.H0, {}, rows_);
                                     },
                                     0.0, 0, kernel_runs));
-    report("linearisation, all levels", median_time([&] { film_.linearise(0.0); }, 0.0, 0, kernel_runs));
-    report("Jacobian application",
-           median_time([&] { film_.multiply(rows_.data(), 0.0, change_.data()); }, 0.0, 0, kernel_runs));
-    report("V-cycle", median_time([&] { film_.precondition(rows_.data(), change_.data()); }, 0.0, 0, kernel_runs));
+    report("linearisation, all levels",
+           median_time([&] { film_.linearise(solution.pressure, solution.H0, {}, 0.0); }, 0.0, 0, kernel_runs));
+    report("Jacobian application", median_time([&] { film_.multiply(rows_, 0.0, change_); }, 0.0, 0, kernel_runs));
+    report("V-cycle", median_time([&] { film_.precondition(rows_, change_); }, 0.0, 0, kernel_runs));
   }
 
   MPI_Comm comm_;
@@ -118,15 +118,16 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   resized.nx = size.nx;
   resized.ny = size.ny;
   const SharedDiscretisation films = discretise(comm, resized);
-  const ContactPath path = path_after_leaving(resized);
-  MarchStatistics statistics(path.mesh_period(), resized.scales.static_force);
-  MeshMarch march = make_march(resized, films, path, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+  const MeshModel mesh = mesh_after_leaving(resized);
+  const double mesh_period = mesh.path.mesh_period();
+  MarchStatistics statistics(mesh_period, mesh.scales.static_force);
+  MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
     statistics.add(record, true);
   });
-  march.start(dry_guess(resized, films, damped_dry_orbit(resized, path)).motion);
-  march.run(path.mesh_period());
+  march.start(dry_guess(resized, films, find_dry_orbit(mesh, typical_film_damping)).motion);
+  march.run(mesh_period);
   const double before = common_unit(comm, size), start = MPI_Wtime();
-  march.run(2.0 * path.mesh_period());
+  march.run(2.0 * mesh_period);
   const double seconds = MPI_Wtime() - start, unit = 0.5 * (before + common_unit(comm, size));
   const PeriodFigures& period = statistics.periods().back();
   const double steps = period["steps"].value();

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/format_version.hpp"
 #include "gearfilm/output/provenance.hpp"
 
@@ -27,11 +27,11 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
   summary["mesh_period"] = 1.0 / f_m;
   summary["mesh_period_dimensionless"] = 1.0 / (f_m * problem.scales.time);
   if (!problem.equivalent_mass) return;
-  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  const MeshModel mesh = mesh_after_leaving(problem);
   summary["m_ge"] = *problem.equivalent_mass;
   summary["I_n"] = problem.scales.inertia(*problem.equivalent_mass);
-  summary["k_el"] = k_el;
-  summary["f_n"] = natural_frequency(k_el, *problem.equivalent_mass);
+  summary["k_el"] = mesh.stiffness_si();
+  summary["f_n"] = natural_frequency(mesh.stiffness_si(), *problem.equivalent_mass);
 }
 
 }  // namespace

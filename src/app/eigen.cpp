@@ -5,7 +5,6 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
-#include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 Summary dry_pair_summary(const Case& problem) {
   const std::array<double, 2> base_radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
-  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  const double k_el = mesh_after_leaving(problem).stiffness_si();
   const GearInertias inertias = problem.inertias.value_or(disc_inertias(base_radii, *problem.equivalent_mass));
   const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
   return {{"k_el", k_el},
@@ -32,22 +31,22 @@ Summary dry_pair_summary(const Case& problem) {
 /// The pair at rest on its films at the chosen position, linearised.
 Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, double angular_frequency) {
   const Scales& scales = problem.scales;
-  const ContactPath path(*problem.line, scales, problem.pinion_speed, problem.steady_position, MeshGeometry::held);
+  const MeshModel mesh = mesh_model(problem, problem.steady_position, MeshGeometry::held);
   MeshMarch march =
-      make_march(problem, discretisation, path, [](const StepRecord&, const std::vector<LiveContact>&) {});
+      make_march(problem, discretisation, mesh, [](const StepRecord&, const std::vector<LiveContact>&) {});
   march.start({});
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
   std::vector<std::unique_ptr<ContactFilm>> films;
-  std::vector<PairContact> contacts;
-  for (const PairContact& contact : march.contacts()) {
+  std::vector<LiveContact> contacts;
+  for (const LiveContact& contact : march.contacts()) {
     films.push_back(std::make_unique<ContactFilm>(discretisation, scales, problem.solver.multigrid));
-    contacts.push_back({contact.contact, films.back().get()});
+    contacts.push_back({contact.number, films.back().get()});
   }
-  LubricatedPair pair(path, contacts, scales.inertia(*problem.equivalent_mass), scales);
+  LubricatedPair pair(mesh, contacts);
   const PairState at_rest = march.state();
-  const OwnedVec state = pair.create_state();
+  const OwnedVec state = pair.system().create_state();
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    pair.set_field(state, k, values_of(at_rest.films[k], field::pressure));
+    pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
   const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.eigen_modes});
   const std::complex<double> lambda = swinging_mode(modes, angular_frequency).eigenvalue;
@@ -66,17 +65,17 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
 /// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
 /// films by themselves.
 Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
-  const ContactPath path = path_after_leaving(problem);
+  const MeshModel mesh = mesh_after_leaving(problem);
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / mesh.path.mesh_period());
   };
-  MeshMarch march = make_march(problem, films, path, on_step, &run.checkpoint());
+  MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
   const PeriodicOrbit orbit =
-      find_periodic_orbit(march, path, dry_guess(problem, films, damped_dry_orbit(problem, path)), problem.periodic,
-                          [](const SearchPeriod&) {});
-  const FloquetMultipliers found = floquet_multipliers(march, path, orbit, {.periods = problem.eigen_periods});
+      find_periodic_orbit(march, dry_guess(problem, films, find_dry_orbit(mesh, typical_film_damping)),
+                          problem.periodic, [](const SearchPeriod&) {});
+  const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.eigen_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};
-  add_multipliers(problem, found.gear_pair, summary);
+  add_multipliers(mesh, found.gear_pair, summary);
   if (found.film_bound) summary["film_multiplier_bound"] = *found.film_bound;
   return summary;
 }

@@ -20,19 +20,19 @@ double snapshot_interval(const Case& problem, MarchPurpose purpose) {
 
 }  // namespace
 
-MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const ContactPath& path,
-                         MarchPurpose purpose, const std::string& command, double expected_periods)
+MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const MeshModel& mesh,
+                         MarchPurpose purpose, double expected_periods)
     : checkpoint_(run.checkpoint()),
       problem_(problem),
-      path_(path),
+      mesh_(mesh),
       purpose_(purpose),
       lubricated_(problem.model != MarchModel::dry || purpose == MarchPurpose::search),
       expected_periods_(expected_periods),
       file_(grid.comm(), run.directory() / "results.h5"),
-      history_(std::in_place, file_, problem.scales, path, lubricated_),
-      statistics_(path.mesh_period(), problem.scales.static_force),
+      history_(std::in_place, file_, mesh, lubricated_),
+      statistics_(mesh.path.mesh_period(), mesh.scales.static_force),
       progress_(grid.comm()) {
-  write_identity(file_, problem, command);
+  write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
     snapshots_.emplace(file_, grid, problem.scales, run.directory() / "results.xmf");
   }
@@ -42,7 +42,7 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
   history_->append(record);
   statistics_.add(record, lubricated_);
   signal_.add(record);
-  const double period = record.T / path_.mesh_period();
+  const double period = record.T / mesh_.path.mesh_period();
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
     take_snapshot(record, contacts);
     const double interval = snapshot_interval(problem_, purpose_);
@@ -95,7 +95,7 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
   const std::vector<SpectralLine> lines = signal_.spectrum(T_begin, T_end, window);
   std::vector<double> rows;
   for (const SpectralLine& line : lines) {
-    rows.insert(rows.end(), {line.frequency / scales.time, line.amplitude, scales.film * line.amplitude});
+    rows.insert(rows.end(), {line.frequency / scales.time, line.amplitude, scales.thickness * line.amplitude});
   }
   ResultsTable table(file_, "/spectrum", {{"frequency", "Hz"}, {"H0", "-"}, {"h0", "m"}});
   table.append(rows);
@@ -115,7 +115,7 @@ void MarchOutput::report(const StepRecord& record, double period) {
   if (lubricated_ && !record.contacts.empty()) {
     double smallest = record.contacts.front().figures["h_min"];
     for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.figures["h_min"]);
-    text << ", smallest film " << 1e6 * problem_.scales.film * smallest << " um";
+    text << ", smallest film " << 1e6 * problem_.scales.thickness * smallest << " um";
   }
   progress_.report(std::min(1.0, period / expected_periods_), text.str());
 }
@@ -153,14 +153,14 @@ Summary period_summary(const Scales& scales, const PeriodFigures& period) {
   return summary;
 }
 
-Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics) {
-  const Scales& scales = problem.scales;
+Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
+  const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
   summary["nx"] = problem.nx;
   summary["ny"] = problem.ny;
   summary["dT"] = problem.steps.dT;
   summary["static_force"] = scales.operation.load;
-  summary["mesh_period"] = scales.time * path.mesh_period();
+  summary["mesh_period"] = scales.time * mesh.path.mesh_period();
   Summary periods = Summary::array();
   for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
   for (const PeriodFigure& figure : period_figures) {
@@ -174,14 +174,14 @@ Summary march_summary(const Case& problem, const ContactPath& path, const MarchS
     summary["events"].push_back({{"event", event.kind == MeshEvent::Kind::exit ? "exit" : "entry"},
                                  {"contact", event.contact},
                                  {"T", event.T},
-                                 {"distance", path.distance(event.T)},
+                                 {"distance", mesh.path.distance(event.T)},
                                  {"H0", event.motion.H0},
                                  {"V0", event.motion.V0}});
   }
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
-    Summary entry = {{"distance", path.distance(loss.begin)}, {"distance_end", path.distance(loss.end)}};
-    if (problem.model != MarchModel::dry) entry["largest_h_central"] = scales.film * loss.largest_central_film;
+    Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
+    if (problem.model != MarchModel::dry) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
     summary["contact_losses"].push_back(entry);
   }
   return summary;

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "gearfilm/app/march_output.hpp"
-#include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/floquet.hpp"
 
 namespace gearfilm {
 
-OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers) {
-  MarchStatistics statistics(path.mesh_period(), problem.scales.static_force);
+  const double mesh_period = mesh.path.mesh_period();
+  MarchStatistics statistics(mesh_period, mesh.scales.static_force);
   MotionSignal signal;
   bool searching = true;
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
@@ -22,25 +22,22 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
       observers.on_step(record, live);
     }
     // What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
-    if (observers.checkpoint.is_new(record)) observers.stop.check(films->grid().comm(), record.T / path.mesh_period());
+    if (observers.checkpoint.is_new(record)) observers.stop.check(films->grid().comm(), record.T / mesh_period);
   };
-  MeshMarch march = make_march(problem, films, path, on_step, &observers.checkpoint);
+  MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   OrbitRun run;
-  run.orbit = find_periodic_orbit(march, path, guess, problem.periodic, observers.on_period);
+  run.orbit = find_periodic_orbit(march, guess, problem.periodic, observers.on_period);
   searching = false;
-  const double begin = run.orbit.begin, end = begin + path.mesh_period();
-  run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / path.mesh_period())));
+  const double begin = run.orbit.begin, end = begin + mesh_period;
+  run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / mesh_period)));
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
-  if (problem.with_multipliers) run.multipliers = floquet_multipliers(march, path, run.orbit, {}).gear_pair;
+  if (problem.with_multipliers) run.multipliers = floquet_multipliers(march, run.orbit, {}).gear_pair;
   return run;
 }
 
-void add_multipliers(const Case& problem, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
-  const double f_m = mesh_frequency(*problem.gears, problem.pinion_speed);
-  const double f_n = natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
-                                       *problem.equivalent_mass);
-  const FreeOscillation oscillation = free_oscillation(pair, f_m, f_n);
+void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
+  const FreeOscillation oscillation = free_oscillation(pair, mesh.mesh_frequency_si(), mesh.frequency_si());
   summary["floquet"] = Summary::array();
   for (const std::complex<double>& multiplier : pair) {
     summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
@@ -52,8 +49,8 @@ void add_multipliers(const Case& problem, const std::array<std::complex<double>,
   summary["damping_ratio"] = oscillation.damping_ratio;
 }
 
-Summary orbit_summary(const Case& problem, const OrbitRun& run) {
-  const Scales& scales = problem.scales;
+Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
+  const Scales& scales = mesh.scales;
   Summary summary;
   summary["periods_used"] = run.orbit.periods_used;
   summary["defect"] = run.orbit.defect;
@@ -62,9 +59,9 @@ Summary orbit_summary(const Case& problem, const OrbitRun& run) {
   summary["V0_after_leaving"] = run.orbit.start.motion.V0;
   summary.update(period_summary(scales, run.figures));
   summary["contact_lost"] = run.contact_lost;
-  summary["transmission_error_peak_to_peak"] = scales.film * run.transmission_error.peak_to_peak;
-  summary["transmission_error_rms"] = scales.film * run.transmission_error.root_mean_square;
-  if (run.multipliers) add_multipliers(problem, *run.multipliers, summary);
+  summary["transmission_error_peak_to_peak"] = scales.thickness * run.transmission_error.peak_to_peak;
+  summary["transmission_error_rms"] = scales.thickness * run.transmission_error.root_mean_square;
+  if (run.multipliers) add_multipliers(mesh, *run.multipliers, summary);
   return summary;
 }
 

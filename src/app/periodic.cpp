@@ -8,16 +8,16 @@
 namespace gearfilm {
 namespace {
 
-constexpr double usual_periods = 4.0;  // for the time left
+constexpr double typical_periods = 4.0;  // for the time left
 
 /// The undamped dry pair's orbit, for comparison; null where there is none.
-Summary dry_summary(const Case& problem, const ContactPath& path) {
+Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   try {
-    const DryOrbit dry = find_dry_orbit(problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), 0.0);
+    const DryOrbit dry = find_dry_orbit(mesh, 0.0);
     Summary summary = {{"H0_after_leaving", dry.start.H0},
                        {"V0_after_leaving", dry.start.V0},
                        {"force_ratio_max", dry.largest_integral / problem.scales.static_force}};
-    add_multipliers(problem, multipliers(dry.monodromy), summary);
+    add_multipliers(mesh, multipliers(dry.monodromy), summary);
     for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping
     return summary;
   } catch (const SolveError&) {
@@ -33,31 +33,31 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   ResumableRun run(problem, grid, "periodic");
-  const ContactPath path = path_after_leaving(problem);
-  const OrbitGuess guess = dry_guess(problem, films, damped_dry_orbit(problem, path));
-  MarchOutput output(run, problem, grid, path, MarchPurpose::search, "periodic", usual_periods);
+  const MeshModel mesh = mesh_after_leaving(problem);
+  const OrbitGuess guess = dry_guess(problem, films, find_dry_orbit(mesh, typical_film_damping));
+  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods);
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
       [&](const SearchPeriod& period) { output.end_search_period(period); }, run.checkpoint(), run.stop()};
   OrbitRun found;
   try {
-    found = run_orbit(problem, films, path, guess, observers);
+    found = run_orbit(problem, films, mesh, guess, observers);
   } catch (const Unfinished&) {
-    Summary summary = march_summary(problem, path, output.statistics());
+    Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = false;
     output.finish();
     write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
-  const double begin = found.orbit.begin, end = begin + path.mesh_period();
+  const double begin = found.orbit.begin, end = begin + mesh.path.mesh_period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}, {"dT", problem.steps.dT}};
   summary["static_force"] = problem.scales.operation.load;
-  summary["mesh_period"] = problem.scales.time * path.mesh_period();
-  summary.update(orbit_summary(problem, found));
+  summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
+  summary.update(orbit_summary(mesh, found));
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
-  summary["dry"] = dry_summary(problem, path);
+  summary["dry"] = dry_summary(problem, mesh);
   summary["completed"] = true;
   output.finish();
   write_summary(comm, run.directory().path(), summary);

@@ -14,25 +14,24 @@ namespace {
 
 /// The contact at the chosen position: conditions for the solver, and in SI for the film formulas.
 struct Position {
-  ContactConditions conditions;
+  MeshedContact contact;
   ContactSolids solids;
   ContactOperation operation;
-  std::string label;
+  std::string label = "bare contact";
 };
 
 Position steady_position(const Case& problem) {
-  Position position{{}, problem.scales.solids, problem.scales.operation, "bare contact"};
+  Position position;
   if (problem.line) {
     const double xi = problem.steady_position;
-    position.solids.radius_x = problem.line->radius_x(xi);
-    position.operation.entrainment_velocity = problem.line->entrainment_velocity(xi, problem.pinion_speed);
-    position.conditions.radius_ratio = position.solids.radius_x / problem.scales.solids.radius_x;
-    position.conditions.entrainment =
-        position.operation.entrainment_velocity / problem.scales.operation.entrainment_velocity;
+    position.contact = meshed_contact(*problem.line, problem.scales, problem.pinion_speed, xi);
     std::ostringstream label;
     label << "contact 0 at xi = " << 1e3 * xi << " mm";
     position.label = label.str();
   }
+  position.solids = solids_of(problem.scales, position.contact.conditions);
+  position.operation = problem.scales.operation;
+  position.operation.entrainment_velocity *= position.contact.conditions.entrainment;
   position.operation.load *= problem.steady_load_ratio;
   return position;
 }
@@ -44,12 +43,7 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
   summary["nx"] = problem.nx;
   summary["ny"] = problem.ny;
   if (problem.line) summary["position"] = problem.steady_position;
-  const ContactMoment at{scales,
-                         position.conditions,
-                         result.figures,
-                         problem.steady_position,
-                         problem.line ? &*problem.line : nullptr,
-                         problem.pinion_speed};
+  const ContactMoment at{scales, position.contact, result.figures};
   for (const auto& figure : contact_figures) {
     if (figure.needs == Needs::gears && !problem.line) continue;
     summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
@@ -83,7 +77,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
   file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure);
-  file.field(group, "H", "m", domain, film.film(), scales.film);
+  file.field(group, "H", "m", domain, film.thickness(), scales.thickness);
   file.attribute(group, "xi", problem.steady_position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
@@ -125,9 +119,9 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const OutputDirectory directory(comm, problem.output_directory);
   directory.remove_earlier_results();
   ContactFilm film(discretisation, problem.scales, problem.solver.multigrid);
-  film.set_conditions(position.conditions);
+  film.set_conditions(position.contact.conditions);
   const double force = problem.steady_load_ratio * problem.scales.static_force;
-  check_domain(film.grid(), problem.scales, position.conditions, force, position.label);
+  check_domain(film.grid(), problem.scales, position.contact.conditions, force, position.label);
   const StationaryResult result =
       located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.solver); });
   check_validity(film, result.figures, position.label);

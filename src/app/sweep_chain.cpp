@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "gearfilm/app/orbit_run.hpp"
-#include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/state_file.hpp"
@@ -77,6 +76,14 @@ public:
   }
 
 private:
+  /// What a point is computed with.
+  struct Point {
+    const Case& problem;
+    const MeshModel& mesh;
+    const SharedDiscretisation& films;
+    double value;  ///< of the parameter of the sweep
+  };
+
   void keep(std::optional<Neighbour> found) {
     if (found && found->dry) film_shift_ = found->guess.motion.H0 - found->dry->start.H0;
     before_ = found ? std::move(last_) : std::nullopt;
@@ -111,19 +118,19 @@ private:
     result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
     result["torque"] = here.torque;
     result["m_ge"] = *here.equivalent_mass;
-    result["I_n"] = here.scales.inertia(*here.equivalent_mass);
-    result["f_m"] = mesh_frequency(*here.gears, here.pinion_speed);
-    result["f_n"] =
-        natural_frequency(contact_stiffness(here.scales.operation.load, here.scales.hertz), *here.equivalent_mass);
+    const MeshModel mesh = mesh_after_leaving(here);
+    result["I_n"] = mesh.inertia;
+    result["f_m"] = mesh.mesh_frequency_si();
+    result["f_n"] = mesh.frequency_si();
     const SharedDiscretisation films = discretise(group_, here);
     Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
     try {
       std::optional<DryOrbit> dry;
-      const OrbitRun run = search(here, films, checkpoint, value, dry, result);
+      const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
       write_films(films->grid(), point, run.orbit.end);
-      result.update(orbit_summary(here, run));
+      result.update(orbit_summary(mesh, run));
       result["monodromy"] = run.orbit.monodromy;
-      if (!dry) dry = dry_beside(here, run.orbit.start.motion);
+      if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
       if (dry) result["dry_motion"] = motion_json(dry->start);
       keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
     } catch (const SolveError& error) {
@@ -134,18 +141,15 @@ private:
   }
 
   /// The dry orbit next to a lubricated one, if there is any.
-  std::optional<DryOrbit> dry_beside(const Case& here, const Motion& motion) const {
+  std::optional<DryOrbit> dry_beside(const MeshModel& mesh, const Motion& motion) const {
     const Motion near{motion.H0 - film_shift_, motion.V0};
-    std::optional<DryOrbit> dry = follow_dry_orbit(
-        here.scales, path_after_leaving(here), here.scales.inertia(*here.equivalent_mass), usual_film_damping, near);
+    std::optional<DryOrbit> dry = follow_dry_orbit(mesh, typical_film_damping, near);
     if (dry && distance(dry->start, near) > beside) dry.reset();
     return dry;
   }
 
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
-  OrbitRun search(const Case& here, const SharedDiscretisation& films, Checkpoint& checkpoint, double value,
-                  std::optional<DryOrbit>& dry, Summary& result) const {
-    const ContactPath path = path_after_leaving(here);
+  OrbitRun search(const Point& at, Checkpoint& checkpoint, std::optional<DryOrbit>& dry, Summary& result) const {
     result["search"] = Summary::array();
     const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
                                       [&](const SearchPeriod& period) {
@@ -154,27 +158,26 @@ private:
                                       checkpoint, stop_};
     if (last_) {
       result["start"] = "neighbour";
-      Case brief = here;
-      brief.periodic.max_periods = std::min(here.periodic.max_periods, periods_from_neighbour);
+      Case brief = at.problem;
+      brief.periodic.max_periods = std::min(brief.periodic.max_periods, periods_from_neighbour);
       try {
-        return run_orbit(brief, films, path, from_neighbour(here, path, value, dry), observers);
+        return run_orbit(brief, at.films, at.mesh, from_neighbour(at, dry), observers);
       } catch (const SolveError& error) {
         result["neighbour_error"] = error.what();
       }
     }
     result["start"] = "dry orbit";
-    dry = damped_dry_orbit(here, path);
-    return run_orbit(here, films, path, dry_guess(here, films, *dry), observers);
+    dry = find_dry_orbit(at.mesh, typical_film_damping);
+    return run_orbit(at.problem, at.films, at.mesh, dry_guess(at.problem, at.films, *dry), observers);
   }
 
   /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit
   /// cannot be followed, extrapolated from the last two points.
-  OrbitGuess from_neighbour(const Case& here, const ContactPath& path, double value,
-                            std::optional<DryOrbit>& dry) const {
+  OrbitGuess from_neighbour(const Point& at, std::optional<DryOrbit>& dry) const {
     OrbitGuess guess = last_->guess;
     if (last_->dry) {
       const Motion before = last_->dry->start;
-      dry = follow_dry_orbit(here.scales, path, here.scales.inertia(*here.equivalent_mass), usual_film_damping, before);
+      dry = follow_dry_orbit(at.mesh, typical_film_damping, before);
       if (dry && distance(dry->start, before) < same_branch) {
         guess.motion.H0 += dry->start.H0 - before.H0;
         guess.motion.V0 += dry->start.V0 - before.V0;
@@ -184,7 +187,7 @@ private:
       dry.reset();
     }
     if (before_) {
-      const double part = (value - last_->value) / (last_->value - before_->value);
+      const double part = (at.value - last_->value) / (last_->value - before_->value);
       const Motion step{part * (last_->guess.motion.H0 - before_->guess.motion.H0),
                         part * (last_->guess.motion.V0 - before_->guess.motion.V0)};
       if (distance(step, {}) < beside) {

@@ -9,23 +9,23 @@ namespace gearfilm {
 namespace {
 
 /// The end of the march: that of the line of action where one contact is followed along it.
-double end_of(const Case& problem, const ContactPath& path) {
-  return problem.prescribed_load ? path.exit_time(0) : problem.mesh_periods * path.mesh_period();
+double end_of(const Case& problem, const MeshModel& mesh) {
+  return mesh.load ? mesh.path.exit_time(0) : problem.mesh_periods * mesh.path.mesh_period();
 }
 
 /// A march that goes on cannot end before where it is.
-void require_beyond(ResumableRun& run, const Case& problem, const ContactPath& path) {
+void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mesh) {
   const double kept = run.checkpoint().kept_until();
-  if (kept <= end_of(problem, path) * (1.0 + 1e-9)) return;
+  if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
   throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
                    format_value(problem.mesh_periods) + ", but the march in '" + problem.output_directory.string() +
-                   "' has come to " + format_value(kept / path.mesh_period()) + "; give at least as many");
+                   "' has come to " + format_value(kept / mesh.path.mesh_period()) + "; give at least as many");
 }
 
 template <class March>
-void drive(March&& march, const Case& problem, const ContactPath& path) {
+void drive(March&& march, const Case& problem) {
   march.start(problem.start_motion);
-  march.run(end_of(problem, path));
+  march.run(end_of(problem, march.mesh()));
 }
 
 }  // namespace
@@ -36,21 +36,20 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position, problem.geometry);
-  require_beyond(run, problem, path);
+  const MeshModel mesh = mesh_model(problem, problem.start_position, problem.geometry);
+  require_beyond(run, problem, mesh);
   const bool lubricated = problem.model != MarchModel::dry;
-  MarchOutput output(run, problem, grid, path, MarchPurpose::march, "transient",
-                     end_of(problem, path) / path.mesh_period());
+  MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, end_of(problem, mesh) / mesh.path.mesh_period());
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);
-    if (run.checkpoint().is_new(record)) run.stop().check(comm, record.T / path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(comm, record.T / mesh.path.mesh_period());
   };
   const auto write = [&](bool completed) {
-    Summary summary = march_summary(problem, path, output.statistics());
+    Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = completed;
     if (completed && problem.spectrum_periods) {
-      const double end = end_of(problem, path);
-      const double begin = end - *problem.spectrum_periods * path.mesh_period();
+      const double end = end_of(problem, mesh);
+      const double begin = end - *problem.spectrum_periods * mesh.path.mesh_period();
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }
     output.finish();
@@ -58,10 +57,9 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   };
   try {
     if (lubricated) {
-      drive(make_march(problem, films, path, observer, &run.checkpoint()), problem, path);
+      drive(make_march(problem, films, mesh, observer, &run.checkpoint()), problem);
     } else {
-      const double inertia = problem.scales.inertia(*problem.equivalent_mass);
-      drive(DryMarch(problem.scales, path, inertia, problem.steps.dT, observer, 0.0, &run.checkpoint()), problem, path);
+      drive(DryMarch(mesh, problem.steps.dT, observer, 0.0, &run.checkpoint()), problem);
     }
   } catch (const Unfinished&) {
     write(false);  // what was computed until then

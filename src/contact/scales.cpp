@@ -24,13 +24,13 @@ Scales make_scales(const ContactSolids& solids, const Lubricant& oil, const Cont
   const double R_x = solids.radius_x;
   scales.length = a;
   scales.pressure = scales.hertz.pressure;
-  scales.film = a * a / R_x;
+  scales.thickness = a * a / R_x;
   scales.time = a / operation.entrainment_velocity;
   // lambda = 12 u_m* eta_0 R_x*^2/(a^3 p_h), C_h = 2 p_h R_x*/(pi E' a), F* = 2 pi/(3 kappa)
   scales.lambda = 12.0 * operation.entrainment_velocity * oil.viscosity * R_x * R_x / (a * a * a * scales.pressure);
   scales.C_h = 2.0 * scales.pressure * R_x / (pi * solids.reduced_modulus * a);
   scales.radius_ratio = R_x / solids.radius_y;
-  scales.approach = scales.hertz.approach / scales.film;
+  scales.approach = scales.hertz.approach / scales.thickness;
   scales.static_force = 2.0 * pi / (3.0 * scales.hertz.ellipticity);
   return scales;
 }

@@ -7,17 +7,13 @@ namespace gearfilm {
 
 double hertz_pressure_of(const ContactMoment& at) {
   if (!(at.film.pressure_integral > 0.0)) return 0.0;
-  return dry_contact(at.scales, at.conditions, at.film.pressure_integral).pressure / at.scales.pressure;
-}
-
-double sliding_of(const ContactMoment& at) {
-  return at.line->sliding_velocity(at.position, at.pinion_speed) / at.scales.operation.entrainment_velocity;
+  return dry_contact(at.scales, at.contact.conditions, at.film.pressure_integral).pressure / at.scales.pressure;
 }
 
 ContactFigures figures_of(const ContactMoment& at) {
   ContactFigures figures;
   for (std::size_t n = 0; n < contact_figures.size(); ++n) {
-    if (contact_figures[n].needs == Needs::gears && !at.line) continue;
+    if (contact_figures[n].needs == Needs::gears && !at.contact.sliding) continue;
     figures.values[n] = contact_figures[n].value(at);
   }
   return figures;

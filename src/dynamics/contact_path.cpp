@@ -12,19 +12,11 @@ ContactPath::ContactPath(const LineOfAction& line, const Scales& scales, double 
       geometry_(geometry),
       pinion_speed_(pinion_speed),
       velocity_(line.travel_velocity(pinion_speed) * scales.time),
-      start_(start),
-      reference_radius_(scales.solids.radius_x),
-      reference_velocity_(scales.operation.entrainment_velocity) {
+      start_(start) {
   if (geometry_ == MeshGeometry::single) return;
   // Number 0 is the leading contact; one at its exit has left.
   while (exit_time(-1) > tolerance()) start_ += line_.base_pitch();
   while (exit_time(0) <= tolerance()) start_ -= line_.base_pitch();
-}
-
-ContactConditions ContactPath::conditions(int contact, double T) const {
-  const double xi = std::clamp(position(contact, T), line_.entry(), line_.exit());
-  return {.radius_ratio = line_.radius_x(xi) / reference_radius_,
-          .entrainment = line_.entrainment_velocity(xi, pinion_speed_) / reference_velocity_};
 }
 
 std::vector<int> ContactPath::contacts_after(double time) const {

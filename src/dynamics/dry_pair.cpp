@@ -15,23 +15,16 @@ constexpr double integration_tolerance = 1e-10;
 }  // namespace
 
 double dry_force(const Scales& scales, const ContactConditions& conditions, double H0) {
-  const double load = hertz_load(solids_of(scales, conditions), -scales.film * (H0 + conditions.gap_offset));
+  const double load = hertz_load(solids_of(scales, conditions), -scales.thickness * (H0 + conditions.gap_offset));
   return load / scales.operation.load * scales.static_force;
 }
 
-DryMarch::DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
-                   double damping, MarchKeeper* keeper)
-    : scales_(scales),
-      path_(path),
-      inertia_(inertia),
-      damping_(damping),
-      dT_(dT),
-      observer_(std::move(observer)),
-      keeper_(keeper) {}
+DryMarch::DryMarch(const MeshModel& mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
+    : mesh_(mesh), damping_(damping), dT_(dT), observer_(std::move(observer)), keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
   double sum = 0.0;
-  for (int contact : contacts) sum += dry_force(scales_, path_.conditions(contact, T), H0);
+  for (int contact : contacts) sum += dry_force(mesh_.scales, mesh_.contact(contact, T).conditions, H0);
   return sum;
 }
 
@@ -42,17 +35,17 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.motion = motion_;
   record.wall_seconds = wall_seconds;
   std::vector<LiveContact> live;
-  for (int contact : path_.contacts_after(T_)) {
-    const ContactConditions conditions = path_.conditions(contact, T_);
+  for (int contact : mesh_.path.contacts_after(T_)) {
+    const ContactConditions conditions = mesh_.contact(contact, T_).conditions;
     FilmFigures figures;
-    figures.pressure_integral = dry_force(scales_, conditions, motion_.H0);
+    figures.pressure_integral = dry_force(mesh_.scales, conditions, motion_.H0);
     if (figures.pressure_integral > 0.0) {
       figures.largest_pressure =
-          dry_contact(scales_, conditions, figures.pressure_integral).pressure / scales_.pressure;
+          dry_contact(mesh_.scales, conditions, figures.pressure_integral).pressure / mesh_.scales.pressure;
       figures.central_pressure = figures.largest_pressure;
     }
-    record.contacts.push_back(contact_record(path_, scales_, contact, T_, figures));
-    live.push_back({contact, nullptr});
+    record.contacts.push_back(contact_record(mesh_, contact, T_, figures));
+    live.push_back({contact});
   }
   observer_(record, live);
   if (keeper_) keeper_->record(record);
@@ -64,11 +57,11 @@ void DryMarch::start(const std::optional<Motion>& motion) {
     motion_ = *motion;
   } else {
     // Bisection: the total force falls monotonically from above F* to zero at H_0 = 0.
-    const std::vector<int> contacts = path_.contacts_after(T_);
-    double low = -2.0 * scales_.approach, high = 0.0;
+    const std::vector<int> contacts = mesh_.path.contacts_after(T_);
+    double low = -2.0 * mesh_.scales.approach, high = 0.0;
     for (int iteration = 0; iteration < 200 && high - low > 1e-15; ++iteration) {
       const double middle = 0.5 * (low + high);
-      (total_force(contacts, T_, middle) > scales_.static_force ? low : high) = middle;
+      (total_force(contacts, T_, middle) > mesh_.scales.static_force ? low : high) = middle;
     }
     motion_ = {0.5 * (low + high), 0.0};
   }
@@ -100,8 +93,9 @@ void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
           const VecReading values(in);
           const VecWriting rates(out);
           rates[0] = values[1];
-          rates[1] = (march->total_force(*present, T, values[0]) - march->scales_.static_force) / march->inertia_ -
-                     march->damping_ * values[1];
+          rates[1] =
+              (march->total_force(*present, T, values[0]) - march->mesh_.scales.static_force) / march->mesh_.inertia -
+              march->damping_ * values[1];
         });
       },
       &context));
@@ -127,8 +121,8 @@ void DryMarch::run(double T_end) {
     motion_ = kept->state.motion;
   }
   while (T_ < T_end - 1e-9) {
-    const std::vector<int> contacts = path_.contacts_after(T_);
-    const double begin = T_, segment_end = std::min(T_end, path_.next_event(T_));
+    const std::vector<int> contacts = mesh_.path.contacts_after(T_);
+    const double begin = T_, segment_end = std::min(T_end, mesh_.path.next_event(T_));
     const int steps = std::max(1, static_cast<int>(std::ceil((segment_end - begin) / dT_ - 1e-6)));
     for (int step = 1; step <= steps; ++step) {
       const double wall_start = MPI_Wtime(), before = T_;

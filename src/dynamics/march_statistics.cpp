@@ -50,7 +50,7 @@ void MarchStatistics::add(const StepRecord& record, bool lubricated) {
 
 void MarchStatistics::add_events(const StepRecord& record) {
   std::vector<int> contacts;
-  for (const ContactRecord& contact : record.contacts) contacts.push_back(contact.contact);
+  for (const ContactRecord& contact : record.contacts) contacts.push_back(contact.number);
   const auto missing_in = [](const std::vector<int>& list, int contact) {
     return std::find(list.begin(), list.end(), contact) == list.end();
   };
@@ -100,7 +100,7 @@ void MarchStatistics::add_to_period(const StepRecord& record, bool lubricated) {
 }
 
 void MarchStatistics::add_contact(const ContactRecord& contact, bool lubricated, PeriodFigures& period) {
-  const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.contact};
+  const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.number};
   if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
   if (moments.entered) entered_.reset();
   for (std::size_t n = 0; n < period_figures.size(); ++n) {

@@ -13,26 +13,26 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
     : pair_(pair),
       options_(options),
       on_step_(std::move(on_step)),
-      rows_(pair.create_state()),
-      rate_(pair.create_state()),
-      jacobian_(shell_jacobian(pair)) {
+      rows_(pair.system().create_state()),
+      rate_(pair.system().create_state()),
+      jacobian_(shell_jacobian(pair.system())) {
   create_time_scheme();
   configure_solvers();
 }
 
 void SegmentStepper::create_time_scheme() {
-  petsc_check(TSCreate(pair_.comm(), ts_.put()));
+  petsc_check(TSCreate(pair_.system().comm(), ts_.put()));
   petsc_check(TSSetOptionsPrefix(ts_, "step_"));
   petsc_check(TSSetType(ts_, TSBDF));
   petsc_check(TSBDFSetOrder(ts_, 2));
   petsc_check(TSSetApplicationContext(ts_, this));
   petsc_check(TSSetTransientVariable(
       ts_,
-      [](TS, Vec state, Vec stored, void* context) -> PetscErrorCode {
+      [](TS, Vec state, Vec values, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
           own->pair_.place(own->state_time_);
-          own->pair_.storage(state, stored);
+          own->pair_.system().transient(state, values);
         });
       },
       this));
@@ -42,17 +42,18 @@ void SegmentStepper::create_time_scheme() {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
           own->pair_.place(T);
-          own->pair_.residual(state, rate, own->stage_shift_, rows);
+          own->pair_.system().residual(state, {rate, own->stage_shift_}, rows);
           petsc_check(VecCopy(rate, own->rate_));
         });
       },
       this));
   petsc_check(TSSetIJacobian(
       ts_, jacobian_, jacobian_,
-      [](TS, PetscReal, Vec, Vec, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
+      [](TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
-          own->pair_.linearise(shift);  // at the state of the last residual: the line search ends with the accepted one
+          own->pair_.place(T);
+          own->pair_.linearise(state, {rate, own->stage_shift_}, shift);
           petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
           petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
         });
@@ -101,7 +102,7 @@ SegmentStepper& SegmentStepper::of(TS ts) {
 void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
-  configure_newton(snes, pair_, options_.newton, pair_.weight());
+  configure_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
   // The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
   // slowly. In the first stage it knows no velocity: under a rising load Newton's method would have to find the oil
   // outside the contact that the sinking body squeezes.
@@ -113,7 +114,7 @@ void SegmentStepper::configure_solvers() {
           Vec last = nullptr;
           petsc_check(TSGetSolution(own->ts_, &last));
           if (own->at_start_) own->pair_.follow_share(state, own->last_time_, own->state_time_);
-          own->pair_.restrain(state, last);
+          own->pair_.system().restrain(state, last);
         });
       },
       this));
@@ -138,7 +139,7 @@ void SegmentStepper::finish_step() {
   record.T = T;
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);
-  record.contacts = pair_.records(T);
+  record.contacts = pair_.records(state, T);
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = now - wall_start_;
@@ -175,10 +176,11 @@ void SegmentStepper::run(Vec state, double T0, double T1) {
   std::ostringstream message;
   message << "no time step converged from T = " << last_time_ << " on, down to " << step_ << "/2^"
           << options_.max_rejections << ", with";
-  const std::vector<ContactRecord> contacts = pair_.records(last_time_);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    message << (k > 0 ? ", contact " : " contact ") << contacts[k].contact << " at xi = " << 1e3 * contacts[k].position
-            << " mm (largest " << describe(pair_.worst_node(rows_, k)) << ")";
+  for (std::size_t k = 0; k < pair_.numbers().size(); ++k) {
+    const int number = pair_.numbers()[k];
+    message << (k > 0 ? ", contact " : " contact ") << number
+            << " at xi = " << 1e3 * pair_.mesh().contact(number, last_time_).position << " mm (largest "
+            << describe(pair_.system().worst_node(rows_, k)) << ")";
   }
   message << "; Newton's method ended with " << newton
           << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";

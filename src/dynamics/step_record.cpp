@@ -2,10 +2,9 @@
 
 namespace gearfilm {
 
-ContactRecord contact_record(const ContactPath& path, const Scales& scales, int contact, double T,
-                             const FilmFigures& film) {
-  const double xi = path.position(contact, T);
-  return {contact, xi, figures_of({scales, path.conditions(contact, T), film, xi, &path.line(), path.pinion_speed()})};
+ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& film) {
+  const MeshedContact contact = mesh.contact(number, T);
+  return {number, contact.position, figures_of({mesh.scales, contact, film})};
 }
 
 }  // namespace gearfilm

@@ -4,7 +4,7 @@ namespace gearfilm {
 
 ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions) {
   ContactSolids solids = scales.solids;
-  solids.radius_x *= conditions.radius_ratio;
+  solids.radius_x *= conditions.relative_radius;
   return solids;
 }
 

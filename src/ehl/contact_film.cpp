@@ -1,7 +1,9 @@
 #include "gearfilm/ehl/contact_film.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/parallel/events.hpp"
@@ -16,8 +18,8 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       properties_(scales),
       state_(grid_),
       options_(options),
-      usual_(make_film_preconditioner(*discretisation_, options)),
-      film_shift_(grid_.local_size()),
+      as_ordered_(make_linearised_film(*discretisation_, options)),
+      displacement_column_(grid_.local_size()),
       change_(grid_),
       deformed_(grid_),
       evaluated_pressure_(grid_.local_size()) {}
@@ -29,107 +31,135 @@ void ContactFilm::set_conditions(const ContactConditions& conditions) {
 }
 
 // The processes must agree, since an evaluation is collective.
-bool ContactFilm::is_current(const double* pressure, double H0) const {
+bool ContactFilm::is_current(std::span<const double> pressure, double H0) const {
   int same = evaluated_ && H0 == evaluated_H0_ &&
-             std::memcmp(pressure, evaluated_pressure_.data(), evaluated_pressure_.size() * sizeof(double)) == 0;
+             std::memcmp(pressure.data(), evaluated_pressure_.data(), evaluated_pressure_.size() * sizeof(double)) == 0;
   if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, grid_.comm());
   return same;
 }
 
-void ContactFilm::evaluate(const double* pressure, double H0) {
+void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   if (is_current(pressure, H0)) return;
   state_.pressure.load(pressure);
-  deformation_.apply(state_.pressure, state_.film);
+  deformation_.apply(state_.pressure, state_.thickness);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
-    double* film = state_.film.row(i);
+    double* thickness = state_.thickness.row(i);
     const double x = grid_.x(i);
-    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.radius_ratio;
+    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.relative_radius;
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double y = grid_.y(j);
-      film[j] += gap + 0.5 * scales_.radius_ratio * y * y;
+      thickness[j] += gap + 0.5 * scales_.radius_ratio * y * y;
     }
   }
   properties_.evaluate(state_);
   exchange_ghosts(discretisation_->halo(), state_);
-  std::copy_n(pressure, evaluated_pressure_.size(), evaluated_pressure_.data());
+  std::ranges::copy(pressure, evaluated_pressure_.begin());
   evaluated_H0_ = H0;
   evaluated_ = true;
+  masked_ = false;
+  at_linearised_ = false;
 }
 
-void ContactFilm::residual(const double* pressure, double H0, const Squeeze& squeeze, double* residual) {
+void ContactFilm::find_wet(const Squeeze& squeeze, std::span<double> rows) {
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
+  masked_rate_.assign(squeeze.rate.begin(), squeeze.rate.end());
+  masked_shift_ = squeeze.shift;
+  masked_ = true;
+}
+
+bool ContactFilm::has_mask_of(const Squeeze& squeeze) const {
+  return masked_ && squeeze.shift == masked_shift_ && std::ranges::equal(squeeze.rate, masked_rate_);
+}
+
+void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze,
+                           std::span<double> rows) {
   evaluate(pressure, H0);
-  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, residual);
+  at_linearised_ = false;
+  find_wet(squeeze, rows);
 }
 
-void ContactFilm::storage(const double* pressure, double H0, double* storage) {
+void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass) {
   evaluate(pressure, H0);
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* density = state_.density.row(i);
-    const double* film = state_.film.row(i);
-    double* line = storage + static_cast<std::size_t>(i) * grid_.y_count();
-    for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * film[j];
+    const double* thickness = state_.thickness.row(i);
+    double* line = mass.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * thickness[j];
   }
 }
 
 // In single precision the deformation has an error of 1e-7, which a short time step multiplies by its shift: beyond
 // this ratio to the wedge Newton's method fails where pressures change fast.
-FilmPreconditioner& ContactFilm::linearisation_for(double storage_shift) {
+LinearisedFilm& ContactFilm::linearisation_for(double shift) {
   constexpr double stiff = 8.0;
-  if (options_.precision == Precision::double_precision ||
-      storage_shift * grid_.h_x() < stiff * conditions_.entrainment) {
-    return *usual_;
+  if (options_.precision == Precision::double_precision || shift * grid_.h_x() < stiff * conditions_.entrainment) {
+    return *as_ordered_;
   }
-  if (!double_) {
+  if (!for_stiff_) {
     MultigridOptions options = options_;
     options.precision = Precision::double_precision;
-    double_ = make_film_preconditioner(*discretisation_, options);
+    for_stiff_ = make_linearised_film(*discretisation_, options);
   }
-  return *double_;
+  return *for_stiff_;
 }
 
-void ContactFilm::linearise(double storage_shift) {
-  linearised_ = &linearisation_for(storage_shift);
-  linearised_->update(state_, conditions_.entrainment, storage_shift);
-  linearised_->film_shift(film_shift_.data());
+void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift) {
+  evaluate(pressure, H0);
+  if (!has_mask_of(squeeze)) find_wet(squeeze, displacement_column_);
+  linearised_ = &linearisation_for(shift);
+  linearised_->update(state_, conditions_.entrainment, shift);
+  linearised_->displacement_column(displacement_column_);
+  at_linearised_ = true;
 }
 
-void ContactFilm::multiply(const double* change, double change_H0, double* rows) {
+void ContactFilm::require_linearised_state() const {
+  if (!at_linearised_) throw std::logic_error("a film's Jacobian is used at a state at which it was not linearised");
+}
+
+void ContactFilm::multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
   const ScopedEvent event(Kernel::jacobian_apply);
   linearised_->multiply(change, rows);
   ++convolutions_;
   if (change_H0 == 0.0) return;
-  for (std::size_t n = 0; n < film_shift_.size(); ++n) rows[n] += change_H0 * film_shift_[n];
+  for (std::size_t n = 0; n < rows.size(); ++n) rows[n] += change_H0 * displacement_column_[n];
 }
 
-void ContactFilm::multiply_storage(const double* change, double change_H0, double* rows) {
+void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {
+  require_linearised_state();
   change_.load(change);
   deformation_.apply(change_, deformed_);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
-    double* line = rows + static_cast<std::size_t>(i) * grid_.y_count();
+    double* line = rows.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double mass = state_.density.row(i)[j] * (deformed_.row(i)[j] + change_H0) +
-                          state_.density_by_pressure.row(i)[j] * state_.film.row(i)[j] * change_.row(i)[j];
+                          state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * change_.row(i)[j];
       line[j] = state_.wet.row(i)[j] * mass;
     }
   }
 }
 
-FilmFigures ContactFilm::figures() const {
-  const double carried = integral(grid_, evaluated_pressure_.data(), evaluated_pressure_.size());
+void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {
+  require_linearised_state();
+  linearised_->apply(rows, change);
+}
+
+FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
+  evaluate(pressure, H0);
+  const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
   enum { largest_pressure, negative_film, central_pressure, central_film, count };
   double maxima[count] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
   if (grid_.rank() == 0) {
     const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
     maxima[central_pressure] = state_.pressure.row(i_centre)[0];
-    maxima[central_film] = state_.film.row(i_centre)[0];
+    maxima[central_film] = state_.thickness.row(i_centre)[0];
   }
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.pressure.row(i)[j]);
-      maxima[negative_film] = std::max(maxima[negative_film], -state_.film.row(i)[j]);
+      maxima[negative_film] = std::max(maxima[negative_film], -state_.thickness.row(i)[j]);
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, maxima, count, MPI_DOUBLE, MPI_MAX, grid_.comm());
@@ -140,7 +170,7 @@ FilmFigures ContactFilm::figures() const {
           finite};
 }
 
-void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, double* pressure) {
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure) {
   const double top = contact.pressure / scales.pressure;
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {

@@ -12,12 +12,12 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const OilLaws laws = laws_;
   const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
   const double* pressure = state.pressure.row(i);
-  const double* film = state.film.row(i);
+  const double* film = state.thickness.row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
   double* conductance = state.conductance.row(i);
   double* conductance_by_pressure = state.conductance_by_pressure.row(i);
-  double* conductance_by_film = state.conductance_by_film.row(i);
+  double* conductance_by_thickness = state.conductance_by_thickness.row(i);
   const int count = state.pressure.y_count();
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
@@ -30,7 +30,7 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
     density_by_pressure[j] = scale * rho.derivative;
     conductance[j] = xi;
     conductance_by_pressure[j] = scale * xi * (rho.derivative / rho.value - log_eta.derivative);
-    conductance_by_film[j] = 3.0 * by_film_squared * h * h;
+    conductance_by_thickness[j] = 3.0 * by_film_squared * h * h;
   }
 }
 
@@ -46,7 +46,7 @@ void FilmProperties::evaluate(FilmState& state) const {
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_film);
+  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness);
 }
 
 }  // namespace gearfilm

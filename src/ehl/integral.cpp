@@ -4,7 +4,8 @@
 
 namespace gearfilm {
 
-double integral(const Grid& grid, const double* values, std::size_t count) {
+double integral(const Grid& grid, std::span<const double> values) {
+  const std::size_t count = values.size();
   constexpr std::size_t lanes = 16;  // sums side by side, for vector instructions
   std::array<double, lanes> sums{};
   std::size_t n = 0;

@@ -61,7 +61,7 @@ void LineSmoother<Real>::choose_unknowns(const FilmState& state) {
 // Entry (i, i + offset) of every line: the change of row i per unit of the unknown at i + offset.
 template <class Real>
 template <int offset>
-void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i) {
+void LineSmoother<Real>::assemble_diagonal(const FilmStencil<Real>& linear, int i) {
   const int column = i + offset;
   Real* __restrict entry = band(i, offset);
   if (column < 1 || column > nx_ - 2) {
@@ -72,7 +72,7 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
   std::array<const Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
-    u[n] = linear.by_film[n].row(i);
+    u[n] = linear.by_thickness[n].row(i);
   }
   constexpr std::array distance = {lines_between(-2, offset), lines_between(-1, offset), lines_between(0, offset),
                                    lines_between(1, offset)};
@@ -98,12 +98,12 @@ void LineSmoother<Real>::assemble_diagonal(const LinearFilm<Real>& linear, int i
 
 template <class Real>
 template <int... index>
-void LineSmoother<Real>::assemble_line(const LinearFilm<Real>& linear, int i, std::integer_sequence<int, index...>) {
+void LineSmoother<Real>::assemble_line(const FilmStencil<Real>& linear, int i, std::integer_sequence<int, index...>) {
   (assemble_diagonal<index - half_width>(linear, i), ...);
 }
 
 template <class Real>
-void LineSmoother<Real>::factor(const LinearFilm<Real>& linear, const FilmState& state) {
+void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state) {
   const ScopedEvent event(Kernel::smoother_factor);
   choose_unknowns(state);
   for (int i = 1; i < nx_ - 1; ++i) assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});

@@ -15,18 +15,18 @@ MultigridLevel<Real>::MultigridLevel(const Discretisation& discretisation)
       rows_(grid()) {}
 
 template <class Real>
-void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double storage_shift) {
+void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double shift) {
   state_ = &state;
-  linearise(grid(), entrainment, storage_shift, state, linear_);
+  linearise(grid(), entrainment, shift, state, linear_);
   smoother_.factor(linear_, state);
 }
 
 template <class Real>
-void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainment, double storage_shift) {
+void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainment, double shift) {
   if (!injected_) injected_ = std::make_unique<FilmState>(grid());
   inject_state(finer.grid(), grid(), *finer.state_, *injected_);
   exchange_ghosts(discretisation_.halo(), *injected_);
-  update(*injected_, entrainment, storage_shift);
+  update(*injected_, entrainment, shift);
 }
 
 template <class Real>
@@ -37,14 +37,15 @@ void MultigridLevel<Real>::apply_operator() {
 }
 
 template <class Real>
-void MultigridLevel<Real>::multiply(const double* change, double* rows) {
+void MultigridLevel<Real>::multiply(std::span<const double> change, std::span<double> rows) {
   change_.load(change);
   apply_operator();
   rows_.store(rows);
 }
 
 template <class Real>
-void MultigridLevel<Real>::smooth(const double* right_side, double* change, int sweeps, bool zero_guess) {
+void MultigridLevel<Real>::smooth(std::span<const double> right_side, std::span<double> change, int sweeps,
+                                  bool zero_guess) {
   if (zero_guess) {
     change_.fill(Real(0));
   } else {
@@ -57,7 +58,7 @@ void MultigridLevel<Real>::smooth(const double* right_side, double* change, int 
       apply_operator();
       for (int i = 0; i < grid().nx(); ++i) {
         Real* rows = rows_.row(i);
-        const double* right = right_side + static_cast<std::size_t>(i) * grid().y_count();
+        const double* right = right_side.data() + static_cast<std::size_t>(i) * grid().y_count();
         for (int j = 0; j < grid().y_count(); ++j) rows[j] = static_cast<Real>(right[j]) - rows[j];
       }
     }
@@ -67,7 +68,8 @@ void MultigridLevel<Real>::smooth(const double* right_side, double* change, int 
 }
 
 template <class Real>
-void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, const double* fine_residual, double* residual) {
+void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, std::span<const double> fine_residual,
+                                         std::span<double> residual) {
   const ScopedEvent event(Kernel::transfer);
   fine.rows_.load(fine_residual);
   fine.discretisation_.halo().exchange(fine.rows_);
@@ -77,7 +79,8 @@ void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, const double* fin
 }
 
 template <class Real>
-void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, const double* correction, double* fine_change) {
+void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, std::span<const double> correction,
+                                          std::span<double> fine_change) {
   const ScopedEvent event(Kernel::transfer);
   change_.load(correction);
   discretisation_.halo().exchange(change_);

@@ -9,8 +9,8 @@ namespace {
 
 /// Wedge U d(rho H)/dX of line i in upwind differences.
 void add_wedge(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
-  const auto mass = [&](int n, int j) { return state.density.row(n)[j] * state.film.row(n)[j]; };
-  const int rows = state.film.y_count();
+  const auto mass = [&](int n, int j) { return state.density.row(n)[j] * state.thickness.row(n)[j]; };
+  const int rows = state.thickness.y_count();
   if (i == 1) {
     for (int j = 0; j < rows; ++j) line[j] += weights.wedge * (mass(i, j) - mass(i - 1, j));
   } else {
@@ -28,7 +28,7 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   const double* xi = state.conductance.row(i);
   const double* xi_west = state.conductance.row(i - 1);
   const double* xi_east = state.conductance.row(i + 1);
-  for (int j = 0; j < state.film.y_count(); ++j) {
+  for (int j = 0; j < state.thickness.y_count(); ++j) {
     const double east = 0.5 * (xi[j] + xi_east[j]) * (p_east[j] - p[j]);
     const double west = 0.5 * (xi[j] + xi_west[j]) * (p[j] - p_west[j]);
     const double north = 0.5 * (xi[j] + xi[j + 1]) * (p[j + 1] - p[j]);
@@ -40,7 +40,7 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
 }  // namespace
 
 void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
-                       double* residual) {
+                       std::span<double> residual) {
   const ScopedEvent event(Kernel::residual);
   const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
   const int rows = grid.y_count();
@@ -52,10 +52,12 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
     const double* conductance = state.conductance.row(i);
     double* wet = state.wet.row(i);
     double* scale = state.row_scale.row(i);
-    double* out = residual + static_cast<std::size_t>(i) * rows;
+    double* out = residual.data() + static_cast<std::size_t>(i) * rows;
     if (interior) {
       std::fill(line.begin(), line.end(), 0.0);
-      if (squeeze.rate) std::copy_n(squeeze.rate + static_cast<std::size_t>(i) * rows, rows, line.begin());
+      if (!squeeze.rate.empty()) {
+        std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, line.begin());
+      }
       add_wedge(state, weights, i, line.data());
       add_poiseuille(state, weights, i, line.data());
     }

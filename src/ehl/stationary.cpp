@@ -19,12 +19,12 @@ constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
 bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load,
                                FilmSolution& solution) {
-  std::vector<double> storage(film.grid().local_size());
+  std::vector<double> mass(film.grid().local_size());
   double step = first_pseudo_step;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
-    film.storage(solution.pressure.data(), solution.H0, storage.data());
+    film.mass(solution.pressure, solution.H0, mass);
     FilmSolution next = solution;
-    if (newton.solve(load, next, 1.0 / step, storage.data())) {
+    if (newton.solve(load, next, ImplicitStep{1.0 / step, mass})) {
       solution = std::move(next);
       step *= pseudo_step_growth;
     } else {
@@ -56,24 +56,24 @@ FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   double force = scales.force(load.value);
   if (load.kind == LoadCondition::Kind::displacement) {
-    force = hertz_load(solids, gap - scales.film * (load.value + film.conditions().gap_offset));
+    force = hertz_load(solids, gap - scales.thickness * (load.value + film.conditions().gap_offset));
     if (force <= 0.0) return guess;
   }
   const HertzContact dry = hertz_contact(solids, force);
-  hertz_pressure(film.grid(), scales, dry, guess.pressure.data());
+  hertz_pressure(film.grid(), scales, dry, guess.pressure);
   if (load.kind == LoadCondition::Kind::force) {
-    guess.H0 = (gap - dry.approach) / scales.film - film.conditions().gap_offset;
+    guess.H0 = (gap - dry.approach) / scales.thickness - film.conditions().gap_offset;
   }
   return guess;
 }
 
 FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const FilmSolution& coarse) {
   Field<double> values(coarse_grid), interpolated(fine_grid);
-  values.load(coarse.pressure.data());
+  values.load(coarse.pressure);
   interpolate_cubic(coarse_grid, fine_grid, values, interpolated);
   FilmSolution fine;
   fine.pressure.resize(fine_grid.local_size());
-  interpolated.store(fine.pressure.data());
+  interpolated.store(fine.pressure);
   for (double& pressure : fine.pressure) pressure = std::max(pressure, 0.0);
   fine.H0 = coarse.H0;
   return fine;
@@ -118,7 +118,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
-  result.figures = film.figures();
+  result.figures = film.figures(result.solution.pressure, result.solution.H0);
   return result;
 }
 
@@ -131,7 +131,7 @@ StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& loa
   if (!solve_on_grid(film, newton, load, result.solution, true)) return solve_stationary(film, load, options);
   result.by_grid.push_back(newton.counts());
   result.counts = newton.counts();
-  result.figures = film.figures();
+  result.figures = film.figures(result.solution.pressure, result.solution.H0);
   return result;
 }
 

@@ -32,7 +32,7 @@ void check_validity(const ContactFilm& film, const FilmFigures& figures, const s
   }
   if (figures.smallest_film <= 0.0) {
     std::ostringstream message;
-    message << where << ": smallest film " << figures.smallest_film * film.scales().film
+    message << where << ": smallest film " << figures.smallest_film * film.scales().thickness
             << " m is not positive; use a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
                "grid_y_half)";
     throw SolveError(message.str());

@@ -5,7 +5,7 @@
 
 namespace gearfilm {
 
-WorstNode worst_node(const Grid& grid, const double* field) {
+WorstNode worst_node(const Grid& grid, std::span<const double> field) {
   struct {
     double size = -1.0;
     int rank = 0;

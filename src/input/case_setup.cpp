@@ -29,18 +29,24 @@ void require_moving_films(const Case& problem, const std::string& command) {
   if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
-MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
-                     StepObserver observer, MarchKeeper* keeper) {
-  SolverOptions solver = problem.solver;
-  solver.multigrid.levels =
-      problem.step_levels > 0 ? problem.step_levels : step_levels(films->grid(), problem.steps.dT);
-  const bool inert = problem.model != MarchModel::quasistatic;
-  return MeshMarch(films, problem.scales, path, inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0, solver,
-                   problem.steps, std::move(observer), problem.prescribed_load, keeper);
+MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
+  const bool inert = problem.model != MarchModel::quasistatic && problem.equivalent_mass;
+  return {.scales = problem.scales,
+          .path = ContactPath(*problem.line, problem.scales, problem.pinion_speed, start, geometry),
+          .inertia = inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0,
+          .load = problem.prescribed_load};
 }
 
-DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path) {
-  return find_dry_orbit(problem.scales, path, problem.scales.inertia(*problem.equivalent_mass), usual_film_damping);
+MeshModel mesh_after_leaving(const Case& problem) {
+  return mesh_model(problem, problem.line->exit() - problem.line->base_pitch());
+}
+
+MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                     StepObserver observer, MarchKeeper* keeper) {
+  MarchOptions options{problem.solver, problem.steps};
+  options.films.multigrid.levels =
+      problem.step_levels > 0 ? problem.step_levels : step_levels(films->grid(), problem.steps.dT);
+  return MeshMarch(films, mesh, options, std::move(observer), keeper);
 }
 
 OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
@@ -49,11 +55,6 @@ OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, con
     return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
   });
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
-}
-
-ContactPath path_after_leaving(const Case& problem) {
-  const double start = problem.line->exit() - problem.line->base_pitch();
-  return ContactPath(*problem.line, problem.scales, problem.pinion_speed, start);
 }
 
 }  // namespace gearfilm

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "gearfilm/error.hpp"
 
@@ -22,19 +23,16 @@ double settling_periods(double damping_ratio) { return std::ceil(10.0 + 2.0 / da
 /// The map of the motion over one mesh period.
 class DryMap {
 public:
-  DryMap(const Scales& scales, const ContactPath& path, double inertia)
-      : scales_(scales), path_(path), inertia_(inertia) {
-    const double stiffness = 1.5 * scales.static_force / scales.approach;
-    natural_rate_ = std::sqrt(stiffness / inertia);
-  }
+  explicit DryMap(const MeshModel& mesh) : mesh_(mesh) {}
 
-  void set_damping_ratio(double zeta) { damping_ = 2.0 * zeta * natural_rate_; }
+  const MeshModel& mesh() const { return mesh_; }
+  void set_damping_ratio(double zeta) { damping_ = 4.0 * std::numbers::pi * zeta * mesh_.frequency(); }
 
   Motion march(const std::optional<Motion>& start, double periods, double record_step,
                const StepObserver& observer) const {
-    DryMarch dry(scales_, path_, inertia_, record_step, observer, damping_);
+    DryMarch dry(mesh_, record_step, observer, damping_);
     dry.start(start);
-    dry.run(periods * path_.mesh_period());
+    dry.run(periods * mesh_.path.mesh_period());
     return dry.motion();
   }
   Motion operator()(const Motion& start) const {
@@ -50,10 +48,7 @@ public:
   }
 
 private:
-  Scales scales_;
-  const ContactPath& path_;
-  double inertia_;
-  double natural_rate_;
+  const MeshModel& mesh_;
   double damping_ = 0.0;
 };
 
@@ -111,22 +106,23 @@ bool shoot(const DryMap& map, Motion& motion) {
   return true;
 }
 
-DryOrbit describe(const DryMap& map, const ContactPath& path, const Motion& start) {
+DryOrbit describe(const DryMap& map, const Motion& start) {
   DryOrbit orbit;
   orbit.start = start;
   orbit.monodromy = map.derivative(start);
-  map.march(start, 1.0, 0.01 * path.mesh_period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    for (const ContactRecord& contact : record.contacts) {
-      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
-    }
-  });
+  map.march(start, 1.0, 0.01 * map.mesh().path.mesh_period(),
+            [&](const StepRecord& record, const std::vector<LiveContact>&) {
+              for (const ContactRecord& contact : record.contacts) {
+                orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
+              }
+            });
   return orbit;
 }
 
 }  // namespace
 
-DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio) {
-  DryMap map(scales, path, inertia);
+DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
+  DryMap map(mesh);
   const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>&) {};
   const auto settle = [&](double zeta, const std::optional<Motion>& from) {
     map.set_damping_ratio(zeta);
@@ -162,16 +158,15 @@ DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double in
     throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
                      ": continued from higher damping down to " + std::to_string(damping));
   }
-  return describe(map, path, start);
+  return describe(map, start);
 }
 
-std::optional<DryOrbit> follow_dry_orbit(const Scales& scales, const ContactPath& path, double inertia,
-                                         double damping_ratio, const Motion& near) {
-  DryMap map(scales, path, inertia);
+std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {
+  DryMap map(mesh);
   map.set_damping_ratio(damping_ratio);
   Motion start = near;
   if (!shoot(map, start)) return {};
-  return describe(map, path, start);
+  return describe(map, start);
 }
 
 }  // namespace gearfilm

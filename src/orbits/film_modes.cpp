@@ -13,11 +13,11 @@ namespace {
 /// Solutions with A by FGMRES and the pair's preconditioner.
 class Inverse {
 public:
-  Inverse(LubricatedPair& pair, Mat A, const FilmModeOptions& options) {
-    petsc_check(KSPCreate(pair.comm(), ksp_.put()));
+  Inverse(FilmSystem& system, Mat A, const FilmModeOptions& options) {
+    petsc_check(KSPCreate(system.comm(), ksp_.put()));
     petsc_check(KSPSetOptionsPrefix(ksp_, "modes_"));
     petsc_check(KSPSetOperators(ksp_, A, A));
-    configure_krylov(ksp_, pair, options.krylov_tolerance, options.krylov_max_iterations);
+    configure_krylov(ksp_, system, options.krylov_tolerance, options.krylov_max_iterations);
     petsc_check(KSPSetErrorIfNotConverged(ksp_, PETSC_FALSE));
     petsc_check(KSPSetFromOptions(ksp_));
   }
@@ -61,15 +61,13 @@ void use_inverse(EPS eps, Inverse& inverse) {
 }  // namespace
 
 std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmModeOptions& options) {
-  const OwnedVec rate = pair.create_state(), rows = pair.create_state();
-  petsc_check(VecSet(rate, 0.0));
+  FilmSystem& system = pair.system();
   pair.place(0.0);
-  pair.residual(state, rate, 0.0, rows);
-  pair.linearise(0.0, LubricatedPair::Elimination::exact);
-  const OwnedMat A = shell_jacobian(pair), B = shell_matrix<&LubricatedPair::multiply_storage>(pair);
-  Inverse inverse(pair, A, options);
+  pair.linearise(state, {}, 0.0);
+  const OwnedMat A = shell_jacobian(system), B = shell_matrix<&FilmSystem::multiply_transient>(system);
+  Inverse inverse(system, A, options);
   PetscHandle<EPS, EPSDestroy> eps;
-  petsc_check(EPSCreate(pair.comm(), eps.put()));
+  petsc_check(EPSCreate(system.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "modes_"));
   petsc_check(EPSSetOperators(eps, A, B));
   petsc_check(EPSSetProblemType(eps, EPS_GNHEP));
@@ -84,9 +82,9 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
   petsc_check(EPSGetConverged(eps, &found));
   if (found == 0) throw SolveError("the natural modes of the lubricated pair did not converge");
   std::vector<FilmMode> modes;
-  // SLEPc may have found more than asked for; a conjugate pair is not torn.
-  const auto torn = [&] { return !modes.empty() && modes.back().eigenvalue.imag() > 0.0; };
-  for (PetscInt n = 0; n < found && (n < options.count || torn()); ++n) {
+  // SLEPc may have found more than asked for; of a conjugate pair both are taken.
+  const auto lacks_conjugate = [&] { return !modes.empty() && modes.back().eigenvalue.imag() > 0.0; };
+  for (PetscInt n = 0; n < found && (n < options.count || lacks_conjugate()); ++n) {
     PetscScalar real = 0.0, imaginary = 0.0;
     PetscReal error = 0.0;
     petsc_check(EPSGetEigenvalue(eps, n, &real, &imaginary));

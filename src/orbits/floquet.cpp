@@ -17,8 +17,8 @@ constexpr double largest_disturbance = 5e-2;   // that the linearised map still 
 /// weigh as a root mean square, and on the first process H_0 and V_0.
 class PeriodMap {
 public:
-  PeriodMap(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit, double size_of_difference)
-      : march_(march), path_(path), start_(orbit.start), end_(orbit.end), difference_(size_of_difference) {
+  PeriodMap(MeshMarch& march, const PeriodicOrbit& orbit, double size_of_difference)
+      : march_(march), path_(march.mesh().path), start_(orbit.start), end_(orbit.end), difference_(size_of_difference) {
     MPI_Comm_rank(march.comm(), &rank_);
     for (const ContactFields& fields : start_.films) {
       for (const auto& [name, values] : fields) {
@@ -60,16 +60,16 @@ private:
   PairState disturbed(Vec disturbance, double step) const {
     const VecReading values(disturbance);
     PairState state = start_;
-    const double* next = values;
+    std::size_t next = 0;
     for (ContactFields& fields : state.films) {
       for (auto& [name, field] : fields) {
         const ContactField kind = field_named(name);
         if (!kind.compared) continue;
-        for (double& value : field) value = std::max(kind.smallest, value + step / weight_ * *next++);
+        for (double& value : field) value = std::max(kind.smallest, value + step / weight_ * values[next++]);
       }
     }
     double motion[2] = {0.0, 0.0};
-    if (rank_ == 0) std::copy_n(next, 2, motion);
+    if (rank_ == 0) std::copy_n(&values.values()[next], 2, motion);
     MPI_Bcast(motion, 2, MPI_DOUBLE, 0, comm());
     state.motion = {state.motion.H0 + step * motion[0], state.motion.V0 + step * motion[1]};
     return state;
@@ -77,17 +77,17 @@ private:
 
   void difference_of(const PairState& a, const PairState& b, Vec vec) const {
     const VecWriting values(vec);
-    double* next = values;
+    std::size_t next = 0;
     for (std::size_t k = 0; k < a.films.size(); ++k) {
       for (const auto& [name, first] : a.films[k]) {
         if (!field_named(name).compared) continue;
         const std::vector<double>& second = b.films[k].at(name);
-        for (std::size_t n = 0; n < first.size(); ++n) *next++ = weight_ * (first[n] - second[n]);
+        for (std::size_t n = 0; n < first.size(); ++n) values[next++] = weight_ * (first[n] - second[n]);
       }
     }
     if (rank_ != 0) return;
-    next[0] = a.motion.H0 - b.motion.H0;
-    next[1] = a.motion.V0 - b.motion.V0;
+    values[next] = a.motion.H0 - b.motion.H0;
+    values[next + 1] = a.motion.V0 - b.motion.V0;
   }
 
   MeshMarch& march_;
@@ -101,9 +101,8 @@ private:
 
 }  // namespace
 
-FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit,
-                                       const FloquetOptions& options) {
-  PeriodMap map(march, path, orbit, options.difference);
+FloquetMultipliers floquet_multipliers(MeshMarch& march, const PeriodicOrbit& orbit, const FloquetOptions& options) {
+  PeriodMap map(march, orbit, options.difference);
   const OwnedMat operation = shell_matrix<&PeriodMap::multiply>(map);
   OwnedVec first;
   petsc_check(MatCreateVecs(operation, first.put(), nullptr));

@@ -76,9 +76,8 @@ struct Trial {
 
 class OrbitSearch {
 public:
-  OrbitSearch(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess, const PeriodicOptions& options,
-              const SearchObserver& observer)
-      : march_(march), path_(path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
+  OrbitSearch(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options, const SearchObserver& observer)
+      : march_(march), path_(march.mesh().path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
     if (guess.neighbour) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion);
@@ -213,9 +212,9 @@ OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
   return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};
 }
 
-PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
-                                  const PeriodicOptions& options, const SearchObserver& observer) {
-  return OrbitSearch(march, path, guess, options, observer).run();
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options,
+                                  const SearchObserver& observer) {
+  return OrbitSearch(march, guess, options, observer).run();
 }
 
 }  // namespace gearfilm

@@ -28,7 +28,7 @@ Summary description_of(const FilmSnapshot& snapshot) {
   for (const ContactSnapshot& contact : snapshot.contacts) {
     Summary names = Summary::array();
     for (const auto& [name, field] : contact.fields) names.push_back(name);
-    contacts.push_back({contact.contact, contact.position, names});
+    contacts.push_back({contact.number, contact.position, names});
   }
   return {{"T", snapshot.T}, {"contacts", contacts}};
 }
@@ -37,7 +37,7 @@ void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields
   for (const ContactSnapshot& contact : snapshot.contacts) {
     for (const auto& [name, field] : contact.fields) {
       fields.emplace_back(static_cast<std::size_t>(grid.local_size()));
-      field.store(fields.back().data());
+      field.store(fields.back());
     }
   }
 }
@@ -53,7 +53,7 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
       snapshot.contacts.push_back({contact[0].get<int>(), contact[1].get<double>(), {}});
       for (const Summary& name : contact[2]) {
         Field<double> field(grid);
-        field.load(fields.at(next++).data());
+        field.load(fields.at(next++));
         snapshot.contacts.back().fields.push_back({name.get<std::string>(), std::move(field)});
       }
     }

@@ -6,14 +6,13 @@ namespace gearfilm {
 FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   FilmSnapshot snapshot{record.T, {}};
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    ContactSnapshot contact{contacts[k].contact, record.contacts[k].position, {}};
+    ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
     contact.fields.push_back({std::string(field::pressure.name), contacts[k].film->pressure()});
-    contact.fields.push_back({std::string(field::film.name), contacts[k].film->film()});
-    const ContactFields none;
-    for (const auto& [name, values] : contacts[k].fields ? *contacts[k].fields : none) {
+    contact.fields.push_back({std::string(field::thickness.name), contacts[k].film->thickness()});
+    for (const auto& [name, values] : contacts[k].fields) {
       if (field_named(name).dataset.empty() || name == field::pressure.name) continue;
       Field<double> field(contacts[k].film->grid());
-      field.load(values.data());
+      field.load(values);
       contact.fields.push_back({name, std::move(field)});
     }
     snapshot.contacts.push_back(std::move(contact));

@@ -31,9 +31,8 @@ std::vector<TableColumn> contact_columns(bool lubricated) {
 
 }  // namespace
 
-History::History(ResultsFile& file, const Scales& scales, const ContactPath& path, bool lubricated)
-    : scales_(scales),
-      path_(path),
+History::History(ResultsFile& file, const MeshModel& mesh, bool lubricated)
+    : mesh_(mesh),
       lubricated_(lubricated),
       steps_(file, "/history/steps", step_columns()),
       contacts_(file, "/history/contacts", contact_columns(lubricated)) {}
@@ -42,16 +41,16 @@ void History::append(const StepRecord& record) {
   std::vector<double> rows;
   for (const ContactRecord& contact : record.contacts) {
     rows.insert(rows.end(),
-                {static_cast<double>(step_), static_cast<double>(contact.contact), record.T, contact.position});
+                {static_cast<double>(step_), static_cast<double>(contact.number), record.T, contact.position});
     for (std::size_t n = 0; n < contact_figures.size(); ++n) {
       if (!is_there(contact_figures[n], lubricated_)) continue;
-      rows.push_back(contact_figures[n].unit.in_si(scales_, contact.figures.values[n]));
+      rows.push_back(contact_figures[n].unit.in_si(mesh_.scales, contact.figures.values[n]));
     }
   }
   if (!rows.empty()) contacts_.append(rows);
-  std::vector<double> row = {static_cast<double>(step_), record.T, scales_.time * record.T, record.dT,
-                             path_.distance(record.T)};
-  for (const auto& figure : step_figures) row.push_back(figure.unit.in_si(scales_, figure.value(record)));
+  std::vector<double> row = {static_cast<double>(step_), record.T, mesh_.scales.time * record.T, record.dT,
+                             mesh_.path.distance(record.T)};
+  for (const auto& figure : step_figures) row.push_back(figure.unit.in_si(mesh_.scales, figure.value(record)));
   steps_.append(row);
   ++step_;
 }

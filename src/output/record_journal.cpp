@@ -15,7 +15,7 @@ void pack(const StepRecord& record, std::vector<double>& values) {
                 {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
                  static_cast<double>(record.newton), static_cast<double>(record.krylov), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
-    values.insert(values.end(), {static_cast<double>(contact.contact), contact.position});
+    values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
     values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
   }
 }
@@ -44,7 +44,7 @@ StepRecord unpack(Unpacking& values) {
   record.krylov = values.whole();
   record.wall_seconds = values.real();
   for (ContactRecord& contact : record.contacts) {
-    contact.contact = values.whole();
+    contact.number = values.whole();
     contact.position = values.real();
     for (double& figure : contact.figures.values) figure = values.real();
   }

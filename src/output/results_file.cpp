@@ -69,7 +69,7 @@ void ResultsFile::line(const std::string& group, const std::string& name, const 
   const auto count = static_cast<PetscInt>(values.size());
   OwnedVec vec;
   petsc_check(VecCreateMPI(comm_, rank_ == 0 ? count : 0, count, vec.put()));
-  if (rank_ == 0) std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(vec)));
+  if (rank_ == 0) std::ranges::copy(values, VecWriting(vec).values().begin());
   view(group, name, vec, "m");
 }
 

@@ -18,7 +18,7 @@ void Snapshots::write(const FilmSnapshot& snapshot) {
   file_.attribute(name.str(), "t", time);
   TimedFields fields{time, {}};
   for (const ContactSnapshot& contact : snapshot.contacts) {
-    const std::string group = name.str() + "/contact" + std::to_string(contact.contact);
+    const std::string group = name.str() + "/contact" + std::to_string(contact.number);
     fields.groups.push_back({group, {}});
     for (const auto& [field, values] : contact.fields) {
       const ContactField kind = field_named(field);

@@ -42,7 +42,7 @@ PetscInt WholeDomain::index_on_grid(int i, int row) const {
 }
 
 OwnedVec WholeDomain::unfold(const Field<double>& values, double scale) const {
-  values.store(static_cast<double*>(VecWriting(stored_)));
+  values.store(VecWriting(stored_).values());
   OwnedVec whole;
   petsc_check(DMCreateGlobalVector(nodes_, whole.put()));
   petsc_check(VecScatterBegin(scatter_, stored_, whole, INSERT_VALUES, SCATTER_FORWARD));
@@ -57,11 +57,11 @@ OwnedVec WholeDomain::coordinates(double scale) const {
   petsc_check(DMDACreateCompatibleDMDA(nodes_, 2, pairs.put()));
   petsc_check(DMCreateGlobalVector(pairs, mesh.put()));
   const VecWriting values(mesh);
-  double* next = values;
+  std::size_t next = 0;
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int row = ranges_[grid_.rank()]; row < ranges_[grid_.rank() + 1]; ++row) {
-      *next++ = scale * grid_.x(i);
-      *next++ = scale * y(row);
+      values[next++] = scale * grid_.x(i);
+      values[next++] = scale * y(row);
     }
   }
   return mesh;

@@ -10,9 +10,9 @@ struct AcceptedState {
   double T = 0.0;
   double dT = 0.0;
   Motion motion;
-  std::vector<int> contacts;
+  std::vector<int> numbers;
   std::vector<std::vector<double>> pressure;
-  std::vector<std::vector<double>> stored;  ///< rho H
+  std::vector<std::vector<double>> mass;  ///< rho H
 };
 
 inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveContact>& contacts) {
@@ -20,14 +20,14 @@ inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveCon
   for (const LiveContact& contact : contacts) {
     const FilmState& film = contact.film->state();
     const Grid& grid = contact.film->grid();
-    std::vector<double> pressure(grid.local_size()), density(grid.local_size()), stored(grid.local_size());
-    film.pressure.store(pressure.data());
-    film.density.store(density.data());
-    film.film.store(stored.data());
-    for (std::size_t n = 0; n < stored.size(); ++n) stored[n] *= density[n];
-    state.contacts.push_back(contact.contact);
+    std::vector<double> pressure(grid.local_size()), density(grid.local_size()), mass(grid.local_size());
+    film.pressure.store(pressure);
+    film.density.store(density);
+    film.thickness.store(mass);
+    for (std::size_t n = 0; n < mass.size(); ++n) mass[n] *= density[n];
+    state.numbers.push_back(contact.number);
     state.pressure.push_back(std::move(pressure));
-    state.stored.push_back(std::move(stored));
+    state.mass.push_back(std::move(mass));
   }
   return state;
 }
@@ -61,21 +61,21 @@ public:
     MultigridOptions options = march.problem().solver.multigrid;
     options.levels = levels;
     options.precision = Precision::double_precision;  // exact products
-    std::vector<PairContact> contacts;
-    for (const int contact : state.contacts) {
+    std::vector<LiveContact> contacts;
+    for (const int number : state.numbers) {
       films_.push_back(std::make_unique<ContactFilm>(march.discretisation(), march.problem().scales, options));
-      contacts.push_back({contact, films_.back().get()});
+      contacts.push_back({number, films_.back().get()});
     }
-    pair =
-        std::make_unique<LubricatedPair>(march.path(), contacts, inertia_of(march.problem()), march.problem().scales);
+    pair = std::make_unique<LubricatedPair>(march.mesh(), contacts);
     pair->place(state.T);
   }
 
+  FilmSystem& system() const { return pair->system(); }
   const ContactFilm& film(std::size_t contact) const { return *films_[contact]; }
 
   OwnedVec vector(const std::vector<std::vector<double>>& fields, const Motion& motion) const {
-    OwnedVec vec = pair->create_state();
-    for (std::size_t k = 0; k < fields.size(); ++k) pair->set_field(vec, k, fields[k]);
+    OwnedVec vec = system().create_state();
+    for (std::size_t k = 0; k < fields.size(); ++k) system().set_field(vec, k, fields[k]);
     pair->set_motion(vec, motion);
     return vec;
   }

@@ -222,7 +222,7 @@ TEST_F(CheckpointTest, every_named_field_of_a_contact_comes_back) {
       {{"pressure", field(1.0)}, {"rate", field(2.0)}, {"temperature", field(3.0)}},
       {{"flash_temperature", field(4.0)}, {"pressure", field(5.0)}, {"rate", field(6.0)}}};
   Field<double> shown(grid_);
-  shown.load(field(7.0).data());
+  shown.load(field(7.0));
   {
     Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);
     EXPECT_FALSE(checkpoint.begin_run(0.0, {}));
@@ -242,7 +242,7 @@ TEST_F(CheckpointTest, every_named_field_of_a_contact_comes_back) {
   EXPECT_EQ(fields[1].name, "temperature");
   for (const NamedField& again : fields) {
     std::vector<double> values(static_cast<std::size_t>(grid_.local_size()));
-    again.values.store(values.data());
+    again.values.store(values);
     EXPECT_EQ(values, field(7.0));
   }
 }

@@ -59,12 +59,13 @@ protected:
 
   static constexpr double in_single = sizeof(float), in_double = sizeof(double);
   const Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
-  const ContactPath path = path_of(problem);
-  const Grid grid{PETSC_COMM_WORLD, shape_of(problem)};
+  const MeshModel mesh = mesh_of(problem);
+  const Grid grid{PETSC_COMM_WORLD, case_grid(problem)};
   const double processes = grid.processes();
   const SharedDiscretisation shared = discretise(grid, problem.scales);
   ContactFilm first{shared, problem.scales, {.levels = 1}}, second{shared, problem.scales, {.levels = 1}};
-  LubricatedPair pair{path, {{0, &first}, {1, &second}}, inertia_of(problem), problem.scales};
+  LubricatedPair pair{mesh, {{0, &first}, {1, &second}}};
+  FilmSystem& films = pair.system();
 };
 
 TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
@@ -80,26 +81,27 @@ TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
 
 TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
   const double shift = 1.5 / problem.steps.dT;
-  OwnedVec state = pair.create_state(), rate = pair.create_state(), rows = pair.create_state();
+  OwnedVec state = films.create_state(), rate = films.create_state(), rows = films.create_state();
   std::vector<double> pressure(grid.local_size());
-  hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure.data());
+  hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure);
   const auto residual_at = [&](double H0) {
-    for (std::size_t k = 0; k < 2; ++k) pair.set_field(state, k, pressure);
+    for (std::size_t k = 0; k < 2; ++k) films.set_field(state, k, pressure);
     pair.set_motion(state, {H0, 0.0});
-    return traffic_of([&] { pair.residual(state, rate, shift, rows); });
+    return traffic_of([&] { films.residual(state, {rate, shift}, rows); });
   };
   pair.place(0.0);
   residual_at(-1.4);
   // The motion, whether each film is known already, and the force carried; film, ghosts of four fields.
   expect_equal(residual_at(-1.5), 4.0 * collective() + 2.0 * (convolution(in_double) + halo(4, in_double)));
 
-  expect_equal(traffic_of([&] { pair.linearise(shift); }), Traffic{});
-  const OwnedMat jacobian = shell_jacobian(pair);
+  // The motion, and whether each film is known already.
+  expect_equal(traffic_of([&] { pair.linearise(state, {rate, shift}, shift); }), 3.0 * collective());
+  const OwnedMat jacobian = shell_jacobian(films);
   OwnedKSP solver;
   petsc_check(KSPCreate(PETSC_COMM_WORLD, solver.put()));
   petsc_check(KSPSetOperators(solver, jacobian, jacobian));
   const auto iterations = [&](int count) {
-    configure_krylov(solver, pair, 1e-30, count);
+    configure_krylov(solver, films, 1e-30, count);
     return traffic_of([&] { petsc_check(KSPSolve(solver, rows, state)); });
   };
   iterations(4);

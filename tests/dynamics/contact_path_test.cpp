@@ -158,14 +158,15 @@ TEST_P(PathOfContact, all_starts_that_place_a_contact_alike_are_the_same_march) 
 TEST_P(PathOfContact, conditions_follow_the_line_of_action) {
   const ContactPath contacts = path(0.0);
   const int at_pitch = static_cast<int>(std::lround(contacts.position(0, 0.0) / line.base_pitch()));
-  const ContactConditions pitch = contacts.conditions(at_pitch, 0.0);
-  EXPECT_NEAR(pitch.radius_ratio, 1.0, 1e-12);
+  const MeshModel mesh{pair.scales, contacts};
+  const ContactConditions pitch = mesh.contact(at_pitch, 0.0).conditions;
+  EXPECT_NEAR(pitch.relative_radius, 1.0, 1e-12);
   EXPECT_NEAR(pitch.entrainment, 1.0, 1e-12);
   for (const double T : {0.3, 4.1, 12.9}) {
     for (const int contact : contacts.contacts_after(T)) {
       const double xi = contacts.position(contact, T);
-      const ContactConditions there = contacts.conditions(contact, T);
-      EXPECT_NEAR(there.radius_ratio, line.radius_x(xi) / line.radius_x(0.0), 1e-12);
+      const ContactConditions there = mesh.contact(contact, T).conditions;
+      EXPECT_NEAR(there.relative_radius, line.radius_x(xi) / line.radius_x(0.0), 1e-12);
       EXPECT_NEAR(there.entrainment,
                   line.entrainment_velocity(xi, pair.pinion_speed) / line.entrainment_velocity(0.0, pair.pinion_speed),
                   1e-12);
@@ -195,7 +196,8 @@ TEST(HeldGeometry, contacts_stay_and_no_event_comes) {
   for (double T : {0.0, 3.0, 1e4}) {
     EXPECT_EQ(path.contacts_after(T), moving.contacts_after(0.0));
     EXPECT_DOUBLE_EQ(path.position(1, T), moving.position(1, 0.0));
-    EXPECT_EQ(path.conditions(0, T), moving.conditions(0, 0.0));
+    EXPECT_EQ((MeshModel{problem.scales, path}.contact(0, T).conditions),
+              (MeshModel{problem.scales, moving}.contact(0, 0.0).conditions));
     EXPECT_TRUE(std::isinf(path.next_event(T)));
     EXPECT_EQ(path.distance(T), 0.0);
   }

@@ -18,7 +18,7 @@ public:
   explicit RungeKutta(const Case& problem)
       : line_(*problem.line),
         scales_(problem.scales),
-        inertia_(inertia_of(problem)),
+        inertia_(mesh_of(problem).inertia),
         velocity_(line_.travel_velocity(problem.pinion_speed) * scales_.time),
         start_(problem.start_position) {}
 
@@ -49,7 +49,7 @@ private:
       ContactSolids solids = scales_.solids;
       solids.radius_x = line_.radius_x(start_ + velocity_ * T + offset);
       const double approach = hertz_contact(solids, scales_.operation.load).approach;
-      force += scales_.static_force * std::pow(std::max(0.0, -motion.H0 * scales_.film / approach), 1.5);
+      force += scales_.static_force * std::pow(std::max(0.0, -motion.H0 * scales_.thickness / approach), 1.5);
     }
     return {motion.V0, (force - scales_.static_force) / inertia_};
   }
@@ -73,13 +73,13 @@ private:
 
 TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
   const Case problem = table3_case();
-  const ContactPath path = path_of(problem);
-  DryMarch march(problem.scales, path, inertia_of(problem), 0.05, nobody);
+  const MeshModel mesh = mesh_of(problem);
+  DryMarch march(mesh, 0.05, nobody);
   march.start({});
   const Motion rest{-problem.scales.approach, 0.0};
   EXPECT_NEAR(march.motion().H0, rest.H0, 1e-12);
   EXPECT_EQ(march.motion().V0, 0.0);
-  const double end = 3.0 * path.mesh_period();
+  const double end = 3.0 * mesh.path.mesh_period();
   march.run(end);
   // Steps of 1e-3 are exact to 1e-10 here.
   const Motion expected = RungeKutta(problem).integrate(rest, end, 1e-3);
@@ -90,12 +90,12 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
 // The record's step is an output interval only.
 TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
   const Case problem = table3_case();
-  const ContactPath path = path_of(problem);
+  const MeshModel mesh = mesh_of(problem);
   Motion ends[2];
   for (int n : {0, 1}) {
-    DryMarch march(problem.scales, path, inertia_of(problem), n == 0 ? 0.026 : 1.0, nobody);
+    DryMarch march(mesh, n == 0 ? 0.026 : 1.0, nobody);
     march.start({});
-    march.run(path.mesh_period());
+    march.run(mesh.path.mesh_period());
     ends[n] = march.motion();
   }
   EXPECT_NEAR(ends[0].H0, ends[1].H0, 1e-8);
@@ -104,23 +104,23 @@ TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
 
 TEST(DryMarch, records_reach_every_event_and_share_the_force) {
   const Case problem = input_case("high_contact_ratio.yaml");
-  const ContactPath path = path_of(problem);
+  const MeshModel mesh = mesh_of(problem);
+  const ContactPath& path = mesh.path;
   double last = 0.0, next = path.next_event(0.0);
   int events = 0;
-  DryMarch march(problem.scales, path, inertia_of(problem), 0.07,
-                 [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
-                   EXPECT_NEAR(record.T - record.dT, last, 1e-12);
-                   EXPECT_LE(record.T, next + 1e-12);
-                   EXPECT_EQ(contacts.size(), record.contacts.size());
-                   if (record.T > next - 1e-12) {
-                     next = path.next_event(record.T);
-                     ++events;
-                   }
-                   if (last == 0.0 && record.T == 0.0) {
-                     EXPECT_NEAR(record.pressure_integral() / problem.scales.static_force, 1.0, 1e-12);
-                   }
-                   last = record.T;
-                 });
+  DryMarch march(mesh, 0.07, [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+    EXPECT_NEAR(record.T - record.dT, last, 1e-12);
+    EXPECT_LE(record.T, next + 1e-12);
+    EXPECT_EQ(contacts.size(), record.contacts.size());
+    if (record.T > next - 1e-12) {
+      next = path.next_event(record.T);
+      ++events;
+    }
+    if (last == 0.0 && record.T == 0.0) {
+      EXPECT_NEAR(record.pressure_integral() / problem.scales.static_force, 1.0, 1e-12);
+    }
+    last = record.T;
+  });
   march.start({});
   march.run(2.0 * path.mesh_period());
   EXPECT_EQ(events, 4);
@@ -132,14 +132,14 @@ protected:
   double energy(const Motion& motion) const {
     const double reference = problem.scales.approach;
     const double compressed = std::max(0.0, -motion.H0);
-    return 0.5 * inertia * motion.V0 * motion.V0 +
+    return 0.5 * mesh.inertia * motion.V0 * motion.V0 +
            0.4 * problem.scales.static_force * std::pow(compressed / reference, 1.5) * compressed +
            problem.scales.static_force * motion.H0;
   }
 
   Case problem = table3_case();
-  double inertia = inertia_of(problem);
-  ContactPath path{*problem.line, problem.scales, 1e-15 * problem.pinion_speed, 0.0};
+  MeshModel mesh{problem.scales, ContactPath(*problem.line, problem.scales, 1e-15 * problem.pinion_speed, 0.0),
+                 problem.scales.inertia(*problem.equivalent_mass)};
   double H0_at_rest = -problem.scales.approach;
 };
 
@@ -155,7 +155,7 @@ TEST_F(FrozenGeometry, energy_is_conserved) {
        {FrozenMotion{{1.4 * H0_at_rest, 0.0}, false}, FrozenMotion{{2.0 * H0_at_rest, 0.1}, true}}) {
     const double total = energy(start);
     double largest_H0 = start.H0, drift = 0.0;
-    DryMarch march(problem.scales, path, inertia, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    DryMarch march(mesh, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
       largest_H0 = std::max(largest_H0, record.motion.H0);
       drift = std::max(drift, std::abs(energy(record.motion) - total));
     });
@@ -169,10 +169,9 @@ TEST_F(FrozenGeometry, energy_is_conserved) {
 
 // Three halves is no whole power: the period of an oscillation differs from the linear one with the amplitude squared.
 TEST_F(FrozenGeometry, small_oscillations_have_the_natural_frequency) {
-  const double frequency = natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
-                                             *problem.equivalent_mass);
+  const double frequency = natural_frequency(mesh.stiffness_si(), *problem.equivalent_mass);
   const double period = 1.0 / (frequency * problem.scales.time);
-  DryMarch march(problem.scales, path, inertia, 0.1, nobody);
+  DryMarch march(mesh, 0.1, nobody);
   const double amplitude = 1e-4 * std::abs(H0_at_rest);
   march.start(Motion{H0_at_rest + amplitude, 0.0});
   // After ten periods and a quarter only the velocity is left.

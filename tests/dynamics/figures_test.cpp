@@ -10,10 +10,10 @@ namespace {
 /// The figures of one contact of Table 3's pair at xi under a force in units of F*.
 ContactFigures figures_at(double xi, double force_ratio) {
   const Case problem = table3_case();
-  const ContactPath path = path_of(problem);
+  const MeshModel mesh = mesh_of(problem);
   FilmFigures film;
   film.pressure_integral = force_ratio * problem.scales.static_force;
-  return contact_record(path, problem.scales, 0, path.time_at(xi), film).figures;
+  return contact_record(mesh, 0, mesh.path.time_at(xi), film).figures;
 }
 
 TEST(ContactFigures, hertz_pressure_is_that_of_the_reference_under_its_load) {
@@ -39,7 +39,7 @@ TEST(ContactFigures, sliding_is_negative_before_the_pitch_point_and_positive_beh
 TEST(ContactFigures, film_comes_back_out_of_the_figures) {
   const FilmFigures film{5.0, 0.3, 0.2, 1.1, 1.2, true};
   const Case problem = table3_case();
-  const FilmFigures again = film_figures(contact_record(path_of(problem), problem.scales, 0, 0.0, film).figures);
+  const FilmFigures again = film_figures(contact_record(mesh_of(problem), 0, 0.0, film).figures);
   EXPECT_EQ(again.pressure_integral, film.pressure_integral);
   EXPECT_EQ(again.central_film, film.central_film);
   EXPECT_EQ(again.smallest_film, film.smallest_film);

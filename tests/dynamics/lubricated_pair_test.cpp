@@ -25,32 +25,43 @@ protected:
 class LubricatedPairAt : public TwoContacts {
 protected:
   /// C of a state as PETSc would have it at that time.
-  OwnedVec stored(const AcceptedState& at) const { return system.vector(at.stored, at.motion); }
+  OwnedVec transient(const AcceptedState& at) const { return system.vector(at.mass, at.motion); }
 
   /// C_0 of the second-order backward formula: rate = shift (C - C_0).
   OwnedVec history() const {
-    OwnedVec history = stored(steps.last_but_one);
-    petsc_check(VecAXPBY(history, -1.0 / 3.0, 4.0 / 3.0, stored(steps.before_last)));
+    OwnedVec history = transient(steps.last_but_one);
+    petsc_check(VecAXPBY(history, -1.0 / 3.0, 4.0 / 3.0, transient(steps.before_last)));
     return history;
   }
 
-  OwnedVec rows_at(Vec at) {
-    OwnedVec rate = system.pair->create_state(), rows = system.pair->create_state();
-    system.pair->storage(at, rate);
+  OwnedVec rate_at(Vec at) {
+    OwnedVec rate = films.create_state();
+    films.transient(at, rate);
     petsc_check(VecAXPY(rate, -1.0, C0));
     petsc_check(VecScale(rate, shift));
-    system.pair->residual(at, rate, shift, rows);
+    return rate;
+  }
+
+  void linearise() {
+    const OwnedVec rate = rate_at(state);
+    system.pair->linearise(state, {rate, shift}, shift);
+  }
+
+  OwnedVec rows_at(Vec at) {
+    OwnedVec rows = films.create_state();
+    const OwnedVec rate = rate_at(at);
+    films.residual(at, {rate, shift}, rows);
     return rows;
   }
 
   /// Rows differ by ten orders of magnitude from inlet to centre: each is divided by its own scale.
   double norm(Vec rows) const {
-    OwnedVec scaled = system.pair->create_state();
+    OwnedVec scaled = films.create_state();
     petsc_check(VecCopy(rows, scaled));
     {
       const VecWriting values(scaled);
       std::size_t n = 0;
-      for (std::size_t k = 0; k < steps.last.contacts.size(); ++k) {
+      for (std::size_t k = 0; k < steps.last.numbers.size(); ++k) {
         const ContactFilm& film = system.film(k);
         const ReynoldsWeights weights(grid, film.conditions().entrainment);
         for (int i = 0; i < grid.nx(); ++i) {
@@ -64,7 +75,7 @@ protected:
   }
 
   void keep_row_scales() {
-    for (std::size_t k = 0; k < steps.last.contacts.size(); ++k)
+    for (std::size_t k = 0; k < steps.last.numbers.size(); ++k)
       conductance.push_back(system.film(k).state().conductance);
   }
 
@@ -88,6 +99,7 @@ protected:
 
   const Grid& grid = steps.march.grid();
   PairAt system{steps.march, steps.last};
+  FilmSystem& films = system.system();
   double shift = 1.5 / steps.last.dT;
   OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
   OwnedVec C0 = history();
@@ -96,13 +108,13 @@ protected:
 
 // The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 2e-2.
 TEST_F(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_formula) {
-  ASSERT_EQ(steps.last.contacts.size(), 2U);
+  ASSERT_EQ(steps.last.numbers.size(), 2U);
   ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
   const OwnedVec rows = rows_at(state);
   PetscReal size = 0.0;
   petsc_check(VecNorm(rows, NORM_2, &size));
   // Newton's tolerance, and the round-off of rates of differences.
-  EXPECT_LT(size / system.pair->weight(), 1.1 * steps.march.problem().steps.newton.tolerance + 1e-11);
+  EXPECT_LT(size / films.weight(), 1.1 * steps.march.problem().steps.newton.tolerance + 1e-11);
   const double dT = steps.last.dT;
   EXPECT_NEAR(backward_rate(steps.last.motion.H0, steps.last_but_one.motion.H0, steps.before_last.motion.H0, dT),
               steps.last.motion.V0, 1e-6);
@@ -111,7 +123,6 @@ TEST_F(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
 TEST_F(LubricatedPairAt, jacobian_passes_taylor_test) {
   const OwnedVec at_state = rows_at(state);
   keep_row_scales();
-  system.pair->linearise(shift);
   const std::vector<OwnedVec> directions = [&] {
     std::vector<OwnedVec> list;
     list.push_back(direction({1.0, 0.0}, {}));
@@ -122,10 +133,9 @@ TEST_F(LubricatedPairAt, jacobian_passes_taylor_test) {
   }();
   for (std::size_t n = 0; n < directions.size(); ++n) {
     SCOPED_TRACE("direction " + std::to_string(n));
-    const OwnedVec slope = system.pair->create_state(), moved = system.pair->create_state();
-    (void)rows_at(state);
-    system.pair->linearise(shift);
-    system.pair->multiply(directions[n], slope);
+    const OwnedVec slope = films.create_state(), moved = films.create_state();
+    linearise();
+    films.multiply(directions[n], slope);
     EXPECT_GT(norm(slope), 1e-4);  // a slope of zero would pass as well
     double before = 0.0;
     for (const double step : {4e-3, 2e-3, 1e-3, 5e-4}) {
@@ -141,12 +151,11 @@ TEST_F(LubricatedPairAt, jacobian_passes_taylor_test) {
 }
 
 TEST_F(LubricatedPairAt, films_act_on_each_other_through_the_motion_only) {
-  (void)rows_at(state);
-  system.pair->linearise(shift);
-  const OwnedVec rows = system.pair->create_state();
-  system.pair->multiply(direction({1.0, 0.0}, {}), rows);
-  EXPECT_EQ(largest(system.pair->field(rows, 1)), 0.0);
-  EXPECT_GT(largest(system.pair->field(rows, 0)), 0.0);
+  linearise();
+  const OwnedVec rows = films.create_state();
+  films.multiply(direction({1.0, 0.0}, {}), rows);
+  EXPECT_EQ(largest(films.field(rows, 1)), 0.0);
+  EXPECT_GT(largest(films.field(rows, 0)), 0.0);
   const Motion motion_rows = system.pair->motion(rows);
   EXPECT_EQ(motion_rows.H0, 0.0);
   EXPECT_NE(motion_rows.V0, 0.0);
@@ -156,12 +165,12 @@ TEST_F(LubricatedPairAt, guessed_pressures_fall_by_half_at_most_and_not_below_ze
   std::vector<std::vector<double>> guessed = steps.last.pressure;
   for (double& pressure : guessed[0]) pressure = -1.0;
   const OwnedVec guess = system.vector(guessed, {-1.0, -2.0});
-  system.pair->restrain(guess, system.vector(steps.last.pressure, steps.last.motion));
+  films.restrain(guess, system.vector(steps.last.pressure, steps.last.motion));
   // Cavitated nodes of an accepted state may be negative by round-off.
   std::vector<std::vector<double>> expected = steps.last.pressure;
   for (double& pressure : expected[0]) pressure = std::max(0.5 * pressure, 0.0);
   for (double& pressure : expected[1]) pressure = std::max(pressure, 0.0);
-  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(system.pair->field(guess, k), expected[k]);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(films.field(guess, k), expected[k]);
   EXPECT_EQ(system.pair->motion(guess).H0, -1.0);
   EXPECT_EQ(system.pair->motion(guess).V0, -2.0);
 }
@@ -169,12 +178,13 @@ TEST_F(LubricatedPairAt, guessed_pressures_fall_by_half_at_most_and_not_below_ze
 TEST_F(LubricatedPairAt, a_multigrid_cycle_reduces_the_residual) {
   PairAt with_all_levels(steps.march, steps.last, 0);
   LubricatedPair& pair = *with_all_levels.pair;
-  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state(),
-                 left = pair.create_state();
-  pair.residual(state, rate, shift, rows);
-  pair.linearise(shift);
-  pair.precondition(rows, change);
-  pair.multiply(change, left);
+  FilmSystem& all = pair.system();
+  const OwnedVec rate = all.create_state(), rows = all.create_state(), change = all.create_state(),
+                 left = all.create_state();
+  all.residual(state, {rate, shift}, rows);
+  pair.linearise(state, {rate, shift}, shift);
+  all.precondition(rows, change);
+  all.multiply(change, left);
   petsc_check(VecAYPX(left, -1.0, rows));
   PetscReal before = 0.0, after = 0.0;
   petsc_check(VecNorm(rows, NORM_2, &before));
@@ -189,21 +199,21 @@ class LubricatedPairPreconditioner : public TwoContacts, public testing::WithPar
 
 TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
   PairAt system(steps.march, steps.last, GetParam());
-  LubricatedPair& pair = *system.pair;
+  FilmSystem& films = system.system();
   const double shift = 1.5 / steps.last.dT;
   const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
-  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state();
-  pair.residual(state, rate, shift, rows);
-  pair.linearise(shift);
+  const OwnedVec rate = films.create_state(), rows = films.create_state(), change = films.create_state();
+  films.residual(state, {rate, shift}, rows);
+  system.pair->linearise(state, {rate, shift}, shift);
   // What a wrong first guess leaves: without any rate.
   NewtonOptions options;
   options.krylov_tolerance = 1e-3;
   OwnedSNES snes;
-  petsc_check(SNESCreate(pair.comm(), snes.put()));
-  configure_newton(snes, pair, options, pair.weight());
+  petsc_check(SNESCreate(films.comm(), snes.put()));
+  configure_newton(snes, films, options, films.weight());
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
-  const OwnedMat jacobian = shell_jacobian(pair);
+  const OwnedMat jacobian = shell_jacobian(films);
   petsc_check(KSPSetOperators(ksp, jacobian, jacobian));
   petsc_check(KSPSolve(ksp, rows, change));
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;

@@ -23,7 +23,7 @@ void expect_same_records(const StepRecord& record, const StepRecord& expected) {
   ASSERT_EQ(record.contacts.size(), expected.contacts.size());
   for (std::size_t k = 0; k < expected.contacts.size(); ++k) {
     const ContactFigures &figures = record.contacts[k].figures, &others = expected.contacts[k].figures;
-    EXPECT_EQ(record.contacts[k].contact, expected.contacts[k].contact);
+    EXPECT_EQ(record.contacts[k].number, expected.contacts[k].number);
     EXPECT_DOUBLE_EQ(record.contacts[k].position, expected.contacts[k].position);
     expect_near(figures["force"], others["force"]);
     expect_near(figures["h_central"], others["h_central"]);
@@ -64,7 +64,7 @@ TEST(March, a_run_in_pieces_reaches_the_same_end) {
 
 const ContactRecord& of_contact(const StepRecord& record, int contact) {
   for (const ContactRecord& candidate : record.contacts) {
-    if (candidate.contact == contact) return candidate;
+    if (candidate.number == contact) return candidate;
   }
   throw std::out_of_range("no contact " + std::to_string(contact));
 }
@@ -114,7 +114,7 @@ TEST(March, a_contact_that_outgrows_its_grid_ends_the_march) {
   const StepRecord& last = march.records().back();
   ASSERT_EQ(last.contacts.size(), 1U);
   std::ostringstream contact;
-  contact << "contact " << last.contacts.front().contact << " at xi = ";
+  contact << "contact " << last.contacts.front().number << " at xi = ";
   for (const std::string& word : {contact.str(), std::string("side edge"), std::string("grid_y_half")}) {
     EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
   }

@@ -5,10 +5,10 @@ namespace gearfilm {
 namespace {
 
 /// A field of both halves of the domain, whole, index i*ny + row.
-std::vector<double> unfolded(const Grid& grid, const std::vector<double>& stored) {
+std::vector<double> unfolded(const Grid& grid, const std::vector<double>& half) {
   std::vector<double> both;
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int row = 1 - grid.rows(); row < grid.rows(); ++row) both.push_back(stored[i * grid.rows() + std::abs(row)]);
+    for (int row = 1 - grid.rows(); row < grid.rows(); ++row) both.push_back(half[i * grid.rows() + std::abs(row)]);
   }
   return both;
 }
@@ -22,24 +22,22 @@ public:
         U_(film.conditions().entrainment),
         pressure_(unfolded(grid_, whole_of(grid_, film.pressure()))) {
     const Scales& scales = march.problem().scales;
-    const std::vector<double> heights = unfolded(grid_, whole_of(grid_, film.film()));
+    const std::vector<double> heights = unfolded(grid_, whole_of(grid_, film.thickness()));
     for (std::size_t n = 0; n < heights.size(); ++n) {
       const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
-      stored_.push_back(rho * heights[n]);
+      mass_.push_back(rho * heights[n]);
       conductance_.push_back(rho * std::pow(heights[n], 3) / scales.lambda *
                              std::exp(-log_relative_viscosity(scales.oil, p).value));
     }
   }
 
-  const std::vector<double>& stored() const { return stored_; }
   int index(int i, int row) const { return i * grid_.ny() + row; }
 
   /// Through the face between nodes i and i+1: the wedge extrapolates rho H to the face from upwind; in the first row
   /// it has its mean there.
   double along_x(int i, int row) const {
     const int n = index(i, row), east = index(i + 1, row);
-    const double carried =
-        i == 0 ? 0.5 * (stored_[n] + stored_[east]) : 1.5 * stored_[n] - 0.5 * stored_[index(i - 1, row)];
+    const double carried = i == 0 ? 0.5 * (mass_[n] + mass_[east]) : 1.5 * mass_[n] - 0.5 * mass_[index(i - 1, row)];
     return grid_.h_y() * (U_ * carried - driven(n, east) / grid_.h_x());
   }
   /// Through the face between rows row and row+1.
@@ -52,7 +50,7 @@ private:
 
   const Grid& grid_;
   double U_;
-  std::vector<double> pressure_, stored_, conductance_;
+  std::vector<double> pressure_, mass_, conductance_;
 };
 
 /// What passes the border of the wet nodes.
@@ -85,15 +83,15 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   PairAt system(steps.march, steps.last);
   const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
   // The wet nodes are those of the residual with its rate.
-  OwnedVec rate = system.vector(steps.last.stored, steps.last.motion), rows = system.pair->create_state();
+  OwnedVec rate = system.vector(steps.last.mass, steps.last.motion), rows = system.system().create_state();
   petsc_check(VecScale(rate, 1.5 / steps.last.dT));
-  petsc_check(VecAXPY(rate, -2.0 / steps.last.dT, system.vector(steps.last_but_one.stored, steps.last_but_one.motion)));
-  petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.stored, steps.before_last.motion)));
-  system.pair->residual(state, rate, 1.5 / steps.last.dT, rows);
+  petsc_check(VecAXPY(rate, -2.0 / steps.last.dT, system.vector(steps.last_but_one.mass, steps.last_but_one.motion)));
+  petsc_check(VecAXPY(rate, 0.5 / steps.last.dT, system.vector(steps.before_last.mass, steps.before_last.motion)));
+  system.system().residual(state, {rate, 1.5 / steps.last.dT}, rows);
   const ContactFilm& film = system.film(0);
   const FaceFluxes fluxes(steps.march, film);
   const std::vector<double> wet = unfolded(grid, whole_of(grid, film.state().wet)),
-                            rates = unfolded(grid, whole_of(grid, system.pair->field(rate, 0)));
+                            rates = unfolded(grid, whole_of(grid, system.system().field(rate, 0)));
   double stored = 0.0;
   int wet_nodes = 0;
   for (std::size_t n = 0; n < wet.size(); ++n) {
@@ -110,7 +108,7 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   EXPECT_LT(wet_nodes, (grid.nx() - 2) * (grid.ny() - 2));  // some nodes are cavitated
   // A sum of n rows is at most sqrt(n) times their norm, which Newton's tolerance bounds.
   const double bound =
-      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.pair->weight() * problem.steps.newton.tolerance;
+      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.system().weight() * problem.steps.newton.tolerance;
   EXPECT_NEAR(flow.in - flow.out, stored, bound + 1e-11 * flow.in);
 }
 

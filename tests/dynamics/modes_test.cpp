@@ -12,7 +12,7 @@ namespace {
 
 TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
   const Case problem = table3_case();
-  const double k_el = contact_stiffness(problem.scales.operation.load, problem.scales.hertz);
+  const double k_el = mesh_of(problem).stiffness_si();
   const std::array<double, 2> radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
   const GearInertias inertias = disc_inertias(radii, *problem.equivalent_mass);
   const auto [rigid, swinging] = dry_modes(k_el, radii, inertias);
@@ -48,35 +48,29 @@ class PairAtRest {
 public:
   explicit PairAtRest(const Settings& settings)
       : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}, {"solver.precision", "double"}}, settings))),
-        path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, MeshGeometry::held),
-        march_(discretise(Grid(PETSC_COMM_WORLD, shape_of(problem_)), problem_.scales), problem_.scales, path_,
-               inertia_of(problem_), problem_.solver, problem_.steps,
+        march_(discretise(PETSC_COMM_WORLD, problem_),
+               mesh_model(problem_, problem_.start_position, MeshGeometry::held), {problem_.solver, problem_.steps},
                [](const StepRecord&, const std::vector<LiveContact>&) {}) {
     march_.start({});
-    pair_ = std::make_unique<LubricatedPair>(path_, march_.contacts(), inertia_of(problem_), problem_.scales);
-    state_ = pair_->create_state();
+    pair_ = std::make_unique<LubricatedPair>(march_.mesh(), march_.contacts());
+    state_ = pair_->system().create_state();
     const PairState at_rest = march_.state();
     for (std::size_t k = 0; k < at_rest.films.size(); ++k) {
-      pair_->set_field(state_, k, values_of(at_rest.films[k], field::pressure));
+      pair_->system().set_field(state_, k, values_of(at_rest.films[k], field::pressure));
     }
     pair_->set_motion(state_, at_rest.motion);
   }
 
   const Case& problem() const { return problem_; }
-  const SharedDiscretisation& discretisation() const { return pair_->contacts().front().film->discretisation(); }
-  const ContactPath& path() const { return path_; }
+  const SharedDiscretisation& discretisation() const { return march_.contacts().front().film->discretisation(); }
+  const MeshModel& mesh() const { return march_.mesh(); }
   LubricatedPair& pair() { return *pair_; }
   Vec state() { return state_; }
   double H0() const { return march_.motion().H0; }
-  double natural_rate() const {
-    return 2.0 * std::numbers::pi * problem_.scales.time *
-           natural_frequency(contact_stiffness(problem_.scales.operation.load, problem_.scales.hertz),
-                             *problem_.equivalent_mass);
-  }
+  double natural_rate() const { return 2.0 * std::numbers::pi * mesh().frequency(); }
 
 private:
   Case problem_;
-  ContactPath path_;
   MeshMarch march_;
   std::unique_ptr<LubricatedPair> pair_;
   OwnedVec state_;
@@ -85,22 +79,20 @@ private:
 // The operator at a shift is A + shift B.
 TEST(FilmPencil, multiply_grows_linearly_with_the_shift) {
   PairAtRest rest({});
-  LubricatedPair& pair = rest.pair();
-  const OwnedVec rate = pair.create_state(), rows = pair.create_state(), change = pair.create_state(),
-                 still = pair.create_state(), stored = pair.create_state();
-  petsc_check(VecSet(rate, 0.0));
+  FilmSystem& system = rest.pair().system();
+  const OwnedVec rows = system.create_state(), change = system.create_state(), still = system.create_state(),
+                 moving = system.create_state();
   petsc_check(VecCopy(rest.state(), change));
-  pair.residual(rest.state(), rate, 0.0, rows);
-  pair.linearise(0.0);
-  pair.multiply(change, still);
-  pair.multiply_storage(change, stored);
+  rest.pair().linearise(rest.state(), {}, 0.0);
+  system.multiply(change, still);
+  system.multiply_transient(change, moving);
   constexpr double shift = 7.0;
-  pair.linearise(shift);
-  pair.multiply(change, rows);
+  rest.pair().linearise(rest.state(), {}, shift);
+  system.multiply(change, rows);
   PetscReal size = 0.0, off = 0.0;
   petsc_check(VecNorm(rows, NORM_INFINITY, &size));
   petsc_check(VecAXPY(rows, -1.0, still));
-  petsc_check(VecAXPY(rows, -shift, stored));
+  petsc_check(VecAXPY(rows, -shift, moving));
   petsc_check(VecNorm(rows, NORM_INFINITY, &off));
   EXPECT_LT(off, 1e-12 * size);
 }
@@ -135,7 +127,7 @@ TEST(FilmModes, agree_with_a_march_that_rings_down) {
   std::vector<double> samples;
   StepOptions steps = problem.steps;
   steps.dT = 0.05;
-  MeshMarch march(rest.discretisation(), problem.scales, rest.path(), inertia_of(problem), problem.solver, steps,
+  MeshMarch march(rest.discretisation(), rest.mesh(), {problem.solver, steps},
                   [&](const StepRecord& record, const std::vector<LiveContact>&) {
                     if (record.T > 2.0) samples.push_back(record.motion.H0);  // the films have followed
                   });
@@ -155,7 +147,7 @@ TEST(FilmModes, agree_with_a_march_that_rings_down) {
 
 TEST(FilmModes, two_contacts_swing_faster) {
   PairAtRest one({}), two({{"start.place", "position"}, {"start.position", "4e-3"}});
-  ASSERT_EQ(two.pair().contacts().size(), 2u);
+  ASSERT_EQ(two.pair().numbers().size(), 2u);
   const FilmMode single = swinging_mode(film_modes(one.pair(), one.state(), {}), one.natural_rate());
   const FilmMode both = swinging_mode(film_modes(two.pair(), two.state(), {}), two.natural_rate());
   // Two Hertz contacts with half the force each: stiffer by 2 (1/2)^(1/3), so faster by its root, 1.26.

@@ -10,14 +10,9 @@ namespace {
 
 Settings after_leaving_place() { return {{"start.place", "after_leaving"}, {"time.dt", "0.026"}}; }
 
-double natural_frequency_of(const Case& problem) {
-  return natural_frequency(contact_stiffness(problem.scales.operation.load, problem.scales.hertz),
-                           *problem.equivalent_mass);
-}
-
 double free_frequency_of(const Case& problem, const Monodromy& monodromy) {
   return free_oscillation(multipliers(monodromy), mesh_frequency(*problem.gears, problem.pinion_speed),
-                          natural_frequency_of(problem))
+                          mesh_of(problem).frequency_si())
       .frequency;
 }
 
@@ -47,12 +42,11 @@ TEST(Monodromy, free_oscillation_takes_the_branch_next_to_the_natural_frequency)
 TEST(DryOrbit, repeats_and_matches_the_reference) {
   const auto& reference = table3::reference().at("dry_periodic");
   const Case problem = table3_case(after_leaving_place());
-  const ContactPath path = path_of(problem);
-  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem), 0.0);
-  DryMarch march(problem.scales, path, inertia_of(problem), 1.0,
-                 [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const MeshModel mesh = mesh_of(problem);
+  const DryOrbit orbit = find_dry_orbit(mesh, 0.0);
+  DryMarch march(mesh, 1.0, [](const StepRecord&, const std::vector<LiveContact>&) {});
   march.start(orbit.start);
-  march.run(path.mesh_period());
+  march.run(mesh.path.mesh_period());
   // Shooting stops at 1e-9, and integrates to 1e-10.
   EXPECT_NEAR(march.motion().H0, orbit.start.H0, 1e-8);
   EXPECT_NEAR(march.motion().V0, orbit.start.V0, 1e-8);
@@ -67,23 +61,22 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
 TEST(DryOrbit, damping_leads_over_the_end_of_a_branch) {
   // At 10500 rpm the orbit of the strongly damped pair ends in a fold; the lightly damped one loses contact.
   const Case problem = table3_case(with(after_leaving_place(), {{"pinion.speed_rpm", "10500"}}));
-  const ContactPath path = path_of(problem);
-  const DryOrbit orbit = find_dry_orbit(problem.scales, path, inertia_of(problem), 0.05);
+  const MeshModel mesh = mesh_of(problem);
+  const DryOrbit orbit = find_dry_orbit(mesh, 0.05);
   EXPECT_GT(orbit.largest_integral / problem.scales.static_force, 2.0);
   EXPECT_LT(std::abs(multipliers(orbit.monodromy)[0]), 1.0);
 }
 
 PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
-  return find_periodic_orbit(
-      march.march(), march.path(), guess, march.problem().periodic, [](const SearchPeriod& period) {
-        report("mesh period %d: defect %.1e, of the films %.1e", period.number, period.defect, period.film_defect);
-      });
+  return find_periodic_orbit(march.march(), guess, march.problem().periodic, [](const SearchPeriod& period) {
+    report("mesh period %d: defect %.1e, of the films %.1e", period.number, period.defect, period.film_defect);
+  });
 }
 
 /// The dry orbit, shifted by the stationary film at the pitch point.
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
   const Case& problem = march.problem();
-  const DryOrbit dry = find_dry_orbit(problem.scales, march.path(), inertia_of(problem), usual_film_damping);
+  const DryOrbit dry = find_dry_orbit(march.mesh(), typical_film_damping);
   ContactFilm film(discretise(march.grid(), problem.scales), problem.scales, problem.solver.multigrid);
   const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
@@ -133,13 +126,13 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   expect("H0_after_leaving", orbit.start.motion.H0);
   expect("V0_after_leaving", orbit.start.motion.V0);
   const Case& problem = march.problem();
-  const FloquetMultipliers few = floquet_multipliers(march.march(), march.path(), orbit, {});
+  const FloquetMultipliers few = floquet_multipliers(march.march(), orbit, {});
   const FreeOscillation oscillation = free_oscillation(
-      few.gear_pair, mesh_frequency(*problem.gears, problem.pinion_speed), natural_frequency_of(problem));
+      few.gear_pair, mesh_frequency(*problem.gears, problem.pinion_speed), mesh_of(problem).frequency_si());
   expect("floquet_modulus", std::abs(few.gear_pair[0]));
   expect("free_frequency", oscillation.frequency);
   // More periods change little, and show how small the films' own multipliers are.
-  const FloquetMultipliers more = floquet_multipliers(march.march(), march.path(), orbit, {.periods = 4});
+  const FloquetMultipliers more = floquet_multipliers(march.march(), orbit, {.periods = 4});
   EXPECT_NEAR(std::abs(more.gear_pair[0]), std::abs(few.gear_pair[0]), 0.005);
   report("films' own below %.1e", more.film_bound.value());
   EXPECT_LT(more.film_bound.value(), 0.02);
@@ -167,7 +160,7 @@ TEST_P(SlowOrbitAt, is_found) {
   EXPECT_LT(orbit.film_defect, 1e-3);
   const double end = orbit.begin + march.path().mesh_period();
   EXPECT_EQ(statistics_of(march).contact_lost(orbit.begin + 1e-6, end), GetParam().loses_contact);
-  const FloquetMultipliers found = floquet_multipliers(march.march(), march.path(), orbit, {});
+  const FloquetMultipliers found = floquet_multipliers(march.march(), orbit, {});
   report("%s rpm: modulus %.4f", GetParam().rpm, std::abs(found.gear_pair[0]));
   EXPECT_LT(std::abs(found.gear_pair[0]), 1.0);
 }

@@ -13,6 +13,7 @@
 #include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/input/case.hpp"
 #include "gearfilm/input/case_file.hpp"
+#include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {
 
@@ -45,28 +46,20 @@ inline Settings with(Settings settings, const Settings& replaced) {
   return settings;
 }
 
-inline ContactPath path_of(const Case& problem) {
-  return {*problem.line, problem.scales, problem.pinion_speed, problem.start_position};
-}
-
-inline double inertia_of(const Case& problem) { return problem.scales.inertia(*problem.equivalent_mass); }
-
-inline GridShape shape_of(const Case& problem) {
-  return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
-}
+/// The mesh of a case at its start.
+inline MeshModel mesh_of(const Case& problem) { return mesh_model(problem, problem.start_position); }
 
 /// A lubricated march of a case that keeps its records.
 class RecordedMarch {
 public:
   explicit RecordedMarch(Case problem, MPI_Comm comm = PETSC_COMM_WORLD)
       : problem_(std::move(problem)),
-        discretisation_(discretise(Grid(comm, shape_of(problem_)), problem_.scales)),
-        path_(path_of(problem_)),
-        march_(discretisation_, problem_.scales, path_, inertia_of(problem_), film_options(), problem_.steps,
-               [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
-                 records_.push_back(record);
-                 if (on_step) on_step(record, contacts);
-               }) {}
+        discretisation_(discretise(comm, problem_)),
+        march_(make_march(problem_, discretisation_, mesh_of(problem_),
+                          [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+                            records_.push_back(record);
+                            if (on_step) on_step(record, contacts);
+                          })) {}
   RecordedMarch(const RecordedMarch&) = delete;
   RecordedMarch& operator=(const RecordedMarch&) = delete;
 
@@ -77,7 +70,8 @@ public:
   const Case& problem() const { return problem_; }
   const SharedDiscretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return discretisation_->grid(); }
-  const ContactPath& path() const { return path_; }
+  const MeshModel& mesh() const { return march_.mesh(); }
+  const ContactPath& path() const { return mesh().path; }
   const Motion& motion() const { return march_.motion(); }
   const std::vector<StepRecord>& records() const { return records_; }
   /// Unit of forces.
@@ -86,15 +80,8 @@ public:
   StepObserver on_step;  ///< called after the record is kept
 
 private:
-  SolverOptions film_options() const {
-    SolverOptions options = problem_.solver;
-    options.multigrid.levels = step_levels(grid(), problem_.steps.dT);
-    return options;
-  }
-
   Case problem_;
   SharedDiscretisation discretisation_;
-  ContactPath path_;
   std::vector<StepRecord> records_;
   MeshMarch march_;
 };

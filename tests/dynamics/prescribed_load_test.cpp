@@ -20,27 +20,24 @@ public:
                               {"model", model},
                               {"load_sharing.kind", sharing},
                               {"load_sharing.jump_time", jump_time}})),
-        discretisation_(discretise(Grid(PETSC_COMM_WORLD, shape_of(problem_)), problem_.scales)),
-        path_(*problem_.line, problem_.scales, problem_.pinion_speed, problem_.start_position, problem_.geometry),
-        march_(
-            discretisation_, problem_.scales, path_, model == "quasistatic" ? 0.0 : inertia_of(problem_),
-            problem_.solver, problem_.steps,
-            [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); },
-            problem_.prescribed_load) {
+        discretisation_(discretise(PETSC_COMM_WORLD, problem_)),
+        march_(discretisation_, mesh_model(problem_, problem_.start_position, problem_.geometry),
+               {problem_.solver, problem_.steps},
+               [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); }) {
     march_.start({});
-    march_.run(path_.exit_time(0));
+    march_.run(path().exit_time(0));
   }
 
   const Case& problem() const { return problem_; }
   const Grid& grid() const { return discretisation_->grid(); }
-  const ContactPath& path() const { return path_; }
+  const MeshModel& mesh() const { return march_.mesh(); }
+  const ContactPath& path() const { return mesh().path; }
   const LoadSharing& sharing() const { return problem_.prescribed_load->sharing; }
   const std::vector<StepRecord>& records() const { return records_; }
 
 private:
   Case problem_;
   SharedDiscretisation discretisation_;
-  ContactPath path_;
   std::vector<StepRecord> records_;
   MeshMarch march_;
 };
@@ -77,7 +74,7 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
           return off(a) < off(b);
         });
     const ContactFigures& marched = record.contacts.front().figures;
-    film.set_conditions(contact.path().conditions(0, record.T));
+    film.set_conditions(contact.mesh().contact(0, record.T).conditions);
     const StationaryResult still = solve_stationary(
         film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
         contact.problem().solver);
@@ -130,8 +127,8 @@ TEST(SimplifiedDynamic, momentum_is_the_integral_of_the_excess_force) {
     swing = std::max(swing, std::abs(records[n].motion.V0));
     last = n;
   }
-  EXPECT_NEAR(inertia_of(contact.problem()) * (records[last].motion.V0 - records[0].motion.V0), impulse,
-              0.01 * inertia_of(contact.problem()) * swing);
+  EXPECT_NEAR(contact.mesh().inertia * (records[last].motion.V0 - records[0].motion.V0), impulse,
+              0.01 * contact.mesh().inertia * swing);
   EXPECT_GT(swing, 0.1);
 }
 

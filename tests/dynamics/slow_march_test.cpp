@@ -41,10 +41,10 @@ TEST(SlowMarch, the_periodic_state_returns_after_one_mesh_period) {
   expect_reference(reference, "force_ratio_max", period["force_ratio_max"].value() / scales.static_force);
   expect_reference(reference, "p_max", scales.pressure * period["p_max"].value());
   ASSERT_TRUE(period["pitch_h_central"] && period["entry_h_central"]);
-  expect_reference(reference, "pitch_h_central", scales.film * period["pitch_h_central"].value());
-  expect_reference(reference, "pitch_h_min", scales.film * period["pitch_h_min"].value());
-  expect_reference(reference, "entry_h_central", scales.film * period["entry_h_central"].value());
-  expect_reference(reference, "entry_h_min", scales.film * period["entry_h_min"].value());
+  expect_reference(reference, "pitch_h_central", scales.thickness * period["pitch_h_central"].value());
+  expect_reference(reference, "pitch_h_min", scales.thickness * period["pitch_h_min"].value());
+  expect_reference(reference, "entry_h_central", scales.thickness * period["entry_h_central"].value());
+  expect_reference(reference, "entry_h_min", scales.thickness * period["entry_h_min"].value());
   EXPECT_TRUE(statistics.losses().empty());
 }
 

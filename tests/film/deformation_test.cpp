@@ -105,9 +105,8 @@ TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes
 class HertzPressure : public testing::Test {
 protected:
   HertzPressure() {
-    hertz_pressure(grid, contact.scales, contact.scales.hertz, pressure.data());
-    std::vector<double> unused(grid.local_size());
-    film.residual(pressure.data(), 0.0, nullptr, unused.data());
+    hertz_pressure(grid, contact.scales, contact.scales.hertz, pressure);
+    film.evaluate(pressure, 0.0);
   }
 
   // 257 x 129: the pressure's root at the rim of the ellipse costs h^(3/2), and must stay below 1e-4.
@@ -126,8 +125,8 @@ TEST_F(HertzPressure, deformation_flattens_hertz_pressure) {
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
       if (std::hypot(grid.x(i), contact.scales.hertz.ellipticity * grid.y(j)) > 0.9) continue;
-      off = std::max(off, std::abs(film.film().row(i)[j] - approach));
-      sum += film.film().row(i)[j] - approach;
+      off = std::max(off, std::abs(film.thickness().row(i)[j] - approach));
+      sum += film.thickness().row(i)[j] - approach;
       ++nodes;
     }
   }
@@ -143,7 +142,7 @@ TEST_F(HertzPressure, carries_the_load) {
   // Sampled with its root at the rim: off by h^(3/2), 5e-5 of the load on this grid.
   const double load = contact.scales.static_force;
   EXPECT_DOUBLE_EQ(load, 2.0 * pi / (3.0 * contact.scales.hertz.ellipticity));
-  EXPECT_NEAR(film.figures().pressure_integral, load, 1e-4 * load);
+  EXPECT_NEAR(film.figures(pressure, 0.0).pressure_integral, load, 1e-4 * load);
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ inline std::vector<double> whole_of(const Grid& grid, const std::vector<double>&
 
 inline std::vector<double> whole_of(const Grid& grid, const Field<double>& field) {
   std::vector<double> compact(grid.local_size());
-  field.store(compact.data());
+  field.store(compact);
   return whole_of(grid, compact);
 }
 
@@ -104,7 +104,7 @@ inline std::vector<double> own_part(const Grid& grid, const std::vector<double>&
 }
 
 /// A contact away from the pitch, so that nothing is one that could be forgotten.
-inline ContactConditions away_from_pitch() { return {.radius_ratio = 0.9, .entrainment = 1.1, .gap_offset = 0.02}; }
+inline ContactConditions away_from_pitch() { return {.relative_radius = 0.9, .entrainment = 1.1, .gap_offset = 0.02}; }
 
 /// Film of Table 3 away from the pitch, pressure whole; the same on every process whatever their number: the first
 /// one's solution of the problem alone.

@@ -17,7 +17,7 @@ TEST(Integral, is_the_sum_over_all_nodes_of_both_halves_and_all_processes) {
     for (int i = 0; i < grid.nx(); ++i) {
       for (int row = 1 - grid.rows(); row < grid.rows(); ++row) expected += noise(i, std::abs(row));
     }
-    EXPECT_NEAR(integral(grid, values.data(), values.size()), expected * grid.h_x() * grid.h_y(), 1e-12);
+    EXPECT_NEAR(integral(grid, values), expected * grid.h_x() * grid.h_y(), 1e-12);
   }
 }
 

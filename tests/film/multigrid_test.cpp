@@ -1,7 +1,7 @@
 // The parts of the preconditioner put together by hand must be the preconditioner.
 #include "film_case.hpp"
+#include "gearfilm/ehl/linearised_film.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
-#include "gearfilm/ehl/preconditioner.hpp"
 
 namespace gearfilm {
 namespace {
@@ -14,27 +14,27 @@ protected:
     ContactFilm film(discretisation, pitch.scales, MultigridOptions{});
     film.set_conditions(away_from_pitch());
     std::vector<double> rows(grid.local_size());
-    film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());
+    film.evaluate(own_part(grid, solution.pressure), solution.H0);
     state.pressure = film.pressure();
-    state.film = film.film();
+    state.thickness = film.thickness();
     FilmProperties(pitch.scales).evaluate(state);
     exchange_ghosts(Halo(grid), state);
-    reynolds_residual(grid, entrainment, state, nullptr, rows.data());
+    reynolds_residual(grid, entrainment, state, {}, rows);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         if (!grid.is_boundary(i, j)) right_side[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);
       }
     }
-    fine.update(state, entrainment, storage_shift);
-    coarse.update(fine, entrainment, storage_shift);
+    fine.update(state, entrainment, shift);
+    coarse.update(fine, entrainment, shift);
   }
 
   /// The preconditioner's answer to the right side.
   std::vector<double> preconditioned(const MultigridOptions& options) {
-    const auto preconditioner = make_film_preconditioner(*discretisation, options);
-    preconditioner->update(state, entrainment, storage_shift);
+    const auto preconditioner = make_linearised_film(*discretisation, options);
+    preconditioner->update(state, entrainment, shift);
     std::vector<double> change(grid.local_size());
-    preconditioner->apply(right_side.data(), change.data());
+    preconditioner->apply(right_side, change);
     return change;
   }
 
@@ -43,7 +43,7 @@ protected:
     EXPECT_LT(relative_difference(whole_of(grid, computed), whole_of(grid, expected)), 1e-12);
   }
 
-  static constexpr double storage_shift = 5.0;
+  static constexpr double shift = 5.0;
   const double entrainment = away_from_pitch().entrainment;
   FilmCase pitch = table3_pitch();
   const SharedDiscretisation discretisation = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(65, 33)), pitch.scales);
@@ -56,20 +56,20 @@ protected:
 
 TEST_F(Multigrid, one_level_is_the_smoother) {
   std::vector<double> expected(grid.local_size());
-  fine.smooth(right_side.data(), expected.data(), 3, true);
+  fine.smooth(right_side, expected, 3, true);
   expect_same(preconditioned({.levels = 1, .smoothing_sweeps = 3, .precision = Precision::double_precision}), expected);
 }
 
 TEST_F(Multigrid, two_levels_are_the_cycle_put_together_by_hand) {
   std::vector<double> change(grid.local_size()), rows(grid.local_size());
   std::vector<double> coarse_residual(coarse.grid().local_size()), correction(coarse.grid().local_size());
-  fine.smooth(right_side.data(), change.data(), 2, true);
-  fine.multiply(change.data(), rows.data());
+  fine.smooth(right_side, change, 2, true);
+  fine.multiply(change, rows);
   for (std::size_t n = 0; n < rows.size(); ++n) rows[n] = right_side[n] - rows[n];
-  coarse.restrict_from(fine, rows.data(), coarse_residual.data());
-  coarse.smooth(coarse_residual.data(), correction.data(), 5, true);
-  coarse.interpolate_to(fine, correction.data(), change.data());
-  fine.smooth(right_side.data(), change.data(), 2, false);
+  coarse.restrict_from(fine, rows, coarse_residual);
+  coarse.smooth(coarse_residual, correction, 5, true);
+  coarse.interpolate_to(fine, correction, change);
+  fine.smooth(right_side, change, 2, false);
   expect_same(preconditioned(
                   {.levels = 2, .smoothing_sweeps = 2, .coarse_sweeps = 5, .precision = Precision::double_precision}),
               change);
@@ -81,10 +81,9 @@ TEST_F(Multigrid, finest_operator_is_the_jacobian) {
   ContactFilm film(discretisation, pitch.scales, MultigridOptions{.precision = Precision::double_precision});
   film.set_conditions(away_from_pitch());
   std::vector<double> rows(grid.local_size()), expected(grid.local_size());
-  film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, rows.data());
-  film.linearise(storage_shift);
-  film.multiply(right_side.data(), 0.0, expected.data());
-  fine.multiply(right_side.data(), rows.data());
+  film.linearise(own_part(grid, solution.pressure), solution.H0, {}, shift);
+  film.multiply(right_side, 0.0, expected);
+  fine.multiply(right_side, rows);
   expect_same(rows, expected);
 }
 

@@ -48,13 +48,13 @@ protected:
   /// Residual on own nodes of given pressure and film.
   template <class Pressure, class Film>
   std::vector<double> residual_of(const Grid& grid, FilmState& state, Pressure pressure, Film film,
-                                  const double* storage_rate = nullptr) {
+                                  std::span<const double> squeeze_rate = {}) {
     fill(grid, state.pressure, pressure);
-    fill(grid, state.film, film);
+    fill(grid, state.thickness, film);
     FilmProperties(isoviscous_scales()).evaluate(state);
     exchange_ghosts(Halo(grid), state);
     std::vector<double> residual(grid.local_size());
-    reynolds_residual(grid, entrainment, state, storage_rate, residual.data());
+    reynolds_residual(grid, entrainment, state, {squeeze_rate}, residual);
     return residual;
   }
 
@@ -118,7 +118,7 @@ TEST_F(Reynolds, squeeze_term_is_added_to_the_residual) {
     for (int j = 0; j < grid_.y_count(); ++j) rate[i * grid_.y_count() + j] = noise(i, grid_.y_begin() + j);
   }
   const auto without = residual_of(grid_, state_, pressure, film);
-  const auto with = residual_of(grid_, state_, pressure, film, rate.data());
+  const auto with = residual_of(grid_, state_, pressure, film, rate);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       const int n = i * grid_.y_count() + j;
@@ -155,7 +155,7 @@ TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
   const ReynoldsWeights weights(grid_, entrainment);
   const auto pressure = [&](double x, double y) { return std::sin(17.0 * x + 3.0) * std::sin(13.0 * y + 1.0); };
   const auto film = [](double x, double y) { return film_at(x, y).value; };
-  const auto shifted = residual_of(grid_, state_, pressure, film, sucking.data());
+  const auto shifted = residual_of(grid_, state_, pressure, film, sucking);
   const auto residual = residual_of(grid_, state_, pressure, film);
   int counts[2] = {0, 0};
   for (int i = 1; i < grid_.nx() - 1; ++i) {
@@ -201,7 +201,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
   const auto state_at = [&](double pressure_change, double film_change) {
     FilmState state(grid);
     fill(grid, state.pressure, [&](double x, double y) { return pressure_change + 0.5 + 0.2 * x + 0.1 * y; });
-    fill(grid, state.film, [&](double x, double y) { return film_change + 0.1 - 0.02 * x + 0.05 * y; });
+    fill(grid, state.thickness, [&](double x, double y) { return film_change + 0.1 - 0.02 * x + 0.05 * y; });
     properties.evaluate(state);
     return state;
   };
@@ -212,7 +212,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
   const FilmState more_h = state_at(0.0, step), less_h = state_at(0.0, -step);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      const double p = scales.pressure * state.pressure.row(i)[j], h = state.film.row(i)[j];
+      const double p = scales.pressure * state.pressure.row(i)[j], h = state.thickness.row(i)[j];
       const double density = relative_density(scales.oil, p).value;
       const double viscosity = std::exp(log_relative_viscosity(scales.oil, p).value);
       const double xi = density * h * h * h / (viscosity * scales.lambda);
@@ -221,7 +221,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
       const auto central = [&](const Field<double>& more, const Field<double>& less) {
         return (more.row(i)[j] - less.row(i)[j]) / (2.0 * step);
       };
-      const double xi_p = state.conductance_by_pressure.row(i)[j], xi_h = state.conductance_by_film.row(i)[j];
+      const double xi_p = state.conductance_by_pressure.row(i)[j], xi_h = state.conductance_by_thickness.row(i)[j];
       const double rho_p = state.density_by_pressure.row(i)[j];
       EXPECT_NEAR(central(more_p.density, less_p.density), rho_p, tolerance * rho_p);
       EXPECT_NEAR(central(more_p.conductance, less_p.conductance), xi_p, tolerance * std::abs(xi_p));
@@ -233,9 +233,9 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
 TEST(FilmProperties, film_below_zero_conducts_nothing) {
   const Grid grid(PETSC_COMM_WORLD, {5, 9, -1.0, 1.0, 1.0});
   FilmState state(grid);
-  fill(grid, state.film, [](double x, double) { return x - 2.0; });
+  fill(grid, state.thickness, [](double x, double) { return x - 2.0; });
   FilmProperties(table3_pitch().scales).evaluate(state);
-  for (const auto* field : {&state.conductance, &state.conductance_by_film, &state.conductance_by_pressure}) {
+  for (const auto* field : {&state.conductance, &state.conductance_by_thickness, &state.conductance_by_pressure}) {
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) EXPECT_EQ(field->row(i)[j], 0.0);
     }

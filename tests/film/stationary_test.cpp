@@ -44,7 +44,7 @@ void expect_row(const FilmCase& film_case, const nlohmann::json& row) {
   options.newton.tolerance = 1e-10;  // what symmetry and balance are then good to is far below what is asked
   const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"), options);
   const FilmFigures& figures = solved.result.figures;
-  const double metres = film_case.scales.film;
+  const double metres = film_case.scales.thickness;
   const std::pair<const char*, double> values[] = {
       {"H_central", figures.central_film},       {"H_min", figures.smallest_film},
       {"H0", solved.result.solution.H0},         {"h_central", metres * figures.central_film},
@@ -100,9 +100,9 @@ TEST(Stationary, same_answer_on_any_number_of_processes) {
   for (const auto& [film_case, nx, ny] : {std::tuple{table3_pitch(), 129, 65}, {circular_contact(), 65, 65}}) {
     const SolvedFilm distributed(PETSC_COMM_WORLD, film_case, nx, ny);
     const SolvedFilm alone(PETSC_COMM_SELF, film_case, nx, ny);
-    const auto film = whole_of(alone.grid, alone.film.film());
+    const auto film = whole_of(alone.grid, alone.film.thickness());
     double difference = 0.0;
-    const auto other = whole_of(distributed.grid, distributed.film.film());
+    const auto other = whole_of(distributed.grid, distributed.film.thickness());
     for (std::size_t n = 0; n < film.size(); ++n) difference = std::max(difference, std::abs(other[n] / film[n] - 1.0));
     // Two solutions to a residual of 1e-8.
     EXPECT_LT(difference, 1e-6);
@@ -121,7 +121,7 @@ TEST(Stationary, pressure_and_flow_are_complementary) {
   constexpr double suction = 1e6;
   const std::vector<double> sucking(pressure.size(), -suction);
   std::vector<double> residual(pressure.size());
-  solved.film.residual(pressure.data(), H0, sucking.data(), residual.data());
+  solved.film.residual(pressure, H0, {sucking}, residual);
   int counts[2] = {0, 0};
   for (int i = 0; i < solved.grid.nx(); ++i) {
     for (int j = 0; j < solved.grid.y_count(); ++j) {
@@ -155,7 +155,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
   const Grid grid(PETSC_COMM_WORLD, shape);
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   constexpr double offset = 0.01;
-  film.set_conditions({.radius_ratio = solids.radius_x / pitch.scales.solids.radius_x,
+  film.set_conditions({.relative_radius = solids.radius_x / pitch.scales.solids.radius_x,
                        .entrainment = operation.entrainment_velocity / pitch.scales.operation.entrainment_velocity,
                        .gap_offset = offset});
   const auto result = solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{});
@@ -168,13 +168,15 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
 
   // Two solutions to a residual of 1e-8.
   constexpr double tolerance = 1e-6;
-  const double h = own.film * own_result.figures.central_film, h_min = own.film * own_result.figures.smallest_film;
-  EXPECT_NEAR(pitch.scales.film * result.figures.central_film, h, tolerance * h);
-  EXPECT_NEAR(pitch.scales.film * result.figures.smallest_film, h_min, tolerance * h_min);
+  const double h = own.thickness * own_result.figures.central_film,
+               h_min = own.thickness * own_result.figures.smallest_film;
+  EXPECT_NEAR(pitch.scales.thickness * result.figures.central_film, h, tolerance * h);
+  EXPECT_NEAR(pitch.scales.thickness * result.figures.smallest_film, h_min, tolerance * h_min);
   const double p = own.pressure * own_result.figures.largest_pressure;
   EXPECT_NEAR(pitch.scales.pressure * result.figures.largest_pressure, p, tolerance * p);
   // H_0 falls by the offset that is added to the gap.
-  EXPECT_NEAR(pitch.scales.film * (result.solution.H0 + offset), own.film * own_result.solution.H0, tolerance * h);
+  EXPECT_NEAR(pitch.scales.thickness * (result.solution.H0 + offset), own.thickness * own_result.solution.H0,
+              tolerance * h);
 }
 
 class StationaryLoad : public testing::Test {

@@ -272,7 +272,7 @@ TEST(Scales, stationary_film_of_table3_is_the_same_with_and_without_dimensions) 
   const Scales scales = make_scales(pitch.solids, pitch.oil, pitch.operation);
   const auto& film = table3::reference().at("steady_pitch").at(0);
   const double expected = film.at("h_central");
-  EXPECT_NEAR(film.at("H_central").get<double>() * scales.film, expected, 1e-4 * expected);  // printed digits
+  EXPECT_NEAR(film.at("H_central").get<double>() * scales.thickness, expected, 1e-4 * expected);  // printed digits
 }
 
 TEST(FilmFormulas, agree_with_the_computed_film_of_table3_as_far_as_they_go) {

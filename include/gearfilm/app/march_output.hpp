@@ -21,9 +21,9 @@ enum class MarchPurpose { march, search };
 class MarchOutput {
 public:
   /// Creates results.h5 in the run's folder; where a run goes on, it takes the place of the earlier one as soon as it
-  /// holds the same. expected_periods: the whole of the work, for the time left.
-  MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const ContactPath& path, MarchPurpose purpose,
-              const std::string& command, double expected_periods);
+  /// holds the same. The mesh must outlive the output. expected_periods: the whole of the work, for the time left.
+  MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const MeshModel& mesh, MarchPurpose purpose,
+              double expected_periods);
 
   void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
 
@@ -45,7 +45,7 @@ private:
 
   Checkpoint& checkpoint_;
   const Case& problem_;
-  const ContactPath& path_;
+  const MeshModel& mesh_;
   MarchPurpose purpose_;
   bool lubricated_;
   double expected_periods_;
@@ -62,6 +62,6 @@ private:
 /// Figures of one mesh period, in SI.
 Summary period_summary(const Scales& scales, const PeriodFigures& period);
 /// All of a march: its periods, their extremes, events and losses of contact.
-Summary march_summary(const Case& problem, const ContactPath& path, const MarchStatistics& statistics);
+Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics);
 
 }  // namespace gearfilm

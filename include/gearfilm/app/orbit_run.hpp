@@ -33,13 +33,13 @@ struct OrbitObservers {
 };
 
 /// Throws SolveError where no orbit is found, and Stopped.
-OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers);
 
 /// Its figures in SI.
-Summary orbit_summary(const Case& problem, const OrbitRun& run);
+Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run);
 
 /// Multipliers, and the free oscillation they mean, added to a summary.
-void add_multipliers(const Case& problem, const std::array<std::complex<double>, 2>& pair, Summary& summary);
+void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary);
 
 }  // namespace gearfilm

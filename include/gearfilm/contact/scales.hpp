@@ -20,7 +20,7 @@ struct Scales {
 
   double length = 0.0;        ///< a [m]: X, Y
   double pressure = 0.0;      ///< p_h [Pa]: P
-  double film = 0.0;          ///< a^2/R_x* [m]: H
+  double thickness = 0.0;     ///< a^2/R_x* [m]: H
   double time = 0.0;          ///< t* [s]: T
   double lambda = 0.0;        ///< Reynolds number group [-]
   double C_h = 0.0;           ///< elastic deformation coefficient [-]

@@ -30,10 +30,10 @@ struct ContactField {
 namespace field {
 inline constexpr ContactField pressure{.name = "pressure", .dataset = "P", .unit = units::pascal, .smallest = 0.0};
 /// Film thickness: of snapshots only, since it follows from pressure and motion.
-inline constexpr ContactField film{.name = "film", .dataset = "H", .unit = units::metre};
+inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = units::metre};
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
-inline constexpr auto all = std::to_array<ContactField>({pressure, film, rate});
+inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field
 
 /// A name that says nothing else of itself is a pure number, written under its name and compared.

@@ -2,26 +2,20 @@
 #pragma once
 
 #include "gearfilm/dynamics/figure.hpp"
+#include "gearfilm/dynamics/meshed_contact.hpp"
 #include "gearfilm/ehl/contact_film.hpp"
-#include "gearfilm/gear/line_of_action.hpp"
 
 namespace gearfilm {
 
 /// What a contact's figures are computed from: one contact at one time.
 struct ContactMoment {
   const Scales& scales;
-  ContactConditions conditions;
-  FilmFigures film;                    ///< of a dry contact: its pressure integral and pressures only
-  double position = 0.0;               ///< xi [m]
-  const LineOfAction* line = nullptr;  ///< null for a bare contact
-  double pinion_speed = 0.0;           ///< [rad/s]
+  MeshedContact contact;
+  FilmFigures film;  ///< of a dry contact: its pressure integral and pressures only
 };
 
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const ContactMoment& at);
-/// u_1 - u_2 in units of u_m*.
-double sliding_of(const ContactMoment& at);
-
 inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
     {.name = "force",
      .symbol = "w",
@@ -73,7 +67,7 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
     {.name = "sliding_velocity",
      .symbol = "u_1 - u_2",
      .unit = units::velocity,
-     .value = sliding_of,
+     .value = [](const ContactMoment& at) { return at.contact.sliding.value(); },
      .meaning = "surface velocity of the pinion less that of the wheel: negative before the pitch point, positive "
                 "behind it",
      .needs = Needs::gears,
@@ -98,7 +92,7 @@ struct ContactFigures {
   double operator[](ContactFigureName name) const { return values[name.place]; }
 };
 
-/// All that the moment has. Those of gears are zero without a line of action.
+/// All that the moment has. Those of gears are zero for a bare contact.
 ContactFigures figures_of(const ContactMoment& at);
 
 /// What the film itself gave, out of the figures.

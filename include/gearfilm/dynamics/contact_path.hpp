@@ -1,4 +1,4 @@
-// Which tooth contacts exist at a dimensionless time T, where, and in which conditions.
+// Which tooth contacts exist at a dimensionless time T, and where.
 //
 // Contact n sits at xi_n(T) = xi_start + velocity T - n p_b while entry <= xi_n <= exit; contact 0 leads at T = 0,
 // higher numbers follow. With held geometry the contacts stay where they are at T = 0, while their surfaces go on
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
 
 namespace gearfilm {
@@ -30,8 +29,6 @@ public:
   }
   double entry_time(int contact) const { return (line_.entry() + contact * line_.base_pitch() - start_) / velocity_; }
   double exit_time(int contact) const { return (line_.exit() + contact * line_.base_pitch() - start_) / velocity_; }
-  /// R_x, U of a contact relative to the reference contact.
-  ContactConditions conditions(int contact, double T) const;
 
   /// Contacts just after T, the leading one first. A contact at its exit has left, one at its entry is there.
   std::vector<int> contacts_after(double T) const;
@@ -58,8 +55,6 @@ private:
   double pinion_speed_;
   double velocity_;  ///< d(xi)/dT [m]
   double start_;
-  double reference_radius_;
-  double reference_velocity_;
 };
 
 }  // namespace gearfilm

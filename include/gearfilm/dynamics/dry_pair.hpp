@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
+#include "gearfilm/dynamics/mesh_model.hpp"
 
 namespace gearfilm {
 
@@ -17,16 +17,17 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
 
 class DryMarch {
 public:
-  /// Inertia I_n; steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A keeper
-  /// must outlive the march.
-  DryMarch(const Scales& scales, const ContactPath& path, double inertia, double dT, StepObserver observer,
-           double damping = 0.0, MarchKeeper* keeper = nullptr);
+  /// Steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A keeper must outlive the
+  /// march.
+  DryMarch(const MeshModel& mesh, double dT, StepObserver observer, double damping = 0.0,
+           MarchKeeper* keeper = nullptr);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);
   /// One run of the march (march_keeper.hpp).
   void run(double T_end);
 
+  const MeshModel& mesh() const { return mesh_; }
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
 
@@ -35,9 +36,7 @@ private:
   void integrate(const std::vector<int>& contacts, double T_end);
   void observe(double dT, double wall_seconds) const;
 
-  Scales scales_;
-  const ContactPath& path_;
-  double inertia_;
+  MeshModel mesh_;
   double damping_;  ///< c
   double dT_;
   StepObserver observer_;

@@ -25,7 +25,7 @@ namespace units {
 inline constexpr Unit number{"-", [](const Scales&, double value) { return value; }};
 inline constexpr Unit count{"-", [](const Scales&, double value) { return value; }, true};
 inline constexpr Unit seconds{"s", [](const Scales&, double value) { return value; }};
-inline constexpr Unit metre{"m", [](const Scales& scales, double value) { return scales.film * value; }};
+inline constexpr Unit metre{"m", [](const Scales& scales, double value) { return scales.thickness * value; }};
 inline constexpr Unit pascal{"Pa", [](const Scales& scales, double value) { return scales.pressure * value; }};
 inline constexpr Unit newton{"N", [](const Scales& scales, double value) { return scales.force(value); }};
 /// A force over the static force.

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "gearfilm/dynamics/march_keeper.hpp"
-#include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 
@@ -20,14 +19,17 @@ namespace gearfilm {
 /// conditioned: it takes more Krylov iterations, but cheap ones; 0, all levels, beyond.
 int step_levels(const Grid& grid, double dT);
 
+struct MarchOptions {
+  SolverOptions films;  ///< of the films' own solvers
+  StepOptions steps;
+};
+
 class MeshMarch {
 public:
-  /// All contacts have films of this discretisation; inertia I_n. `films` configures the films' own solvers. With a
-  /// prescribed load the path has a single contact, and an inertia of zero means the quasi-static balance. A keeper
+  /// All contacts have films of this discretisation. With a prescribed load the mesh has a single contact. A keeper
   /// must outlive the march.
-  MeshMarch(SharedDiscretisation discretisation, const Scales& scales, const ContactPath& path, double inertia,
-            const SolverOptions& films, const StepOptions& steps, StepObserver observer,
-            std::optional<PrescribedLoad> load = {}, MarchKeeper* keeper = nullptr);
+  MeshMarch(SharedDiscretisation discretisation, const MeshModel& mesh, const MarchOptions& options,
+            StepObserver observer, MarchKeeper* keeper = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
@@ -42,43 +44,36 @@ public:
   /// cannot flow away in it stays.
   void displace(const Motion& motion);
 
-  /// The contacts that exist now, with their films.
-  std::vector<PairContact> contacts() const;
+  /// The contacts that exist now, the leading one first.
+  const std::vector<LiveContact>& contacts() const { return contacts_; }
 
+  const MeshModel& mesh() const { return mesh_; }
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
 
 private:
-  struct Tooth {
-    int contact = 0;
-    ContactFilm* film = nullptr;
-    ContactFields state;
-  };
-
-  /// Stationary film of a contact at T_ and the present H_0, from a neighbour's pressure or from nothing.
-  Tooth enter(int contact, const ContactFields* neighbour);
+  /// A contact that enters at T_: its stationary film at the present H_0, from a neighbour's pressure or from nothing.
+  LiveContact enter(int number, const ContactFields* neighbour);
   void balance_at_rest();
   /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
-  bool follow(const Tooth& tooth, double H0, ContactFields& after) const;
+  bool follow(const LiveContact& contact, double H0, ContactFields& after) const;
   void exchange_contacts();
   void observe(const StepRecord& record) const;
+  /// At the fields and the motion of now.
+  FilmFigures present_figures(const LiveContact& contact) const;
   void observe_present() const;
   ContactFilm* free_film();
   void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
-  std::string label(int contact) const;
+  std::string label(int number) const;
 
   SharedDiscretisation discretisation_;
-  Scales scales_;
-  const ContactPath& path_;
-  double inertia_;
-  SolverOptions film_options_;
-  StepOptions step_options_;
+  MeshModel mesh_;
+  MarchOptions options_;
   StepObserver observer_;
-  std::optional<PrescribedLoad> load_;
   MarchKeeper* keeper_;
   std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
-  std::vector<Tooth> teeth_;                         ///< leading contact first
+  std::vector<LiveContact> contacts_;
   double T_ = 0.0;
   Motion motion_;
 };

@@ -6,7 +6,7 @@
 
 #include "gearfilm/dynamics/contact_fields.hpp"
 #include "gearfilm/dynamics/contact_figures.hpp"
-#include "gearfilm/dynamics/contact_path.hpp"
+#include "gearfilm/dynamics/mesh_model.hpp"
 
 namespace gearfilm {
 
@@ -17,14 +17,13 @@ struct Motion {
 };
 
 struct ContactRecord {
-  int contact = 0;      ///< number of the tooth pair, counted from the leading one at T = 0
+  int number = 0;       ///< of the tooth pair, counted from the leading one at T = 0
   double position = 0;  ///< xi [m]
   ContactFigures figures;
 };
 
 /// The record of a contact of which the film, or the dry contact, gave these figures at time T.
-ContactRecord contact_record(const ContactPath& path, const Scales& scales, int contact, double T,
-                             const FilmFigures& film);
+ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& film);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -45,9 +44,9 @@ struct StepRecord {
 
 /// A tooth contact that is being computed.
 struct LiveContact {
-  int contact = 0;
-  const ContactFilm* film = nullptr;      ///< null in the dry model
-  const ContactFields* fields = nullptr;  ///< as the last segment left them: pressures are those of the film
+  int number = 0;
+  ContactFilm* film = nullptr;  ///< at its present state; null in the dry model
+  ContactFields fields{};       ///< as the last segment left them
 };
 
 /// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).

@@ -6,9 +6,9 @@
 namespace gearfilm {
 
 struct ContactConditions {
-  double radius_ratio = 1.0;  ///< Rbar = R_x/R_x* [-]
-  double entrainment = 1.0;   ///< U = u_m/u_m* [-]
-  double gap_offset = 0.0;    ///< added to H: tip relief, pitch error [-]
+  double relative_radius = 1.0;  ///< Rbar = R_x/R_x* [-]
+  double entrainment = 1.0;      ///< U = u_m/u_m* [-]
+  double gap_offset = 0.0;       ///< added to H: tip relief, pitch error [-]
 
   bool operator==(const ContactConditions&) const = default;
 };

@@ -1,17 +1,19 @@
 // The film of one contact on one grid: the nonlinear equations in (P, H_0), their exact Jacobian, a preconditioner.
 //
 //   H = H_0 + offset + X^2/(2 Rbar) + D Y^2/2 + K P            film thickness (24), K of deformation.hpp
-//   G(P, H_0) = min(d P, R)                                    Reynolds' equation with cavitation, reynolds.hpp
+//   G(P, H_0; d(rho H)/dT) = min(d P, R)                       Reynolds' equation with cavitation, reynolds.hpp
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
-// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous).
+// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
+// depends on a state is told it; a state that is the same as in the call before is not computed again.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/ehl/deformation.hpp"
-#include "gearfilm/ehl/preconditioner.hpp"
+#include "gearfilm/ehl/linearised_film.hpp"
 #include "gearfilm/ehl/reynolds.hpp"
 
 namespace gearfilm {
@@ -36,35 +38,43 @@ public:
   const ContactConditions& conditions() const { return conditions_; }
   void set_conditions(const ContactConditions& conditions);
 
-  /// Film and oil at (pressure, H_0), which figures() and the fields then describe.
-  void evaluate(const double* pressure, double H0);
-  /// G at (pressure, H_0). Film and oil are not computed again when the state is the one of the last call.
-  void residual(const double* pressure, double H0, const Squeeze& squeeze, double* residual);
-  /// rho H at (pressure, H_0): what the time scheme differentiates.
-  void storage(const double* pressure, double H0, double* storage);
+  // Collective, all of them.
 
-  /// Prepares multiply() and precondition() at the state of the last residual().
-  void linearise(double storage_shift);
+  /// Film and oil at (pressure, H_0), which state() and the fields then show.
+  void evaluate(std::span<const double> pressure, double H0);
+  FilmFigures figures(std::span<const double> pressure, double H0);
+  /// rows = G at (pressure, H_0).
+  void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows);
+  /// mass = rho H at (pressure, H_0): what the time scheme differentiates.
+  void mass(std::span<const double> pressure, double H0, std::span<double> mass);
+
+  /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
+  /// says which nodes are wet.
+  void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift);
   /// rows = dG/dP change + dG/dH_0 change_H0.
-  void multiply(const double* change, double change_H0, double* rows);
-  /// The part of multiply() that grows with the storage shift: the change of rho H, zero where cavitated.
-  void multiply_storage(const double* change, double change_H0, double* rows);
+  void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
+  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. This and
+  /// precondition() read the state: they are errors once another one was evaluated.
+  void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
+  /// change = approximately (dG/dP)^-1 rows.
+  void precondition(std::span<const double> rows, std::span<double> change);
   /// dG/dH_0.
-  const std::vector<double>& film_shift() const { return film_shift_; }
-  /// change = approximately (dG/dP)^-1 residual.
-  void precondition(const double* residual, double* change) { linearised_->apply(residual, change); }
+  std::span<const double> displacement_column() const { return displacement_column_; }
 
-  /// Of the last state.
-  FilmFigures figures() const;
+  // Of the state that was evaluated last.
   const FilmState& state() const { return state_; }
   const Field<double>& pressure() const { return state_.pressure; }
-  const Field<double>& film() const { return state_.film; }
+  const Field<double>& thickness() const { return state_.thickness; }
   /// Convolutions so far on this grid, but for those of the preconditioner.
   long convolutions() const { return convolutions_; }
 
 private:
-  bool is_current(const double* pressure, double H0) const;
-  FilmPreconditioner& linearisation_for(double storage_shift);
+  bool is_current(std::span<const double> pressure, double H0) const;
+  bool has_mask_of(const Squeeze& squeeze) const;
+  /// G at the evaluated state, and with it which nodes are wet.
+  void find_wet(const Squeeze& squeeze, std::span<double> rows);
+  LinearisedFilm& linearisation_for(double shift);
+  void require_linearised_state() const;
 
   SharedDiscretisation discretisation_;
   const Grid& grid_;
@@ -74,18 +84,22 @@ private:
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;
-  std::unique_ptr<FilmPreconditioner> usual_;   ///< in the precision of the options
-  std::unique_ptr<FilmPreconditioner> double_;  ///< for stiff squeezing; made when first needed
-  FilmPreconditioner* linearised_ = nullptr;    ///< the one of them that is prepared
-  std::vector<double> film_shift_;              ///< dG/dH_0
+  std::unique_ptr<LinearisedFilm> as_ordered_;  ///< in the precision of the options
+  std::unique_ptr<LinearisedFilm> for_stiff_;   ///< in double precision, for stiff squeezing; made when first needed
+  LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
+  bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
+  std::vector<double> displacement_column_;     ///< dG/dH_0
   Field<double> change_, deformed_;
   std::vector<double> evaluated_pressure_;
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
+  std::vector<double> masked_rate_;  ///< d(rho H)/dT with which the wet nodes were found; empty: none
+  double masked_shift_ = 0.0;
+  bool masked_ = false;  ///< the evaluated state has its wet nodes
   long convolutions_ = 0;
 };
 
 /// Pressure of a dry contact on the own nodes, zero on the boundary; compact.
-void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, double* pressure);
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure);
 
 }  // namespace gearfilm

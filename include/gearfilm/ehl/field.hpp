@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "gearfilm/ehl/grid.hpp"
@@ -25,17 +27,17 @@ public:
   std::size_t size() const { return values_.size(); }
 
   /// Copies own nodes from, or to, a compact array of nx*y_count values (the local part of a PETSc vector).
-  template <class Other>
-  void load(const Other* compact) {
-    for (int i = 0; i < nx_; ++i) std::copy_n(compact + static_cast<std::size_t>(i) * y_count_, y_count_, row(i));
+  void load(std::span<const double> compact) {
+    for (int i = 0; i < nx_; ++i) std::copy_n(compact.begin() + line_at(i), y_count_, row(i));
   }
-  template <class Other>
-  void store(Other* compact) const {
-    for (int i = 0; i < nx_; ++i) std::copy_n(row(i), y_count_, compact + static_cast<std::size_t>(i) * y_count_);
+  void store(std::span<double> compact) const {
+    for (int i = 0; i < nx_; ++i) std::copy_n(row(i), y_count_, compact.begin() + line_at(i));
   }
   void fill(Real value) { std::fill(values_.begin(), values_.end(), value); }
 
 private:
+  std::ptrdiff_t line_at(int i) const { return static_cast<std::ptrdiff_t>(i) * y_count_; }
+
   int nx_;
   int y_count_;
   std::vector<Real> values_;

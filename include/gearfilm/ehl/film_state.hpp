@@ -15,34 +15,34 @@ namespace gearfilm {
 struct FilmState {
   explicit FilmState(const Grid& grid)
       : pressure(grid),
-        film(grid),
+        thickness(grid),
         density(grid),
         density_by_pressure(grid),
         conductance(grid),
         conductance_by_pressure(grid),
-        conductance_by_film(grid),
+        conductance_by_thickness(grid),
         wet(grid),
         row_scale(grid) {}
 
-  Field<double> pressure;                 ///< P
-  Field<double> film;                     ///< H
-  Field<double> density;                  ///< rho
-  Field<double> density_by_pressure;      ///< d rho/dP
-  Field<double> conductance;              ///< xi_R
-  Field<double> conductance_by_pressure;  ///< d xi_R/dP at constant H
-  Field<double> conductance_by_film;      ///< d xi_R/dH at constant P
-  Field<double> wet;                      ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
-  Field<double> row_scale;                ///< d, the factor of P in the row of a node that is not wet
+  Field<double> pressure;                  ///< P
+  Field<double> thickness;                 ///< H
+  Field<double> density;                   ///< rho
+  Field<double> density_by_pressure;       ///< d rho/dP
+  Field<double> conductance;               ///< xi_R
+  Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
+  Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
+  Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
+  Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
 };
 
 /// All fields of a state, for what treats them alike (injection, gathering).
 inline constexpr std::array<Field<double> FilmState::*, 9> state_fields = {&FilmState::pressure,
-                                                                           &FilmState::film,
+                                                                           &FilmState::thickness,
                                                                            &FilmState::density,
                                                                            &FilmState::density_by_pressure,
                                                                            &FilmState::conductance,
                                                                            &FilmState::conductance_by_pressure,
-                                                                           &FilmState::conductance_by_film,
+                                                                           &FilmState::conductance_by_thickness,
                                                                            &FilmState::wet,
                                                                            &FilmState::row_scale};
 

@@ -12,9 +12,9 @@ public:
   explicit Gather(const Grid& grid);
 
   /// Own part -> whole field, on all processes. Collective.
-  void to_all(const double* own, double* whole) const;
+  void to_all(std::span<const double> own, std::span<double> whole) const;
   /// Whole field -> own part.
-  void own_part(const double* whole, double* own) const;
+  void own_part(std::span<const double> whole, std::span<double> own) const;
 
 private:
   using OwnedScatter = PetscHandle<VecScatter, VecScatterDestroy>;

@@ -1,14 +1,14 @@
 // Int Int over the grid of values at its nodes, common to all processes.
 #pragma once
 
-#include <cstddef>
+#include <span>
 
 #include "gearfilm/ehl/grid.hpp"
 
 namespace gearfilm {
 
-/// h_x h_y times the sum of `count` values of this process, those of the others, and their mirror images: the own
+/// h_x h_y times the sum of the values of this process, those of the others, and their mirror images: the own
 /// nodes of one field, compact, or of several fields one after the other. Collective.
-double integral(const Grid& grid, const double* values, std::size_t count);
+double integral(const Grid& grid, std::span<const double> values);
 
 }  // namespace gearfilm

@@ -15,8 +15,8 @@
 #include <array>
 
 #include "gearfilm/ehl/deformation.hpp"
+#include "gearfilm/ehl/film_stencil.hpp"
 #include "gearfilm/ehl/halo.hpp"
-#include "gearfilm/ehl/linear_film.hpp"
 
 namespace gearfilm {
 
@@ -26,7 +26,7 @@ public:
   LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Real>& deformation);
 
   /// Builds and factors the bands of all lines.
-  void factor(const LinearFilm<Real>& linear, const FilmState& state);
+  void factor(const FilmStencil<Real>& linear, const FilmState& state);
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   void relax(Field<Real>& residual, Field<Real>& change);
 
@@ -46,9 +46,9 @@ private:
   }
   void choose_unknowns(const FilmState& state);
   template <int offset>
-  void assemble_diagonal(const LinearFilm<Real>& linear, int i);
+  void assemble_diagonal(const FilmStencil<Real>& linear, int i);
   template <int... index>
-  void assemble_line(const LinearFilm<Real>& linear, int i, std::integer_sequence<int, index...>);
+  void assemble_line(const FilmStencil<Real>& linear, int i, std::integer_sequence<int, index...>);
   void factor_bands();
   void solve_bands(Field<Real>& values);
 

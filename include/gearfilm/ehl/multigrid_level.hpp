@@ -24,19 +24,19 @@ public:
 
   /// Linearises about a state with ghosts and wet mask, which must stay until the next update, and factors the
   /// smoother.
-  void update(const FilmState& state, double entrainment, double storage_shift);
+  void update(const FilmState& state, double entrainment, double shift);
   /// The same about the finer level's state, injected here.
-  void update(const MultigridLevel& finer, double entrainment, double storage_shift);
+  void update(const MultigridLevel& finer, double entrainment, double shift);
 
   /// rows = linearised film * change; compact.
-  void multiply(const double* change, double* rows);
+  void multiply(std::span<const double> change, std::span<double> rows);
   /// Rows for a change of 1 of the film everywhere; compact.
-  void film_shift(double* column) const { film_shift_column(linear_, column); }
+  void displacement_column(std::span<double> column) const { gearfilm::displacement_column(linear_, column); }
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
-  void smooth(const double* right_side, double* change, int sweeps, bool zero_guess);
+  void smooth(std::span<const double> right_side, std::span<double> change, int sweeps, bool zero_guess);
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
-  void restrict_from(MultigridLevel& fine, const double* fine_residual, double* residual);
-  void interpolate_to(MultigridLevel& fine, const double* correction, double* fine_change);
+  void restrict_from(MultigridLevel& fine, std::span<const double> fine_residual, std::span<double> residual);
+  void interpolate_to(MultigridLevel& fine, std::span<const double> correction, std::span<double> fine_change);
 
 private:
   /// rows_ = linearised film * change_
@@ -44,7 +44,7 @@ private:
 
   const Discretisation& discretisation_;
   const Deformation<Real>& deformation_;
-  LinearFilm<Real> linear_;
+  FilmStencil<Real> linear_;
   LineSmoother<Real> smoother_;
   const FilmState* state_ = nullptr;
   std::unique_ptr<FilmState> injected_;  ///< where the state comes from a finer level

@@ -11,39 +11,39 @@
 // calls nodes cavitated that are not, the more of them the shorter the time step. Boundary nodes have G = d P.
 #pragma once
 
+#include <span>
+
 #include "gearfilm/ehl/film_state.hpp"
 
 namespace gearfilm {
 
 /// The squeeze term as a time scheme gives it.
 struct Squeeze {
-  Squeeze(const double* nodal_rate = nullptr, double scheme_shift = 0.0) : rate(nodal_rate), shift(scheme_shift) {}
-
-  const double* rate;  ///< d(rho H)/dT of the own nodes, compact; null for a stationary film
-  double shift;        ///< d(rate)/d(rho H); sets scales only
+  std::span<const double> rate{};  ///< d(rho H)/dT of the own nodes, compact; empty for a stationary film
+  double shift = 0.0;              ///< about d(rate)/d(rho H): sets the scale of cavitated rows
 };
 
 /// Weights of one node's equation that do not depend on the solution.
 struct ReynoldsWeights {
-  ReynoldsWeights(const Grid& grid, double entrainment, double squeeze_shift = 0.0)
+  ReynoldsWeights(const Grid& grid, double entrainment, double scheme_shift = 0.0)
       : inverse_h_x2(1.0 / (grid.h_x() * grid.h_x())),
         inverse_h_y2(1.0 / (grid.h_y() * grid.h_y())),
         wedge(entrainment / grid.h_x()),
-        squeeze(squeeze_shift) {}
+        shift(scheme_shift) {}
 
   /// d, the scale of a cavitated node's row.
   double row_scale(double conductance) const {
-    return 2.0 * conductance * (inverse_h_x2 + inverse_h_y2) + 0.05 * (wedge + squeeze);
+    return 2.0 * conductance * (inverse_h_x2 + inverse_h_y2) + 0.05 * (wedge + shift);
   }
 
   double inverse_h_x2;
   double inverse_h_y2;
-  double wedge;    ///< U/h_x
-  double squeeze;  ///< shift
+  double wedge;  ///< U/h_x
+  double shift;  ///< of the time scheme
 };
 
 /// Computes G on the own nodes, compact, and sets state.wet and state.row_scale. Needs the ghosts of the state.
 void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
-                       double* residual);
+                       std::span<double> residual);
 
 }  // namespace gearfilm

@@ -1,6 +1,7 @@
 // The node where a solver has failed: that of the largest residual, or of the first that is not a number.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "gearfilm/ehl/grid.hpp"
@@ -14,7 +15,7 @@ struct WorstNode {
 };
 
 /// Of a compact field. Collective.
-WorstNode worst_node(const Grid& grid, const double* field);
+WorstNode worst_node(const Grid& grid, std::span<const double> field);
 
 /// "residual 0.012 at X = 0.98, Y = 0.1".
 std::string describe(const WorstNode& node);

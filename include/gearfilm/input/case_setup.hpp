@@ -15,14 +15,15 @@ void require_inertia(const Case& problem);
 /// Throws InputError for a case whose march is of dry contacts, or of contacts that are held, where a command needs
 /// lubricated ones that travel.
 void require_moving_films(const Case& problem, const std::string& command);
+/// The case's pair in mesh, with a contact at the given position at T = 0 [m]. It has an inertia where the case has
+/// one.
+MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry = MeshGeometry::moving);
+/// The same, where a contact has just left at T = 0.
+MeshModel mesh_after_leaving(const Case& problem);
 /// A march of the case's lubricated pair.
-MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const ContactPath& path,
+MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper = nullptr);
-/// The dry pair's orbit, damped about as films do.
-DryOrbit damped_dry_orbit(const Case& problem, const ContactPath& path);
 /// Where the search for the case's periodic state begins: that orbit, its H_0 shifted by the film.
 OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry);
-/// The path of a march that starts just after a contact has left.
-ContactPath path_after_leaving(const Case& problem);
 
 }  // namespace gearfilm

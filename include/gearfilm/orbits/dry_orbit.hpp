@@ -11,22 +11,21 @@
 namespace gearfilm {
 
 /// About the damping ratio that films give a gear pair (0.007 to 0.009 for the case study at 7000 to 20000 rpm).
-constexpr double usual_film_damping = 0.008;
+constexpr double typical_film_damping = 0.008;
 
 struct DryOrbit {
-  Motion start;  ///< where path.position begins
+  Motion start;  ///< where the mesh begins
   Monodromy monodromy{};
   double largest_integral = 0.0;  ///< largest pressure integral of one contact
 };
 
-/// path: starts (T = 0) just after a contact has left; damping_ratio: of a viscous damper beside the contacts, relative
-/// to the linear natural frequency. Begins with a strongly damped pair, whose march finds its orbit by itself, and
-/// lowers the damping, each orbit starting from the last. Throws SolveError where no orbit is found.
-DryOrbit find_dry_orbit(const Scales& scales, const ContactPath& path, double inertia, double damping_ratio);
+/// The mesh starts (T = 0) just after a contact has left; damping_ratio: of a viscous damper beside the contacts,
+/// relative to the linear natural frequency. Begins with a strongly damped pair, whose march finds its orbit by itself,
+/// and lowers the damping, each orbit starting from the last. Throws SolveError where no orbit is found.
+DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio);
 
 /// The orbit next to a motion near it (that of a neighbouring speed, say). Nothing where the shooting does not
 /// converge.
-std::optional<DryOrbit> follow_dry_orbit(const Scales& scales, const ContactPath& path, double inertia,
-                                         double damping_ratio, const Motion& near);
+std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near);
 
 }  // namespace gearfilm

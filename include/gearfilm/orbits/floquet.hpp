@@ -28,7 +28,6 @@ struct FloquetMultipliers {
 
 /// The march goes on from the orbit's start, as often as the options say. Throws SolveError where a disturbed period
 /// cannot be marched.
-FloquetMultipliers floquet_multipliers(MeshMarch& march, const ContactPath& path, const PeriodicOrbit& orbit,
-                                       const FloquetOptions& options);
+FloquetMultipliers floquet_multipliers(MeshMarch& march, const PeriodicOrbit& orbit, const FloquetOptions& options);
 
 }  // namespace gearfilm

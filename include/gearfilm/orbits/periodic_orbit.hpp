@@ -51,9 +51,9 @@ struct PeriodicOrbit {
   Monodromy monodromy{};            ///< of the motion, as the search knew it at its end
 };
 
-/// The march must not have started; path starts (T = 0) just after a contact has left. Throws SolveError with the
+/// The march must not have started; its mesh starts (T = 0) just after a contact has left. Throws SolveError with the
 /// defects reached where no orbit is found.
-PeriodicOrbit find_periodic_orbit(MeshMarch& march, const ContactPath& path, const OrbitGuess& guess,
-                                  const PeriodicOptions& options, const SearchObserver& observer);
+PeriodicOrbit find_periodic_orbit(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options,
+                                  const SearchObserver& observer);
 
 }  // namespace gearfilm

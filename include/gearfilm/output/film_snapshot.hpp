@@ -17,7 +17,7 @@ struct NamedField {
 
 /// The fields of one contact, in the order in which they are written.
 struct ContactSnapshot {
-  int contact = 0;
+  int number = 0;
   double position = 0.0;  ///< xi [m]
   std::vector<NamedField> fields;
 };

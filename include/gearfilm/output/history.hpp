@@ -3,7 +3,7 @@
 // of the motion in a search. A row begins with what tells it from others; the figures of the tables in dynamics follow.
 #pragma once
 
-#include "gearfilm/dynamics/contact_path.hpp"
+#include "gearfilm/dynamics/mesh_model.hpp"
 #include "gearfilm/dynamics/step_figures.hpp"
 #include "gearfilm/output/results_table.hpp"
 
@@ -35,16 +35,15 @@ inline constexpr auto contact_keys = std::to_array<RowKey>({
 
 class History {
 public:
-  /// The dry model has no film columns.
-  History(ResultsFile& file, const Scales& scales, const ContactPath& path, bool lubricated);
+  /// The dry model has no film columns. The mesh must outlive the history.
+  History(ResultsFile& file, const MeshModel& mesh, bool lubricated);
 
   void append(const StepRecord& record);
   /// Writes what waits in memory.
   void write();
 
 private:
-  Scales scales_;
-  const ContactPath& path_;
+  const MeshModel& mesh_;
   bool lubricated_;
   ResultsTable steps_;
   ResultsTable contacts_;

@@ -10,6 +10,7 @@
 #include <petscsnes.h>
 
 #include <exception>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -93,31 +94,42 @@ using OwnedSNES = PetscHandle<SNES, SNESDestroy>;
 using OwnedDM = PetscHandle<DM, DMDestroy>;
 using OwnedSF = PetscHandle<PetscSF, PetscSFDestroy>;
 
+/// How many values of a vector are here.
+inline std::size_t local_size(Vec vec) {
+  PetscInt size = 0;
+  petsc_check(VecGetLocalSize(vec, &size));
+  return static_cast<std::size_t>(size);
+}
+
 /// The local part of a vector, for the time of a scope.
 class VecReading {
 public:
-  explicit VecReading(Vec vec) : vec_(vec) { petsc_check(VecGetArrayRead(vec_, &values_)); }
-  ~VecReading() { (void)VecRestoreArrayRead(vec_, &values_); }
+  explicit VecReading(Vec vec) : vec_(vec), size_(local_size(vec)) { petsc_check(VecGetArrayRead(vec_, &first_)); }
+  ~VecReading() { (void)VecRestoreArrayRead(vec_, &first_); }
   VecReading(const VecReading&) = delete;
   VecReading& operator=(const VecReading&) = delete;
-  operator const double*() const { return values_; }
+  std::span<const double> values() const { return {first_, size_}; }
+  double operator[](std::size_t n) const { return first_[n]; }
 
 private:
   Vec vec_;
-  const double* values_ = nullptr;
+  std::size_t size_;
+  const double* first_ = nullptr;
 };
 
 class VecWriting {
 public:
-  explicit VecWriting(Vec vec) : vec_(vec) { petsc_check(VecGetArray(vec_, &values_)); }
-  ~VecWriting() { (void)VecRestoreArray(vec_, &values_); }
+  explicit VecWriting(Vec vec) : vec_(vec), size_(local_size(vec)) { petsc_check(VecGetArray(vec_, &first_)); }
+  ~VecWriting() { (void)VecRestoreArray(vec_, &first_); }
   VecWriting(const VecWriting&) = delete;
   VecWriting& operator=(const VecWriting&) = delete;
-  operator double*() const { return values_; }
+  std::span<double> values() const { return {first_, size_}; }
+  double& operator[](std::size_t n) const { return first_[n]; }
 
 private:
   Vec vec_;
-  double* values_ = nullptr;
+  std::size_t size_;
+  double* first_ = nullptr;
 };
 
 /// A square matrix whose product is (context.*multiply)(in, out), cut among context.comm() as context.local_size()

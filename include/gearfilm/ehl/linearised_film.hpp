@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "gearfilm/ehl/discretisation.hpp"
 #include "gearfilm/ehl/film_state.hpp"
@@ -15,23 +16,23 @@
 
 namespace gearfilm {
 
-class FilmPreconditioner {
+class LinearisedFilm {
 public:
-  virtual ~FilmPreconditioner() = default;
+  virtual ~LinearisedFilm() = default;
 
   /// Linearises about a state (with ghosts and wet mask) of the finest grid, which is read until the next update.
-  virtual void update(const FilmState& state, double entrainment, double storage_shift) = 0;
+  virtual void update(const FilmState& state, double entrainment, double shift) = 0;
   /// rows = linearised rows for a change of the pressure; compact.
-  virtual void multiply(const double* change, double* rows) = 0;
+  virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;
   /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.
-  virtual void film_shift(double* column) const = 0;
+  virtual void displacement_column(std::span<double> column) const = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.
-  virtual void apply(const double* residual, double* change) = 0;
+  virtual void apply(std::span<const double> residual, std::span<double> change) = 0;
   virtual int levels() const = 0;
 };
 
 /// Arithmetic and number of levels by the options. The discretisation must outlive the preconditioner.
-std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Discretisation& discretisation,
-                                                             const MultigridOptions& options);
+std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
+                                                     const MultigridOptions& options);
 
 }  // namespace gearfilm

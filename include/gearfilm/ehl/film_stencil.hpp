@@ -17,28 +17,27 @@ namespace gearfilm {
 enum Neighbour { west_west, west, centre, east, south, north, neighbour_count };
 
 template <class Real>
-struct LinearFilm {
-  explicit LinearFilm(const Grid& grid)
+struct FilmStencil {
+  explicit FilmStencil(const Grid& grid)
       : by_pressure{Field<Real>(grid), Field<Real>(grid), Field<Real>(grid),
                     Field<Real>(grid), Field<Real>(grid), Field<Real>(grid)},
-        by_film(by_pressure) {}
+        by_thickness(by_pressure) {}
 
-  std::array<Field<Real>, neighbour_count> by_pressure;  ///< V_s
-  std::array<Field<Real>, neighbour_count> by_film;      ///< W_s
+  std::array<Field<Real>, neighbour_count> by_pressure;   ///< V_s
+  std::array<Field<Real>, neighbour_count> by_thickness;  ///< W_s
 };
 
-/// Fills the stencil from a state with ghosts and wet mask. storage_shift: d(dT-rate)/d(rho H) of the time scheme,
+/// Fills the stencil from a state with ghosts and wet mask. shift: d(dT-rate)/d(rho H) of the time scheme,
 /// 0 for a stationary film.
 template <class Real>
-void linearise(const Grid& grid, double entrainment, double storage_shift, const FilmState& state,
-               LinearFilm<Real>& linear);
+void linearise(const Grid& grid, double entrainment, double shift, const FilmState& state, FilmStencil<Real>& linear);
 
 /// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
 template <class Real>
-void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);
+void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);
 
 /// The derivative of the rows by H_0 (u = 1 everywhere, v = 0), compact.
 template <class Real>
-void film_shift_column(const LinearFilm<Real>& linear, double* column);
+void displacement_column(const FilmStencil<Real>& linear, std::span<double> column);
 
 }  // namespace gearfilm

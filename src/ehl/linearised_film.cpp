@@ -1,4 +1,4 @@
-#include "gearfilm/ehl/preconditioner.hpp"
+#include "gearfilm/ehl/linearised_film.hpp"
 
 #include <vector>
 
@@ -8,29 +8,31 @@ namespace gearfilm {
 namespace {
 
 template <class Real>
-class FilmMultigrid final : public FilmPreconditioner {
+class FilmMultigrid final : public LinearisedFilm {
 public:
   FilmMultigrid(const Discretisation& finest, const MultigridOptions& options) : options_(options) {
     build_levels(finest);
     build_cycle();
   }
 
-  void update(const FilmState& state, double entrainment, double storage_shift) override {
-    levels_.front()->update(state, entrainment, storage_shift);
-    for (std::size_t l = 1; l < levels_.size(); ++l) levels_[l]->update(*levels_[l - 1], entrainment, storage_shift);
-    if (whole_) update_gathered(entrainment, storage_shift);
+  void update(const FilmState& state, double entrainment, double shift) override {
+    levels_.front()->update(state, entrainment, shift);
+    for (std::size_t l = 1; l < levels_.size(); ++l) levels_[l]->update(*levels_[l - 1], entrainment, shift);
+    if (whole_) update_gathered(entrainment, shift);
   }
 
-  void apply(const double* residual, double* change) override {
-    petsc_check(VecPlaceArray(right_side_, residual));
-    petsc_check(VecPlaceArray(solution_, change));
+  void apply(std::span<const double> residual, std::span<double> change) override {
+    petsc_check(VecPlaceArray(right_side_, residual.data()));
+    petsc_check(VecPlaceArray(solution_, change.data()));
     petsc_check(PCApply(cycle_, right_side_, solution_));
     petsc_check(VecResetArray(right_side_));
     petsc_check(VecResetArray(solution_));
   }
 
-  void multiply(const double* change, double* rows) override { levels_.front()->multiply(change, rows); }
-  void film_shift(double* column) const override { levels_.front()->film_shift(column); }
+  void multiply(std::span<const double> change, std::span<double> rows) override {
+    levels_.front()->multiply(change, rows);
+  }
+  void displacement_column(std::span<double> column) const override { levels_.front()->displacement_column(column); }
 
   int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
 
@@ -48,7 +50,7 @@ private:
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
-  void update_gathered(double entrainment, double storage_shift);
+  void update_gathered(double entrainment, double shift);
   OwnedMat level_operator(Shell& shell) const;
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
@@ -61,7 +63,7 @@ private:
   // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
   const Gather* gather_ = nullptr;
   std::unique_ptr<FilmState> whole_state_;
-  std::unique_ptr<FilmPreconditioner> whole_;
+  std::unique_ptr<LinearisedFilm> whole_;
   std::vector<double> whole_residual_, whole_change_;
 };
 
@@ -95,7 +97,7 @@ OwnedMat FilmMultigrid<Real>::level_operator(Shell& shell) const {
     return petsc_callback([&] {
       Shell* own = nullptr;
       petsc_check(MatShellGetContext(mat, &own));
-      own->level->multiply(VecReading(in), VecWriting(out));
+      own->level->multiply(VecReading(in).values(), VecWriting(out).values());
     });
   };
   petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
@@ -113,7 +115,7 @@ OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
     return petsc_callback([&] {
       Shell* own = nullptr;
       petsc_check(MatShellGetContext(mat, &own));
-      own->level->restrict_from(*own->finer, VecReading(in), VecWriting(out));
+      own->level->restrict_from(*own->finer, VecReading(in).values(), VecWriting(out).values());
     });
   };
   const auto add_correction = +[](Mat mat, Vec in, Vec before, Vec out) -> PetscErrorCode {
@@ -121,7 +123,7 @@ OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
       Shell* own = nullptr;
       petsc_check(MatShellGetContext(mat, &own));
       if (before != out) petsc_check(VecCopy(before, out));
-      own->level->interpolate_to(*own->finer, VecReading(in), VecWriting(out));
+      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
     });
   };
   const auto correction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
@@ -129,7 +131,7 @@ OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
       Shell* own = nullptr;
       petsc_check(MatShellGetContext(mat, &own));
       petsc_check(VecSet(out, 0.0));
-      own->level->interpolate_to(*own->finer, VecReading(in), VecWriting(out));
+      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
     });
   };
   if (interpolation) {
@@ -156,7 +158,7 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
     return petsc_callback([&] {
       Shell* own = nullptr;
       petsc_check(PCShellGetContext(shell_pc, &own));
-      own->level->smooth(VecReading(in), VecWriting(out), 1, true);
+      own->level->smooth(VecReading(in).values(), VecWriting(out).values(), 1, true);
     });
   }));
   petsc_check(PCShellSetApplyRichardson(
@@ -166,7 +168,7 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
         return petsc_callback([&] {
           Shell* own = nullptr;
           petsc_check(PCShellGetContext(shell_pc, &own));
-          own->level->smooth(VecReading(in), VecWriting(out), its, zero_guess == PETSC_TRUE);
+          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero_guess == PETSC_TRUE);
           *done = its;
           *reason = PCRICHARDSON_CONVERGED_ITS;
         });
@@ -186,9 +188,9 @@ void FilmMultigrid<Real>::configure_gathered(KSP ksp, Mat matrix) {
     return petsc_callback([&] {
       FilmMultigrid* own = nullptr;
       petsc_check(PCShellGetContext(shell_pc, &own));
-      own->gather_->to_all(VecReading(in), own->whole_residual_.data());
-      own->whole_->apply(own->whole_residual_.data(), own->whole_change_.data());
-      own->gather_->own_part(own->whole_change_.data(), VecWriting(out));
+      own->gather_->to_all(VecReading(in).values(), own->whole_residual_);
+      own->whole_->apply(own->whole_residual_, own->whole_change_);
+      own->gather_->own_part(own->whole_change_, VecWriting(out).values());
     });
   }));
 }
@@ -242,22 +244,22 @@ void FilmMultigrid<Real>::build_cycle() {
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_gathered(double entrainment, double storage_shift) {
+void FilmMultigrid<Real>::update_gathered(double entrainment, double shift) {
   std::vector<double> own(levels_.back()->grid().local_size());
   std::vector<double> whole(whole_change_.size());
   for (const auto field : state_fields) {
-    (levels_.back()->state().*field).store(own.data());
-    gather_->to_all(own.data(), whole.data());
-    ((*whole_state_).*field).load(whole.data());
+    (levels_.back()->state().*field).store(own);
+    gather_->to_all(own, whole);
+    ((*whole_state_).*field).load(whole);
   }
   exchange_ghosts(levels_.back()->discretisation().whole()->halo(), *whole_state_);
-  whole_->update(*whole_state_, entrainment, storage_shift);
+  whole_->update(*whole_state_, entrainment, shift);
 }
 
 }  // namespace
 
-std::unique_ptr<FilmPreconditioner> make_film_preconditioner(const Discretisation& discretisation,
-                                                             const MultigridOptions& options) {
+std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
+                                                     const MultigridOptions& options) {
   if (options.precision == Precision::single_precision) {
     return std::make_unique<FilmMultigrid<float>>(discretisation, options);
   }

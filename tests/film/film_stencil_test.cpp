@@ -1,5 +1,5 @@
 // The linearised Reynolds equation, row by row, against differences of its residual, without any deformation.
-#include "gearfilm/ehl/linear_film.hpp"
+#include "gearfilm/ehl/film_stencil.hpp"
 
 #include "film_case.hpp"
 
@@ -18,11 +18,12 @@ protected:
   /// P and H at x + e (v, u).
   void set_state(double step) {
     fill(grid, state.pressure, [](double x, double y) { return 0.3 + 0.1 * std::sin(2.0 * x + 0.3) * std::cos(y); });
-    fill(grid, state.film, [](double x, double y) { return 1.0 + 0.2 * std::cos(3.0 * x) * std::sin(2.0 * y + 1.0); });
+    fill(grid, state.thickness,
+         [](double x, double y) { return 1.0 + 0.2 * std::cos(3.0 * x) * std::sin(2.0 * y + 1.0); });
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         state.pressure.row(i)[j] += step * v.row(i)[j];
-        state.film.row(i)[j] += step * u.row(i)[j];
+        state.thickness.row(i)[j] += step * u.row(i)[j];
       }
     }
     FilmProperties(scales()).evaluate(state);
@@ -35,10 +36,10 @@ protected:
     std::vector<double> rate(grid.local_size()), residual(grid.local_size());
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.film.row(i)[j] - 1e4;
+        rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.thickness.row(i)[j] - 1e4;
       }
     }
-    reynolds_residual(grid, entrainment, state, rate.data(), residual.data());
+    reynolds_residual(grid, entrainment, state, {rate}, residual);
     return residual;
   }
 
@@ -58,7 +59,7 @@ protected:
   Halo halo{grid};
   FilmState state{grid};
   Field<double> v{grid}, u{grid}, rows{grid};
-  LinearFilm<double> linear{grid};
+  FilmStencil<double> linear{grid};
 };
 
 TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
@@ -86,7 +87,7 @@ TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
 TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
   set_state(0.0);
   std::vector<double> residual(grid.local_size());
-  reynolds_residual(grid, entrainment, state, {nullptr, 40.0}, residual.data());  // sets the scales
+  reynolds_residual(grid, entrainment, state, {{}, 40.0}, residual);  // sets the scales
   state.wet.fill(0.0);
   linearise(grid, entrainment, 3.0, state, linear);
   apply_stencil(linear, v, u, rows);
@@ -100,14 +101,14 @@ TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
 
 TEST_F(LinearFilmRows, single_precision_is_the_rounded_double_one) {
   (void)residual_at(0.0, 3.0);
-  LinearFilm<float> rounded(grid);
+  FilmStencil<float> rounded(grid);
   linearise(grid, entrainment, 3.0, state, linear);
   linearise(grid, entrainment, 3.0, state, rounded);
   for (int n = 0; n < neighbour_count; ++n) {
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         EXPECT_EQ(rounded.by_pressure[n].row(i)[j], static_cast<float>(linear.by_pressure[n].row(i)[j]));
-        EXPECT_EQ(rounded.by_film[n].row(i)[j], static_cast<float>(linear.by_film[n].row(i)[j]));
+        EXPECT_EQ(rounded.by_thickness[n].row(i)[j], static_cast<float>(linear.by_thickness[n].row(i)[j]));
       }
     }
   }

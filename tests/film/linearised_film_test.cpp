@@ -1,5 +1,5 @@
 // The multigrid preconditioner of the linearised film: contraction, and independence of the number of processes.
-#include "gearfilm/ehl/preconditioner.hpp"
+#include "gearfilm/ehl/linearised_film.hpp"
 
 #include <algorithm>
 #include <string>
@@ -13,15 +13,13 @@ namespace {
 const char* name_of(Precision precision) { return precision == Precision::single_precision ? "single" : "double"; }
 
 /// A film linearised about the converged Table 3 film, and a linear solver for it.
-class LinearisedFilm {
+class FilmOperator {
 public:
-  LinearisedFilm(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
-                 double storage_shift)
+  FilmOperator(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
+               double shift)
       : grid(comm, contact.shape(nx, ny)), film(discretise(grid, contact.scales), contact.scales, options) {
     film.set_conditions(away_from_pitch());
-    std::vector<double> residual(grid.local_size());
-    film.residual(own_part(grid, solution.pressure).data(), solution.H0, nullptr, residual.data());
-    film.linearise(storage_shift);
+    film.linearise(own_part(grid, solution.pressure), solution.H0, {}, shift);
   }
 
   /// White noise inside, zero on the boundary; compact.
@@ -43,7 +41,7 @@ public:
   ContactFilm film;
 };
 
-std::vector<double> LinearisedFilm::convergence() {
+std::vector<double> FilmOperator::convergence() {
   OwnedMat matrix;
   const PetscInt size = grid.local_size();
   petsc_check(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &film, matrix.put()));
@@ -51,7 +49,7 @@ std::vector<double> LinearisedFilm::convergence() {
     return petsc_callback([&] {
       ContactFilm* own = nullptr;
       petsc_check(MatShellGetContext(mat, &own));
-      own->multiply(VecReading(in), 0.0, VecWriting(out));
+      own->multiply(VecReading(in).values(), 0.0, VecWriting(out).values());
     });
   };
   petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
@@ -69,12 +67,12 @@ std::vector<double> LinearisedFilm::convergence() {
     return petsc_callback([&] {
       ContactFilm* own = nullptr;
       petsc_check(PCShellGetContext(shell, &own));
-      own->precondition(VecReading(in), VecWriting(out));
+      own->precondition(VecReading(in).values(), VecWriting(out).values());
     });
   }));
   OwnedVec right = grid.create_vec(), solution = grid.create_vec();
   const auto values = right_side();
-  std::copy(values.begin(), values.end(), static_cast<double*>(VecWriting(right)));
+  std::ranges::copy(values, VecWriting(right).values().begin());
   petsc_check(KSPSetResidualHistory(solver, nullptr, 201, PETSC_TRUE));
   petsc_check(KSPSolve(solver, right, solution));
   const PetscReal* norms = nullptr;
@@ -101,9 +99,9 @@ protected:
     return {.levels = std::get<0>(GetParam()), .precision = std::get<1>(GetParam())};
   }
   // Of a time step, so that no level can forget it.
-  static constexpr double storage_shift = 5.0;
-  LinearisedFilm distributed{PETSC_COMM_WORLD, solution(), 65, 33, options(), storage_shift};
-  LinearisedFilm alone{PETSC_COMM_SELF, solution(), 65, 33, options(), storage_shift};
+  static constexpr double shift = 5.0;
+  FilmOperator distributed{PETSC_COMM_WORLD, solution(), 65, 33, options(), shift};
+  FilmOperator alone{PETSC_COMM_SELF, solution(), 65, 33, options(), shift};
 };
 
 TEST_P(Preconditioner, contracts_alike_on_any_number_of_processes) {
@@ -122,8 +120,8 @@ TEST_P(Preconditioner, contracts_alike_on_any_number_of_processes) {
 // Where levels are gathered on every process, and where they are not, it is the same cycle.
 TEST_P(Preconditioner, gives_the_same_change_on_any_number_of_processes) {
   std::vector<double> change(distributed.grid.local_size()), change_alone(alone.grid.local_size());
-  distributed.film.precondition(distributed.right_side().data(), change.data());
-  alone.film.precondition(alone.right_side().data(), change_alone.data());
+  distributed.film.precondition(distributed.right_side(), change);
+  alone.film.precondition(alone.right_side(), change_alone);
   // Round-off of a single (6e-8) or double (1e-16) arithmetic, amplified by the lines' condition.
   const double tolerance = std::get<1>(GetParam()) == Precision::single_precision ? 1e-5 : 1e-12;
   EXPECT_LT(relative_difference(whole_of(distributed.grid, change), change_alone), tolerance);
@@ -133,8 +131,8 @@ TEST_P(Preconditioner, gives_the_same_change_on_any_number_of_processes) {
 TEST_P(Preconditioner, solves_cavitated_rows) {
   const auto right_side = distributed.right_side();
   std::vector<double> change(right_side.size()), rows(right_side.size());
-  distributed.film.precondition(right_side.data(), change.data());
-  distributed.film.multiply(change.data(), 0.0, rows.data());
+  distributed.film.precondition(right_side, change);
+  distributed.film.multiply(change, 0.0, rows);
   const double tolerance = std::get<1>(GetParam()) == Precision::single_precision ? 1e-6 : 1e-14;
   const auto pressure = own_part(distributed.grid, solution().pressure);
   int cavitated = 0;
@@ -148,7 +146,7 @@ TEST_P(Preconditioner, solves_cavitated_rows) {
 }
 
 TEST_P(Preconditioner, has_the_levels_asked_for) {
-  EXPECT_EQ(make_film_preconditioner(*distributed.film.discretisation(), options())->levels(), std::get<0>(GetParam()));
+  EXPECT_EQ(make_linearised_film(*distributed.film.discretisation(), options())->levels(), std::get<0>(GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
@@ -163,20 +161,20 @@ TEST(PreconditionerLevels, go_down_to_the_coarsest_grid_by_default) {
   // 65 x 33, 33 x 17, 17 x 9, 9 x 5, 5 x 3
   const FilmCase pitch = table3_pitch();
   const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(65, 33)), pitch.scales);
-  EXPECT_EQ(make_film_preconditioner(*shared, MultigridOptions{})->levels(), 5);
+  EXPECT_EQ(make_linearised_film(*shared, MultigridOptions{})->levels(), 5);
 }
 
 // A finer grid's white noise takes longer to become smooth; from then on the grid hardly matters.
 TEST(SlowPreconditioner, needs_at_most_8_iterations_per_factor_1000_on_any_grid) {
   for (const auto& [nx, ny] : {std::pair{65, 33}, {129, 65}, {257, 129}, {129, 129}}) {
     const FilmSolution solution = film_away_from_pitch(nx, ny);
-    for (const double storage_shift : {0.0, 30.0}) {
-      LinearisedFilm film(PETSC_COMM_WORLD, solution, nx, ny, MultigridOptions{}, storage_shift);
+    for (const double shift : {0.0, 30.0}) {
+      FilmOperator film(PETSC_COMM_WORLD, solution, nx, ny, MultigridOptions{}, shift);
       const auto history = film.convergence();
       const int first = iterations_to(1e-3, history), all = iterations_to(1e-10, history);
       const double per_factor_1000 = (all - first) * 3.0 / 7.0;
-      report("%3d x %-3d storage shift %2.0f: %2d iterations to 1e-3, %2d to 1e-10, then %.1f per factor 1e-3", nx, ny,
-             storage_shift, first, all, per_factor_1000);
+      report("%3d x %-3d shift %2.0f: %2d iterations to 1e-3, %2d to 1e-10, then %.1f per factor 1e-3", nx, ny, shift,
+             first, all, per_factor_1000);
       EXPECT_GT(first, 0);
       EXPECT_LE(first, 18);
       EXPECT_GT(per_factor_1000, 0.0);

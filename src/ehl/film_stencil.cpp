@@ -1,4 +1,4 @@
-#include "gearfilm/ehl/linear_film.hpp"
+#include "gearfilm/ehl/film_stencil.hpp"
 
 #include "gearfilm/lubricant/independent_iterations.hpp"
 #include "gearfilm/parallel/events.hpp"
@@ -15,12 +15,12 @@ struct MassWeights {
 struct StateLine {
   StateLine(const FilmState& state, int i)
       : p(state.pressure.row(i)),
-        h(state.film.row(i)),
+        h(state.thickness.row(i)),
         rho(state.density.row(i)),
         rho_p(state.density_by_pressure.row(i)),
         xi(state.conductance.row(i)),
         xi_p(state.conductance_by_pressure.row(i)),
-        xi_h(state.conductance_by_film.row(i)) {}
+        xi_h(state.conductance_by_thickness.row(i)) {}
 
   const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h;
 };
@@ -32,7 +32,7 @@ struct Face {
       : conductance(0.5 * weight * (here.xi[j] + there.xi[m])), half_slope(0.5 * weight * (there.p[m] - here.p[j])) {}
 
   double by_pressure(const StateLine& there, int m) const { return -conductance - half_slope * there.xi_p[m]; }
-  double by_film(const StateLine& there, int m) const { return -half_slope * there.xi_h[m]; }
+  double by_thickness(const StateLine& there, int m) const { return -half_slope * there.xi_h[m]; }
 
   double conductance;
   double half_slope;
@@ -41,15 +41,15 @@ struct Face {
 /// The rows of an inner line; those of nodes that are not wet have the scale d on their diagonal only.
 template <class Real>
 void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights& mass, int i,
-                    LinearFilm<Real>& linear) {
+                    FilmStencil<Real>& linear) {
   const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
   const double *wet = state.wet.row(i), *scale = state.row_scale.row(i);
   std::array<Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
-    u[n] = linear.by_film[n].row(i);
+    u[n] = linear.by_thickness[n].row(i);
   }
-  const int count = state.film.y_count();
+  const int count = state.thickness.y_count();
   const double x_weight = weights.inverse_h_x2, y_weight = weights.inverse_h_y2;
   // The lines of state and stencil are different memory.
   GEARFILM_INDEPENDENT_ITERATIONS
@@ -62,26 +62,26 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
     v[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho_p[j] * ww.h[j]);
     u[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho[j]);
     v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass.west * w.rho_p[j] * w.h[j]));
-    u[west][j] = static_cast<Real>(on * (to_west.by_film(w, j) + mass.west * w.rho[j]));
+    u[west][j] = static_cast<Real>(on * (to_west.by_thickness(w, j) + mass.west * w.rho[j]));
     v[centre][j] =
         static_cast<Real>(on * (own - slopes * c.xi_p[j] + mass.centre * c.rho_p[j] * c.h[j]) + (1.0 - on) * scale[j]);
     u[centre][j] = static_cast<Real>(on * (mass.centre * c.rho[j] - slopes * c.xi_h[j]));
     v[east][j] = static_cast<Real>(on * to_east.by_pressure(e, j));
-    u[east][j] = static_cast<Real>(on * to_east.by_film(e, j));
+    u[east][j] = static_cast<Real>(on * to_east.by_thickness(e, j));
     v[south][j] = static_cast<Real>(on * to_south.by_pressure(c, j - 1));
-    u[south][j] = static_cast<Real>(on * to_south.by_film(c, j - 1));
+    u[south][j] = static_cast<Real>(on * to_south.by_thickness(c, j - 1));
     v[north][j] = static_cast<Real>(on * to_north.by_pressure(c, j + 1));
-    u[north][j] = static_cast<Real>(on * to_north.by_film(c, j + 1));
+    u[north][j] = static_cast<Real>(on * to_north.by_thickness(c, j + 1));
   }
 }
 
 /// The rows of an edge of the grid: d v.
 template <class Real>
-void linearise_edge(const FilmState& state, int i, LinearFilm<Real>& linear) {
-  const int count = state.film.y_count();
+void linearise_edge(const FilmState& state, int i, FilmStencil<Real>& linear) {
+  const int count = state.thickness.y_count();
   for (int n = 0; n < neighbour_count; ++n) {
     std::fill_n(linear.by_pressure[n].row(i), count, Real(0));
-    std::fill_n(linear.by_film[n].row(i), count, Real(0));
+    std::fill_n(linear.by_thickness[n].row(i), count, Real(0));
   }
   for (int j = 0; j < count; ++j) linear.by_pressure[centre].row(i)[j] = static_cast<Real>(state.row_scale.row(i)[j]);
 }
@@ -89,15 +89,14 @@ void linearise_edge(const FilmState& state, int i, LinearFilm<Real>& linear) {
 }  // namespace
 
 template <class Real>
-void linearise(const Grid& grid, double entrainment, double storage_shift, const FilmState& state,
-               LinearFilm<Real>& linear) {
+void linearise(const Grid& grid, double entrainment, double shift, const FilmState& state, FilmStencil<Real>& linear) {
   const ScopedEvent event(Kernel::linearise);
   const ReynoldsWeights weights(grid, entrainment);
   const double wedge = weights.wedge;
   linearise_edge(state, 0, linear);
   for (int i = 1; i < grid.nx() - 1; ++i) {
-    const MassWeights mass = i == 1 ? MassWeights{0.0, -wedge, wedge + storage_shift}
-                                    : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge + storage_shift};
+    const MassWeights mass =
+        i == 1 ? MassWeights{0.0, -wedge, wedge + shift} : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge + shift};
     linearise_line(state, weights, mass, i, linear);
   }
   linearise_edge(state, grid.nx() - 1, linear);
@@ -139,36 +138,36 @@ struct CoefficientLines {
 }  // namespace
 
 template <class Real>
-void apply_stencil(const LinearFilm<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows) {
+void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows) {
   const int count = v.y_count();
   for (int i = 0; i < v.nx(); ++i) {
     const NeighbourLines<Real> v_lines(v, i), u_lines(u, i);
-    const CoefficientLines<Real> by_pressure(linear.by_pressure, i), by_film(linear.by_film, i);
+    const CoefficientLines<Real> by_pressure(linear.by_pressure, i), by_thickness(linear.by_thickness, i);
     Real* out = rows.row(i);
     // The rows are neither values nor coefficients.
     GEARFILM_INDEPENDENT_ITERATIONS
-    for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_film.applied_to(u_lines, j);
+    for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_thickness.applied_to(u_lines, j);
   }
 }
 
 template <class Real>
-void film_shift_column(const LinearFilm<Real>& linear, double* column) {
-  const int rows = linear.by_film[0].y_count();
-  for (int i = 0; i < linear.by_film[0].nx(); ++i) {
-    double* line = column + static_cast<std::size_t>(i) * rows;
+void displacement_column(const FilmStencil<Real>& linear, std::span<double> column) {
+  const int rows = linear.by_thickness[0].y_count();
+  for (int i = 0; i < linear.by_thickness[0].nx(); ++i) {
+    double* line = column.data() + static_cast<std::size_t>(i) * rows;
     std::fill_n(line, rows, 0.0);
-    for (const Field<Real>& coefficient : linear.by_film) {
+    for (const Field<Real>& coefficient : linear.by_thickness) {
       const Real* values = coefficient.row(i);
       for (int j = 0; j < rows; ++j) line[j] += values[j];
     }
   }
 }
 
-template void linearise(const Grid&, double, double, const FilmState&, LinearFilm<float>&);
-template void linearise(const Grid&, double, double, const FilmState&, LinearFilm<double>&);
-template void film_shift_column(const LinearFilm<float>&, double*);
-template void film_shift_column(const LinearFilm<double>&, double*);
-template void apply_stencil(const LinearFilm<float>&, const Field<float>&, const Field<float>&, Field<float>&);
-template void apply_stencil(const LinearFilm<double>&, const Field<double>&, const Field<double>&, Field<double>&);
+template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<float>&);
+template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<double>&);
+template void displacement_column(const FilmStencil<float>&, std::span<double>);
+template void displacement_column(const FilmStencil<double>&, std::span<double>);
+template void apply_stencil(const FilmStencil<float>&, const Field<float>&, const Field<float>&, Field<float>&);
+template void apply_stencil(const FilmStencil<double>&, const Field<double>&, const Field<double>&, Field<double>&);
 
 }  // namespace gearfilm

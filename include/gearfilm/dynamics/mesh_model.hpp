@@ -1,0 +1,39 @@
+// A gear pair in mesh, as films, dry contacts, marches and modes all see it: which contacts there are at a time, what
+// each of them is like, and what they move.
+#pragma once
+
+#include <optional>
+
+#include "gearfilm/dynamics/contact_path.hpp"
+#include "gearfilm/dynamics/meshed_contact.hpp"
+#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/dynamics/prescribed_load.hpp"
+
+namespace gearfilm {
+
+struct MeshModel {
+  Scales scales;
+  ContactPath path;
+  double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
+  std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
+
+  /// A contact at time T.
+  MeshedContact contact(int number, double T) const {
+    return meshed_contact(path.line(), scales, path.pinion_speed(), path.position(number, T));
+  }
+  /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
+  std::optional<LoadSharing::Piece> share_from(double T) const;
+
+  /// dF/d(-H_0) of the contact at the pitch point under the static force [-].
+  double stiffness() const { return contact_stiffness(scales.static_force, scales.approach); }
+  /// The same, k_el [N/m].
+  double stiffness_si() const { return contact_stiffness(scales.operation.load, scales.hertz.approach); }
+  /// f_n of the pair on that stiffness [1/t*].
+  double frequency() const { return natural_frequency(stiffness(), inertia); }
+  /// The same [Hz].
+  double frequency_si() const { return frequency() / scales.time; }
+  /// f_m [Hz].
+  double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,54 @@
+// The few scalars beside the films, which see their forces and give them their displacement: a linear system
+//
+//   M ds/dT + K s + r = C sum_k Int Int P_k dX dY ,      H_0 = d . s     of every contact k
+// One kind for each way in which a contact can be held; what holds the films is all that distinguishes a stationary
+// film from a gear pair. Rows are relative errors, so that they can be weighed against each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+
+/// m scalars; matrices m x m, row by row.
+struct Border {
+  std::vector<double> mass;          ///< M
+  std::vector<double> stiffness;     ///< K
+  std::vector<double> force;         ///< C
+  std::vector<double> constant;      ///< r
+  std::vector<double> displacement;  ///< d
+
+  std::size_t size() const { return constant.size(); }
+  /// H_0 of scalars, or its change.
+  double displaced(std::span<const double> scalars) const;
+  /// The rows, left less right side; without the constant where changes are given.
+  enum class Of { states, changes };
+  std::vector<double> rows(std::span<const double> scalars, std::span<const double> rates, double force_sum,
+                           Of of) const;
+};
+
+/// Solves for the scalars of which the rows of changes are known, with rates = shift scalars and a sum of forces that
+/// falls by film_stiffness times the displacement: (shift M + K + film_stiffness C d^T) s = rows.
+class BorderFactors {
+public:
+  BorderFactors(const Border& border, double shift, double film_stiffness);
+  std::vector<double> solve(std::vector<double> rows) const;
+
+private:
+  OwnedMat factors_;
+};
+
+/// H_0 - value = 0.
+Border given_displacement(double H0);
+
+/// (F - Int Int P)/F = 0, with H_0 free.
+Border given_force(double force);
+
+/// dH_0/dT - V_0 = 0 ,  (I_n dV_0/dT - Int Int P/f + F*)/F* = 0: (25) of doi 10.1016/j.triboint.2013.01.017 for
+/// s = (H_0, V_0). With a share f of the static force F* in the place of other contacts Int Int P counts 1/f times;
+/// without inertia, I_n = 0, the last row is the quasi-static balance.
+Border rigid_pair(double inertia, double static_force, double share);
+
+}  // namespace gearfilm

@@ -1,0 +1,21 @@
+#include "gearfilm/dynamics/mesh_model.hpp"
+
+#include <algorithm>
+
+namespace gearfilm {
+
+MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, double pinion_speed, double xi) {
+  const double inside = std::clamp(xi, line.entry(), line.exit());
+  const double u_m = scales.operation.entrainment_velocity;
+  return {.position = xi,
+          .conditions = {.relative_radius = line.radius_x(inside) / scales.solids.radius_x,
+                         .entrainment = line.entrainment_velocity(inside, pinion_speed) / u_m},
+          .sliding = line.sliding_velocity(xi, pinion_speed) / u_m};
+}
+
+std::optional<LoadSharing::Piece> MeshModel::share_from(double T) const {
+  if (!load) return {};
+  return load->sharing.piece_at(path.position(0, T));
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,178 @@
+#include "gearfilm/ehl/film_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+
+FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
+    : films_(std::move(films)),
+      border_(std::move(border)),
+      grid_(films_.front()->grid()),
+      weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())),
+      work_(field_size()) {}
+
+PetscInt FilmSystem::local_size() const {
+  return static_cast<PetscInt>(border_at() + (has_border() ? border_.size() : 0));
+}
+
+OwnedVec FilmSystem::create_state() const {
+  OwnedVec state;
+  petsc_check(VecCreateMPI(comm(), local_size(), PETSC_DETERMINE, state.put()));
+  return state;
+}
+
+void FilmSystem::set_field(Vec state, std::size_t contact, std::span<const double> field) const {
+  const VecWriting values(state);
+  std::ranges::copy(field, part(values.values(), contact).begin());
+}
+
+std::vector<double> FilmSystem::field(Vec state, std::size_t contact) const {
+  const VecReading values(state);
+  const auto own = part(values.values(), contact);
+  return {own.begin(), own.end()};
+}
+
+void FilmSystem::set_scalars(Vec state, std::span<const double> scalars) const {
+  const VecWriting values(state);
+  if (has_border()) std::ranges::copy(scalars, values.values().subspan(border_at()).begin());
+}
+
+std::vector<double> FilmSystem::scalars(Vec state) const { return scalars_in(VecReading(state).values()); }
+
+std::vector<double> FilmSystem::scalars_in(std::span<const double> values) const {
+  std::vector<double> scalars(border_.size());
+  if (has_border()) std::ranges::copy(values.subspan(border_at()), scalars.begin());
+  if (grid_.processes() > 1) {
+    MPI_Bcast(scalars.data(), static_cast<int>(scalars.size()), MPI_DOUBLE, 0, comm());
+  }
+  return scalars;
+}
+
+void FilmSystem::put_rows(const std::vector<double>& rows, std::span<double> values) const {
+  if (!has_border()) return;
+  for (std::size_t n = 0; n < rows.size(); ++n) values[border_at() + n] = weight_ * rows[n];
+}
+
+void FilmSystem::restrain(Vec guess, Vec last) const {
+  const VecReading before(last);
+  const VecWriting values(guess);
+  for (std::size_t n = 0; n < border_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
+}
+
+Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, double shift) const {
+  return {rates.empty() ? rates : part(rates, contact), shift};
+}
+
+void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
+  std::optional<VecReading> rates;
+  if (rate.values) rates.emplace(rate.values);
+  const std::span<const double> moving = rates ? rates->values() : std::span<const double>();
+  const VecReading in(state);
+  const VecWriting out(rows);
+  const std::vector<double> scalars = scalars_in(in.values());
+  const double H0 = border_.displaced(scalars);
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->residual(part(in.values(), k), H0, squeeze(moving, k, rate.shift), part(out.values(), k));
+  }
+  const double sum = force_sum(in.values());
+  if (!has_border()) return;
+  const std::vector<double> still(border_.size(), 0.0);
+  const auto scalar_rates = moving.empty() ? std::span<const double>(still) : moving.subspan(border_at());
+  put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
+}
+
+void FilmSystem::transient(Vec state, Vec values) {
+  const VecReading in(state);
+  const VecWriting out(values);
+  const std::vector<double> scalars = scalars_in(in.values());
+  const double H0 = border_.displaced(scalars);
+  for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), H0, part(out.values(), k));
+  if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
+}
+
+void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
+  shift_ = shift;
+  elimination_ = elimination;
+  std::optional<VecReading> rates;
+  if (rate.values) rates.emplace(rate.values);
+  const std::span<const double> moving = rates ? rates->values() : std::span<const double>();
+  const VecReading in(state);
+  const double H0 = border_.displaced(scalars_in(in.values()));
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->linearise(part(in.values(), k), H0, squeeze(moving, k, rate.shift), shift);
+  }
+  if (elimination_ == Elimination::border_first) {
+    border_factors_.emplace(border_, shift, 0.0);
+    return;
+  }
+  responses_.resize(border_at());
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
+  }
+  border_factors_.emplace(border_, shift, force_sum(responses_));
+}
+
+void FilmSystem::multiply(Vec change, Vec rows) {
+  const VecReading in(change);
+  const VecWriting out(rows);
+  const std::vector<double> scalars = scalars_in(in.values());
+  const double H0 = border_.displaced(scalars);
+  for (std::size_t k = 0; k < films(); ++k) films_[k]->multiply(part(in.values(), k), H0, part(out.values(), k));
+  std::vector<double> rates = scalars;
+  for (double& value : rates) value *= shift_;
+  put_rows(border_.rows(scalars, rates, force_sum(in.values()), Border::Of::changes), out.values());
+}
+
+void FilmSystem::multiply_transient(Vec change, Vec rows) {
+  const VecReading in(change);
+  const VecWriting out(rows);
+  const std::vector<double> scalars = scalars_in(in.values());
+  const double H0 = border_.displaced(scalars);
+  for (std::size_t k = 0; k < films(); ++k) films_[k]->multiply_mass(part(in.values(), k), H0, part(out.values(), k));
+  const std::vector<double> nothing(border_.size(), 0.0);
+  put_rows(border_.rows(nothing, scalars, 0.0, Border::Of::changes), out.values());
+}
+
+// Border first: s from the border's rows, then v = M^-1 (r - H_0 dG/dH_0). Exactly: with z = M^-1 r and
+// y = M^-1 dG/dH_0 of the films v = z - y H_0, so that the sum of forces is Int z - H_0 Int y, and the border gives s.
+void FilmSystem::precondition(Vec rows, Vec change) {
+  const VecReading in(rows);
+  const VecWriting out(change);
+  const bool exact = elimination_ == Elimination::exact;
+  std::vector<double> border_rows = scalars_in(in.values());
+  for (double& row : border_rows) row /= weight_;
+  if (exact) {
+    for (std::size_t k = 0; k < films(); ++k) films_[k]->precondition(part(in.values(), k), part(out.values(), k));
+    const double sum = force_sum(out.values());
+    for (std::size_t n = 0; n < border_rows.size(); ++n) border_rows[n] += border_.force[n] * sum;
+  }
+  const std::vector<double> scalars = border_factors_->solve(std::move(border_rows));
+  const double H0 = border_.displaced(scalars);
+  if (exact) {
+    for (std::size_t n = 0; n < border_at(); ++n) out[n] -= H0 * responses_[n];
+  } else {
+    for (std::size_t k = 0; k < films(); ++k) {
+      const auto film_rows = part(in.values(), k);
+      const auto column = films_[k]->displacement_column();
+      for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
+      films_[k]->precondition(work_, part(out.values(), k));
+    }
+  }
+  if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
+}
+
+std::vector<FilmFigures> FilmSystem::figures(Vec state) {
+  const VecReading in(state);
+  const double H0 = border_.displaced(scalars_in(in.values()));
+  std::vector<FilmFigures> figures;
+  for (std::size_t k = 0; k < films(); ++k) figures.push_back(films_[k]->figures(part(in.values(), k), H0));
+  return figures;
+}
+
+WorstNode FilmSystem::worst_node(Vec rows, std::size_t contact) const {
+  const VecReading values(rows);
+  return gearfilm::worst_node(grid_, part(values.values(), contact));
+}
+
+}  // namespace gearfilm
