@@ -1,5 +1,6 @@
 #include "gearfilm/ehl/border.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace gearfilm {
@@ -19,9 +20,15 @@ std::vector<double> Border::rows(std::span<const double> scalars, std::span<cons
   return rows;
 }
 
-BorderFactors::BorderFactors(const Border& border, double shift, double film_stiffness) {
-  const auto m = static_cast<PetscInt>(border.size());
+BorderFactors::BorderFactors(std::size_t scalars) {
+  const auto m = static_cast<PetscInt>(scalars);
   petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, m, m, nullptr, factors_.put()));
+  petsc_check(MatCreateVecs(factors_, solution_.put(), right_side_.put()));
+}
+
+void BorderFactors::factor(const Border& border, double shift, double film_stiffness) {
+  const auto m = static_cast<PetscInt>(border.size());
+  petsc_check(MatSetUnfactored(factors_));
   for (PetscInt i = 0; i < m; ++i) {
     for (PetscInt j = 0; j < m; ++j) {
       const double entry = shift * border.mass[i * m + j] + border.stiffness[i * m + j] +
@@ -35,13 +42,10 @@ BorderFactors::BorderFactors(const Border& border, double shift, double film_sti
 }
 
 std::vector<double> BorderFactors::solve(std::vector<double> rows) const {
-  const auto m = static_cast<PetscInt>(rows.size());
-  std::vector<double> scalars(rows.size());
-  OwnedVec right_side, solution;
-  petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, m, rows.data(), right_side.put()));
-  petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, m, scalars.data(), solution.put()));
-  petsc_check(MatSolve(factors_, right_side, solution));
-  return scalars;
+  std::ranges::copy(rows, VecWriting(right_side_).values().begin());
+  petsc_check(MatSolve(factors_, right_side_, solution_));
+  std::ranges::copy(VecReading(solution_).values(), rows.begin());
+  return rows;
 }
 
 Border given_displacement(double H0) {

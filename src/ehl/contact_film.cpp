@@ -20,8 +20,6 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       options_(options),
       as_ordered_(make_linearised_film(*discretisation_, options)),
       displacement_column_(grid_.local_size()),
-      change_(grid_),
-      deformed_(grid_),
       evaluated_pressure_(grid_.local_size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
@@ -127,14 +125,15 @@ void ContactFilm::multiply(std::span<const double> change, double change_H0, std
 
 void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {
   require_linearised_state();
-  change_.load(change);
-  deformation_.apply(change_, deformed_);
+  Field<double> pressure_change(grid_), deformed(grid_);
+  pressure_change.load(change);
+  deformation_.apply(pressure_change, deformed);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     double* line = rows.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) {
-      const double mass = state_.density.row(i)[j] * (deformed_.row(i)[j] + change_H0) +
-                          state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * change_.row(i)[j];
+      const double mass = state_.density.row(i)[j] * (deformed.row(i)[j] + change_H0) +
+                          state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * pressure_change.row(i)[j];
       line[j] = state_.wet.row(i)[j] * mass;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gearfilm {
 
@@ -10,7 +11,7 @@ FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
       border_(std::move(border)),
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())),
-      work_(field_size()) {}
+      border_factors_(border_.size()) {}
 
 PetscInt FilmSystem::local_size() const {
   return static_cast<PetscInt>(border_at() + (has_border() ? border_.size() : 0));
@@ -103,14 +104,14 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
     films_[k]->linearise(part(in.values(), k), H0, squeeze(moving, k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
-    border_factors_.emplace(border_, shift, 0.0);
+    border_factors_.factor(border_, shift, 0.0);
     return;
   }
   responses_.resize(border_at());
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
   }
-  border_factors_.emplace(border_, shift, force_sum(responses_));
+  border_factors_.factor(border_, shift, force_sum(responses_));
 }
 
 void FilmSystem::multiply(Vec change, Vec rows) {
@@ -147,11 +148,12 @@ void FilmSystem::precondition(Vec rows, Vec change) {
     const double sum = force_sum(out.values());
     for (std::size_t n = 0; n < border_rows.size(); ++n) border_rows[n] += border_.force[n] * sum;
   }
-  const std::vector<double> scalars = border_factors_->solve(std::move(border_rows));
+  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
   const double H0 = border_.displaced(scalars);
   if (exact) {
     for (std::size_t n = 0; n < border_at(); ++n) out[n] -= H0 * responses_[n];
   } else {
+    work_.resize(field_size());
     for (std::size_t k = 0; k < films(); ++k) {
       const auto film_rows = part(in.values(), k);
       const auto column = films_[k]->displacement_column();

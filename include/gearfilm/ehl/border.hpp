@@ -33,11 +33,13 @@ struct Border {
 /// falls by film_stiffness times the displacement: (shift M + K + film_stiffness C d^T) s = rows.
 class BorderFactors {
 public:
-  BorderFactors(const Border& border, double shift, double film_stiffness);
+  explicit BorderFactors(std::size_t scalars);
+  void factor(const Border& border, double shift, double film_stiffness);
   std::vector<double> solve(std::vector<double> rows) const;
 
 private:
   OwnedMat factors_;
+  OwnedVec right_side_, solution_;
 };
 
 /// H_0 - value = 0.

@@ -10,7 +10,6 @@
 // steps: a contact's stiffness is 1e-4 of I_n/dT^2), or eliminated exactly.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "gearfilm/ehl/border.hpp"
@@ -92,7 +91,7 @@ private:
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::border_first;
   std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_0 of all contacts, approximately; of exact elimination
-  std::optional<BorderFactors> border_factors_;
+  BorderFactors border_factors_;
   std::vector<double> work_;
 };
 
