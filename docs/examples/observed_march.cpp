@@ -38,7 +38,7 @@ void watch(MPI_Comm comm, const char* case_file) {
   const Case problem = read_case(comm, case_file);
   require_inertia(problem);
   const SharedDiscretisation films = discretise(comm, problem);
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.start_position);
+  const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, problem.march.start_position);
 
   int steps = 0;
   ThinnestFilm thinnest;
@@ -50,8 +50,8 @@ void watch(MPI_Comm comm, const char* case_file) {
     note(thinnest, step, problem.scales);
   };
   MeshMarch march = make_march(problem, films, path, observer);
-  march.start(problem.start_motion);
-  march.run(problem.mesh_periods * path.mesh_period());
+  march.start(problem.march.start_motion);
+  march.run(problem.march.mesh_periods * path.mesh_period());
 
   petsc_check(PetscPrintf(comm, "%d steps to %.4f ms\n", steps, 1e3 * problem.scales.time * march.T()));
   petsc_check(PetscPrintf(comm, "h_min = %.6f um  at %.4f ms, contact %d, xi = %+.3f mm\n", 1e6 * thinnest.thickness,

@@ -37,9 +37,9 @@ public:
       : comm_(comm),
         problem_(problem),
         discretisation_(
-            discretise(Grid(comm, grid_shape(problem.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
+            discretise(Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
                        problem.scales)),
-        film_(discretisation_, problem.scales, problem.solver.multigrid),
+        film_(discretisation_, problem.scales, problem.numerics.solver.multigrid),
         unit_(common_unit(comm, size)),
         change_(film_.grid().local_size()),
         rows_(film_.grid().local_size()) {}
@@ -69,7 +69,7 @@ private:
     report("stationary film", median_time(
                                   [&] {
                                     result_ = solve_stationary(
-                                        film_, LoadCondition::force(problem_.scales.static_force), problem_.solver);
+                                        film_, LoadCondition::force(problem_.scales.static_force), problem_.numerics.solver);
                                   },
                                   0.0, 0, solve_runs));
   }
@@ -115,8 +115,8 @@ private:
 /// state. The unit is the mean of those before and after it.
 Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   Case resized = problem;
-  resized.nx = size.nx;
-  resized.ny = size.ny;
+  resized.numerics.nx = size.nx;
+  resized.numerics.ny = size.ny;
   const SharedDiscretisation films = discretise(comm, resized);
   const MeshModel mesh = mesh_after_leaving(resized);
   const double mesh_period = mesh.path.mesh_period();
@@ -138,10 +138,10 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   petsc_check(PetscPrintf(comm,
                           "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
                           "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, resized.steps.dT, seconds, contact_steps, contact_step, newton, krylov));
+                          size.nx, size.ny, resized.numerics.steps.dT, seconds, contact_steps, contact_step, newton, krylov));
   return {{"nx", size.nx},
           {"ny", size.ny},
-          {"dT", resized.steps.dT},
+          {"dT", resized.numerics.steps.dT},
           {"seconds", seconds},
           {"contact_steps", contact_steps},
           {"newton_per_step", newton},
@@ -153,16 +153,16 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
 
 void run_bench(MPI_Comm comm, const Case& problem) {
   require_moving_films(problem, "bench");
-  const OutputDirectory directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.run.directory);
   Summary summary;
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();
   for (const GridSize size : standard_grids) summary["grids"].push_back(GridBench(comm, problem, size).run());
-  if (problem.line && problem.equivalent_mass) {
+  if (problem.pair.line && problem.pair.equivalent_mass) {
     summary["mesh_period"] = bench_mesh_period(comm, problem, standard_grids[0]);
     summary["contact_step_convolutions"] = summary["mesh_period"]["contact_step_convolutions"];
   }
-  write_summary(comm, problem.output_directory, summary);
+  write_summary(comm, problem.run.directory, summary);
 }
 
 }  // namespace gearfilm

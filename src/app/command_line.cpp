@@ -25,8 +25,8 @@ bool starts_option(const std::string& word) {
 
 // Of a march. Contacts of a pair share its grid, one that is followed by itself is alone.
 int contacts_at_a_time(const Case& problem) {
-  const bool all = problem.line && problem.geometry != MeshGeometry::single;
-  return all ? static_cast<int>(std::ceil(problem.line->contact_ratio())) : 1;
+  const bool all = problem.pair.line && problem.march.geometry != MeshGeometry::single;
+  return all ? static_cast<int>(std::ceil(problem.pair.line->contact_ratio())) : 1;
 }
 
 void warn(MPI_Comm comm, const std::string& text) {
@@ -88,8 +88,8 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     require_known_options(command_line.petsc_arguments());
     require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
-    require_memory(comm, problem.nx, problem.ny, command.resumable ? contacts_at_a_time(problem) : 1);
-    if (problem.restart && !command.resumable) {
+    require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1);
+    if (problem.run.restart && !command.resumable) {
       throw InputError(problem.parameters.origin("restart") + ": " + command.name +
                        " has nothing to go on from; run it without -restart");
     }

@@ -11,7 +11,7 @@ namespace gearfilm {
 namespace {
 
 void add_gear_geometry(const Case& problem, Summary& summary) {
-  const LineOfAction& line = *problem.line;
+  const LineOfAction& line = *problem.pair.line;
   summary["working_pressure_angle_deg"] = line.working_pressure_angle() * 180.0 / std::numbers::pi;
   summary["base_radius_pinion"] = line.base_radius_pinion();
   summary["base_radius_wheel"] = line.base_radius_wheel();
@@ -22,16 +22,16 @@ void add_gear_geometry(const Case& problem, Summary& summary) {
 }
 
 void add_mesh_motion(const Case& problem, Summary& summary) {
-  const double f_m = mesh_frequency(*problem.gears, problem.pinion_speed);
+  const double f_m = mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed);
   summary["f_m"] = f_m;
   summary["mesh_period"] = 1.0 / f_m;
   summary["mesh_period_dimensionless"] = 1.0 / (f_m * problem.scales.time);
-  if (!problem.equivalent_mass) return;
+  if (!problem.pair.equivalent_mass) return;
   const MeshModel mesh = mesh_after_leaving(problem);
-  summary["m_ge"] = *problem.equivalent_mass;
-  summary["I_n"] = problem.scales.inertia(*problem.equivalent_mass);
+  summary["m_ge"] = *problem.pair.equivalent_mass;
+  summary["I_n"] = problem.scales.inertia(*problem.pair.equivalent_mass);
   summary["k_el"] = mesh.stiffness_si();
-  summary["f_n"] = natural_frequency(mesh.stiffness_si(), *problem.equivalent_mass);
+  summary["f_n"] = natural_frequency(mesh.stiffness_si(), *problem.pair.equivalent_mass);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Summary derived_quantities(const Case& problem) {
   const MoesGroups groups = moes_groups(scales.solids, scales.oil, scales.operation);
   Summary summary;
   summary["case"] = problem.name;
-  if (problem.line) add_gear_geometry(problem, summary);
+  if (problem.pair.line) add_gear_geometry(problem, summary);
   summary["R_x"] = scales.solids.radius_x;
   summary["R_y"] = scales.solids.radius_y;
   summary["E_prime"] = scales.solids.reduced_modulus;
@@ -61,7 +61,7 @@ Summary derived_quantities(const Case& problem) {
   summary["M"] = groups.M;
   summary["L"] = groups.L;
   summary["D"] = groups.D;
-  if (problem.line) add_mesh_motion(problem, summary);
+  if (problem.pair.line) add_mesh_motion(problem, summary);
   summary.update(film_predictions(scales.solids, scales.oil, scales.operation));
   return summary;
 }
@@ -75,9 +75,9 @@ void write_identity(ResultsFile& file, const Case& problem, const std::string& c
   }
   file.attribute("/", "command", command);
   // Chosen bounds too, which the parameters do not show where they follow from M.
-  file.attribute("/", "x_min", problem.domain.x_min);
-  file.attribute("/", "x_max", problem.domain.x_max);
-  file.attribute("/", "y_half", problem.domain.y_half);
+  file.attribute("/", "x_min", problem.numerics.domain.x_min);
+  file.attribute("/", "x_max", problem.numerics.domain.x_max);
+  file.attribute("/", "y_half", problem.numerics.domain.y_half);
   for (const EchoedValue& echoed : problem.parameters.echo()) {
     const bool pure = echoed.unit.empty() || echoed.unit == "-";
     file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);

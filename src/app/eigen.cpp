@@ -14,12 +14,12 @@ namespace gearfilm {
 namespace {
 
 Summary dry_pair_summary(const Case& problem) {
-  const std::array<double, 2> base_radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
+  const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
   const double k_el = mesh_after_leaving(problem).stiffness_si();
-  const GearInertias inertias = problem.inertias.value_or(disc_inertias(base_radii, *problem.equivalent_mass));
+  const GearInertias inertias = problem.pair.inertias.value_or(disc_inertias(base_radii, *problem.pair.equivalent_mass));
   const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
   return {{"k_el", k_el},
-          {"m_ge", *problem.equivalent_mass},
+          {"m_ge", *problem.pair.equivalent_mass},
           {"inertia_pinion", inertias.pinion},
           {"inertia_wheel", inertias.wheel},
           {"f_n", swinging.frequency},
@@ -31,7 +31,7 @@ Summary dry_pair_summary(const Case& problem) {
 /// The pair at rest on its films at the chosen position, linearised.
 Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, double angular_frequency) {
   const Scales& scales = problem.scales;
-  const MeshModel mesh = mesh_model(problem, problem.steady_position, MeshGeometry::held);
+  const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   MeshMarch march =
       make_march(problem, discretisation, mesh, [](const StepRecord&, const std::vector<LiveContact>&) {});
   march.start({});
@@ -39,7 +39,7 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   std::vector<std::unique_ptr<ContactFilm>> films;
   std::vector<LiveContact> contacts;
   for (const LiveContact& contact : march.contacts()) {
-    films.push_back(std::make_unique<ContactFilm>(discretisation, scales, problem.solver.multigrid));
+    films.push_back(std::make_unique<ContactFilm>(discretisation, scales, problem.numerics.solver.multigrid));
     contacts.push_back({contact.number, films.back().get()});
   }
   LubricatedPair pair(mesh, contacts);
@@ -48,9 +48,9 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   for (std::size_t k = 0; k < contacts.size(); ++k)
     pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
-  const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.eigen_modes});
+  const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.modes.count});
   const std::complex<double> lambda = swinging_mode(modes, angular_frequency).eigenvalue;
-  Summary summary = {{"position", problem.steady_position},
+  Summary summary = {{"position", problem.steady.position},
                      {"contacts", contacts.size()},
                      {"H0", at_rest.motion.H0},
                      {"film_frequency", lambda.imag() / (2.0 * std::numbers::pi * scales.time)},
@@ -72,8 +72,8 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
   const PeriodicOrbit orbit =
       find_periodic_orbit(march, dry_guess(problem, films, find_dry_orbit(mesh, typical_film_damping)),
-                          problem.periodic, [](const SearchPeriod&) {});
-  const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.eigen_periods});
+                          problem.search.options, [](const SearchPeriod&) {});
+  const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.modes.orbit_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};
   add_multipliers(mesh, found.gear_pair, summary);
   if (found.film_bound) summary["film_multiplier_bound"] = *found.film_bound;
@@ -105,14 +105,14 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   require_inertia(given);
   require_moving_films(given, "eigen");
   Case problem = given;
-  problem.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
+  problem.numerics.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "eigen");
-  Summary summary = {{"case", problem.name}, {"nx", problem.nx}, {"ny", problem.ny}};
+  Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
   const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
   summary.update(film_summary(problem, films, dry_rate));
-  if (problem.eigen_of_orbit) summary["orbit"] = orbit_multipliers(problem, films, run);
+  if (problem.modes.of_orbit) summary["orbit"] = orbit_multipliers(problem, films, run);
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary);

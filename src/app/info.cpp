@@ -7,7 +7,7 @@ namespace gearfilm {
 
 void run_info(MPI_Comm comm, const Case& problem) {
   const Summary summary = derived_quantities(problem);
-  const OutputDirectory directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.run.directory);
   for (const auto& [name, value] : summary.items()) {
     if (value.is_number()) {
       petsc_check(PetscPrintf(comm, "%-36s %.8g\n", name.c_str(), value.get<double>()));
@@ -15,7 +15,7 @@ void run_info(MPI_Comm comm, const Case& problem) {
       petsc_check(PetscPrintf(comm, "%-36s %s\n", name.c_str(), value.get<std::string>().c_str()));
     }
   }
-  write_summary(comm, problem.output_directory, summary);
+  write_summary(comm, problem.run.directory, summary);
 }
 
 }  // namespace gearfilm

@@ -15,7 +15,7 @@ constexpr double search_snapshot_interval = 0.05;  // mesh periods
 constexpr std::size_t peak_count = 8;
 
 double snapshot_interval(const Case& problem, MarchPurpose purpose) {
-  return problem.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
+  return problem.march.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
       problem_(problem),
       mesh_(mesh),
       purpose_(purpose),
-      lubricated_(problem.model != MarchModel::dry || purpose == MarchPurpose::search),
+      lubricated_(problem.march.model != MarchModel::dry || purpose == MarchPurpose::search),
       expected_periods_(expected_periods),
       file_(grid.comm(), run.directory() / "results.h5"),
       history_(std::in_place, file_, mesh, lubricated_),
@@ -156,9 +156,9 @@ Summary period_summary(const Scales& scales, const PeriodFigures& period) {
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
-  summary["nx"] = problem.nx;
-  summary["ny"] = problem.ny;
-  summary["dT"] = problem.steps.dT;
+  summary["nx"] = problem.numerics.nx;
+  summary["ny"] = problem.numerics.ny;
+  summary["dT"] = problem.numerics.steps.dT;
   summary["static_force"] = scales.operation.load;
   summary["mesh_period"] = scales.time * mesh.path.mesh_period();
   Summary periods = Summary::array();
@@ -181,7 +181,7 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
     Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (problem.model != MarchModel::dry) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
+    if (problem.march.model != MarchModel::dry) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
     summary["contact_losses"].push_back(entry);
   }
   return summary;

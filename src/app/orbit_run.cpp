@@ -26,13 +26,13 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   OrbitRun run;
-  run.orbit = find_periodic_orbit(march, guess, problem.periodic, observers.on_period);
+  run.orbit = find_periodic_orbit(march, guess, problem.search.options, observers.on_period);
   searching = false;
   const double begin = run.orbit.begin, end = begin + mesh_period;
   run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / mesh_period)));
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
-  if (problem.with_multipliers) run.multipliers = floquet_multipliers(march, run.orbit, {}).gear_pair;
+  if (problem.search.with_multipliers) run.multipliers = floquet_multipliers(march, run.orbit, {}).gear_pair;
   return run;
 }
 

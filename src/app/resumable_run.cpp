@@ -21,17 +21,17 @@ std::vector<std::string> joined(std::vector<std::string> names, const std::vecto
 ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::string& command,
                            const std::vector<std::string>& free_sections)
     : comm_(grid.comm()),
-      keep_(problem.keep_checkpoint),
-      directory_(comm_, problem.output_directory),
+      keep_(problem.run.keep_checkpoint),
+      directory_(comm_, problem.run.directory),
       folder_(directory_ / "checkpoint"),
-      stop_(problem.time_limit) {
+      stop_(problem.run.time_limit) {
   const Summary identity = identity_of(problem, command, joined(free_parameters, free_sections));
   const std::filesystem::path file = identity_file();
-  if (problem.restart) {
+  if (problem.run.restart) {
     const std::optional<Summary> before = read_identity(comm_, file);
     if (!before) {
       throw InputError(
-          "'" + problem.output_directory.string() +
+          "'" + problem.run.directory.string() +
           "' has nothing to go on from: no run was begun there, or it was completed; start without -restart");
     }
     require_same_identity(*before, identity, file);

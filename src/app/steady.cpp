@@ -22,9 +22,9 @@ struct Position {
 
 Position steady_position(const Case& problem) {
   Position position;
-  if (problem.line) {
-    const double xi = problem.steady_position;
-    position.contact = meshed_contact(*problem.line, problem.scales, problem.pinion_speed, xi);
+  if (problem.pair.line) {
+    const double xi = problem.steady.position;
+    position.contact = meshed_contact(*problem.pair.line, problem.scales, problem.pair.pinion_speed, xi);
     std::ostringstream label;
     label << "contact 0 at xi = " << 1e3 * xi << " mm";
     position.label = label.str();
@@ -32,7 +32,7 @@ Position steady_position(const Case& problem) {
   position.solids = solids_of(problem.scales, position.contact.conditions);
   position.operation = problem.scales.operation;
   position.operation.entrainment_velocity *= position.contact.conditions.entrainment;
-  position.operation.load *= problem.steady_load_ratio;
+  position.operation.load *= problem.steady.load_ratio;
   return position;
 }
 
@@ -40,12 +40,12 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
   const Scales& scales = problem.scales;
   Summary summary;
   summary["case"] = problem.name;
-  summary["nx"] = problem.nx;
-  summary["ny"] = problem.ny;
-  if (problem.line) summary["position"] = problem.steady_position;
+  summary["nx"] = problem.numerics.nx;
+  summary["ny"] = problem.numerics.ny;
+  if (problem.pair.line) summary["position"] = problem.steady.position;
   const ContactMoment at{scales, position.contact, result.figures};
   for (const auto& figure : contact_figures) {
-    if (figure.needs == Needs::gears && !problem.line) continue;
+    if (figure.needs == Needs::gears && !problem.pair.line) continue;
     summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
   }
   summary["H0"] = result.solution.H0;
@@ -71,14 +71,14 @@ Summary film_summary(const Case& problem, const Position& position, const Statio
 void write_results(MPI_Comm comm, const Case& problem, const Position& position, const ContactFilm& film,
                    const Summary& summary) {
   const std::string group = "/contact0";
-  ResultsFile file(comm, problem.output_directory / "results.h5");
+  ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "steady");
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
   file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure);
   file.field(group, "H", "m", domain, film.thickness(), scales.thickness);
-  file.attribute(group, "xi", problem.steady_position);
+  file.attribute(group, "xi", problem.steady.position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
   file.attribute(group, "force", summary["force"].get<double>());
@@ -87,9 +87,9 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "b", scales.hertz.b);
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
-  write_xdmf(problem.output_directory / "results.xmf", "results.h5", group + "/mesh", film.grid(),
+  write_xdmf(problem.run.directory / "results.xmf", "results.h5", group + "/mesh", film.grid(),
              {{0.0, {{group, {"P", "H"}}}}});
-  write_summary(comm, problem.output_directory, summary);
+  write_summary(comm, problem.run.directory, summary);
 }
 
 void print_result(MPI_Comm comm, const Case& problem, const Position& position, const Summary& summary) {
@@ -98,7 +98,7 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
   petsc_check(PetscPrintf(comm,
                           "%s, %d x %d nodes: film %.4f um central, %.4f um smallest; pressure %.4f GPa largest; "
                           "force %.6g N\n",
-                          position.label.c_str(), problem.nx, problem.ny, um(summary["h_central"]),
+                          position.label.c_str(), problem.numerics.nx, problem.numerics.ny, um(summary["h_central"]),
                           um(summary["h_min"]), 1e-9 * summary["p_max"].get<double>(), summary["force"].get<double>()));
   petsc_check(
       PetscPrintf(comm,
@@ -116,14 +116,14 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
 void run_steady(MPI_Comm comm, const Case& problem) {
   const SharedDiscretisation discretisation = discretise(comm, problem);
   const Position position = steady_position(problem);
-  const OutputDirectory directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
-  ContactFilm film(discretisation, problem.scales, problem.solver.multigrid);
+  ContactFilm film(discretisation, problem.scales, problem.numerics.solver.multigrid);
   film.set_conditions(position.contact.conditions);
-  const double force = problem.steady_load_ratio * problem.scales.static_force;
+  const double force = problem.steady.load_ratio * problem.scales.static_force;
   check_domain(film.grid(), problem.scales, position.contact.conditions, force, position.label);
   const StationaryResult result =
-      located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.solver); });
+      located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.numerics.solver); });
   check_validity(film, result.figures, position.label);
   const Summary summary = film_summary(problem, position, result);
   write_results(comm, problem, position, film, summary);

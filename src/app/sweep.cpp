@@ -47,7 +47,7 @@ int group_count(MPI_Comm comm, const Case& problem) {
   const int rows = case_grid(problem).rows();
   if (largest > rows) {
     throw InputError("a group of the sweep would have " + std::to_string(largest) +
-                     " processes for a grid of ny = " + std::to_string(problem.ny) + " (" + std::to_string(rows) +
+                     " processes for a grid of ny = " + std::to_string(problem.numerics.ny) + " (" + std::to_string(rows) +
                      " rows with Y >= 0); use fewer processes, or shorter chains (sweep_chain_points) for more groups");
   }
   return groups;
@@ -128,7 +128,7 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
       rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
     }
   }
-  ResultsFile file(comm, problem.output_directory / "results.h5");
+  ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "sweep");
   {
     ResultsTable table(file, "/sweep", columns);
@@ -147,15 +147,15 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
     throw InputError("the case '" + problem.name +
                      "' says nothing about its sweep; give sweep.from and sweep.to, or sweep.values");
   }
-  if (problem.sweep.parameter == "gear.equivalent_mass" && problem.inertias) {
+  if (problem.sweep.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
   for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
   const int groups = group_count(comm, problem);
-  const OutputDirectory directory(comm, problem.output_directory);
+  const OutputDirectory directory(comm, problem.run.directory);
   const SweepPoints points(comm, problem);
   directory.remove_earlier_results();
-  run_chains(comm, problem, points, groups, StopRequest(problem.time_limit));
+  run_chains(comm, problem, points, groups, StopRequest(problem.run.time_limit));
 
   Summary results = Summary::array();
   int failures = 0;
@@ -166,19 +166,19 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   write_table(comm, problem, results);
   const auto count = results.size();
   Summary summary = {{"case", problem.name},
-                     {"nx", problem.nx},
-                     {"ny", problem.ny},
-                     {"dT", problem.steps.dT},
+                     {"nx", problem.numerics.nx},
+                     {"ny", problem.numerics.ny},
+                     {"dT", problem.numerics.steps.dT},
                      {"over", problem.sweep.parameter},
                      {"points_found", count - failures},
                      {"points_failed", failures}};
   summary["points"] = std::move(results);
-  write_summary(comm, problem.output_directory, summary);
+  write_summary(comm, problem.run.directory, summary);
   points.complete(comm);
   petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
   if (failures == static_cast<int>(count))
     throw SolveError("no point of the sweep has a periodic state; see the errors in " +
-                     (problem.output_directory / "summary.json").string());
+                     (problem.run.directory / "summary.json").string());
 }
 
 }  // namespace gearfilm

@@ -116,8 +116,8 @@ private:
     const Case here = case_at(problem_, value);
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
     result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
-    result["torque"] = here.torque;
-    result["m_ge"] = *here.equivalent_mass;
+    result["torque"] = here.pair.torque;
+    result["m_ge"] = *here.pair.equivalent_mass;
     const MeshModel mesh = mesh_after_leaving(here);
     result["I_n"] = mesh.inertia;
     result["f_m"] = mesh.mesh_frequency_si();
@@ -159,7 +159,7 @@ private:
     if (last_) {
       result["start"] = "neighbour";
       Case brief = at.problem;
-      brief.periodic.max_periods = std::min(brief.periodic.max_periods, periods_from_neighbour);
+      brief.search.options.max_periods = std::min(brief.search.options.max_periods, periods_from_neighbour);
       try {
         return run_orbit(brief, at.films, at.mesh, from_neighbour(at, dry), observers);
       } catch (const SolveError& error) {

@@ -21,7 +21,7 @@ std::string name_of(const SweepPoint& point) {
 
 }  // namespace
 
-SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.output_directory) {
+SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.run.directory) {
   const std::filesystem::path file = folder_ / "sweep.json";
   const Summary identity = identity_of(problem, "sweep", free_parameters);
   if (const std::optional<Summary> before = read_identity(comm, file)) {

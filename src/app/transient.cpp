@@ -10,7 +10,7 @@ namespace {
 
 /// The end of the march: that of the line of action where one contact is followed along it.
 double end_of(const Case& problem, const MeshModel& mesh) {
-  return mesh.load ? mesh.path.exit_time(0) : problem.mesh_periods * mesh.path.mesh_period();
+  return mesh.load ? mesh.path.exit_time(0) : problem.march.mesh_periods * mesh.path.mesh_period();
 }
 
 /// A march that goes on cannot end before where it is.
@@ -18,13 +18,13 @@ void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mes
   const double kept = run.checkpoint().kept_until();
   if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
   throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
-                   format_value(problem.mesh_periods) + ", but the march in '" + problem.output_directory.string() +
+                   format_value(problem.march.mesh_periods) + ", but the march in '" + problem.run.directory.string() +
                    "' has come to " + format_value(kept / mesh.path.mesh_period()) + "; give at least as many");
 }
 
 template <class March>
 void drive(March&& march, const Case& problem) {
-  march.start(problem.start_motion);
+  march.start(problem.march.start_motion);
   march.run(end_of(problem, march.mesh()));
 }
 
@@ -36,9 +36,9 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
-  const MeshModel mesh = mesh_model(problem, problem.start_position, problem.geometry);
+  const MeshModel mesh = mesh_model(problem, problem.march.start_position, problem.march.geometry);
   require_beyond(run, problem, mesh);
-  const bool lubricated = problem.model != MarchModel::dry;
+  const bool lubricated = problem.march.model != MarchModel::dry;
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, end_of(problem, mesh) / mesh.path.mesh_period());
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);
@@ -47,9 +47,9 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = completed;
-    if (completed && problem.spectrum_periods) {
+    if (completed && problem.march.spectrum_periods) {
       const double end = end_of(problem, mesh);
-      const double begin = end - *problem.spectrum_periods * mesh.path.mesh_period();
+      const double begin = end - *problem.march.spectrum_periods * mesh.path.mesh_period();
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }
     output.finish();
@@ -59,7 +59,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     if (lubricated) {
       drive(make_march(problem, films, mesh, observer, &run.checkpoint()), problem);
     } else {
-      drive(DryMarch(mesh, problem.steps.dT, observer, 0.0, &run.checkpoint()), problem);
+      drive(DryMarch(mesh, problem.numerics.steps.dT, observer, 0.0, &run.checkpoint()), problem);
     }
   } catch (const Unfinished&) {
     write(false);  // what was computed until then

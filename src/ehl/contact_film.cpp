@@ -19,8 +19,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       state_(grid_),
       options_(options),
       as_ordered_(make_linearised_film(*discretisation_, options)),
-      displacement_column_(grid_.local_size()),
-      evaluated_pressure_(grid_.local_size()) {}
+      displacement_column_(grid_.local_size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
   if (conditions == conditions_) return;
@@ -30,8 +29,11 @@ void ContactFilm::set_conditions(const ContactConditions& conditions) {
 
 // The processes must agree, since an evaluation is collective.
 bool ContactFilm::is_current(std::span<const double> pressure, double H0) const {
-  int same = evaluated_ && H0 == evaluated_H0_ &&
-             std::memcmp(pressure.data(), evaluated_pressure_.data(), evaluated_pressure_.size() * sizeof(double)) == 0;
+  int same = evaluated_ && H0 == evaluated_H0_;
+  const std::size_t rows = grid_.y_count();
+  for (int i = 0; same && i < grid_.nx(); ++i) {
+    same = std::memcmp(pressure.data() + i * rows, state_.pressure.row(i), rows * sizeof(double)) == 0;
+  }
   if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, grid_.comm());
   return same;
 }
@@ -52,7 +54,6 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   }
   properties_.evaluate(state_);
   exchange_ghosts(discretisation_->halo(), state_);
-  std::ranges::copy(pressure, evaluated_pressure_.begin());
   evaluated_H0_ = H0;
   evaluated_ = true;
   masked_ = false;

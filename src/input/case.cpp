@@ -73,29 +73,36 @@ ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction&
 }
 
 // w* = T_g1/R_b1, or its equivalent point load (27).
-double reference_load(const Case& gear_case, double face_width) {
-  const double tooth_force = gear_case.torque / gear_case.line->base_radius_pinion();
+double reference_load(const Case& gear_case, const ContactSolids& solids) {
+  const double tooth_force = gear_case.pair.torque / gear_case.pair.line->base_radius_pinion();
   if (gear_case.parameters.text("gear.load_model") == "point") return tooth_force;
-  const ContactSolids& solids = gear_case.solids;
+  const double face_width = gear_case.pair.gears->face_width;
   return equivalent_point_load(
       solids, hertz_line_half_width(tooth_force / face_width, solids.radius_x, solids.reduced_modulus));
 }
 
-void set_gear_pair(Case& result) {
+/// What touches at the pitch point of a gear pair, or in a bare contact.
+struct ReferenceContact {
+  ContactSolids solids;
+  ContactOperation operation;
+};
+
+ReferenceContact set_gear_pair(Case& result) {
   const ParameterValues& values = result.parameters;
-  result.gears = read_gear_pair(values);
-  result.line = in_file_of(values, [&] { return LineOfAction(*result.gears); });
-  result.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
-  result.torque = values.real("pinion.torque");
-  result.equivalent_mass = read_equivalent_mass(values, *result.line);
+  result.pair.gears = read_gear_pair(values);
+  result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
+  result.pair.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
+  result.pair.torque = values.real("pinion.torque");
+  result.pair.equivalent_mass = read_equivalent_mass(values, *result.pair.line);
   if (values.has("pinion.inertia")) {
-    result.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
+    result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
   }
-  result.solids = solids_at_pitch(values, *result.line);
-  result.operation = in_file_of(values, [&] {
-    return ContactOperation{.load = reference_load(result, result.gears->face_width),
-                            .entrainment_velocity = result.line->entrainment_velocity(0.0, result.pinion_speed)};
-  });
+  const ContactSolids solids = solids_at_pitch(values, *result.pair.line);
+  return {solids, in_file_of(values, [&] {
+            return ContactOperation{
+                .load = reference_load(result, solids),
+                .entrainment_velocity = result.pair.line->entrainment_velocity(0.0, result.pair.pinion_speed)};
+          })};
 }
 
 double read_reduced_modulus(const ParameterValues& values) {
@@ -115,13 +122,12 @@ double read_reduced_modulus(const ParameterValues& values) {
                          values.real(bodies[3]));
 }
 
-void set_bare_contact(Case& result) {
-  const ParameterValues& values = result.parameters;
-  result.solids = {.radius_x = values.real("contact.radius_x"),
-                   .radius_y = values.real("contact.radius_y"),
-                   .reduced_modulus = read_reduced_modulus(values)};
-  result.operation = {.load = values.real("contact.load"),
-                      .entrainment_velocity = values.real("contact.entrainment_velocity")};
+ReferenceContact read_bare_contact(const ParameterValues& values) {
+  return {.solids = {.radius_x = values.real("contact.radius_x"),
+                     .radius_y = values.real("contact.radius_y"),
+                     .reduced_modulus = read_reduced_modulus(values)},
+          .operation = {.load = values.real("contact.load"),
+                        .entrainment_velocity = values.real("contact.entrainment_velocity")}};
 }
 
 Lubricant read_lubricant(const ParameterValues& values) {
@@ -184,11 +190,11 @@ double read_position(const Case& result, const std::string& name) {
   const double position = result.parameters.real(name);
   const std::string given =
       result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
-  if (!result.line) {
+  if (!result.pair.line) {
     if (position != 0.0) throw InputError(given + ", but a bare contact has no line of action; delete the key");
     return position;
   }
-  const double entry = result.line->entry(), exit = result.line->exit();
+  const double entry = result.pair.line->entry(), exit = result.pair.line->exit();
   if (position < entry || position > exit)
     throw InputError(given + ", off the path of contact; give a number in [" + format_value(entry) + ", " +
                      format_value(exit) + "] m");
@@ -205,7 +211,7 @@ double read_start_position(const Case& result) {
     throw InputError(values.origin(position) + ": " + quoted(position) + " is given, but 'start.place' is " + place +
                      "; set start.place to position or delete the key");
   }
-  if (place == "after_leaving") return result.line->exit() - result.line->base_pitch();
+  if (place == "after_leaving") return result.pair.line->exit() - result.pair.line->base_pitch();
   return 0.0;
 }
 
@@ -219,9 +225,9 @@ std::optional<Motion> read_start_motion(const ParameterValues& values) {
 // An interval shorter than a step stores every step; the next time must not be lost in round-off, though.
 void check_snapshot_interval(const Case& result) {
   constexpr double shortest = 1e-9;
-  if (result.snapshot_interval.value_or(0.0) == 0.0 || *result.snapshot_interval >= shortest) return;
+  if (result.march.snapshot_interval.value_or(0.0) == 0.0 || *result.march.snapshot_interval >= shortest) return;
   throw InputError(result.parameters.origin("output.snapshot_interval") + ": 'output.snapshot_interval' is " +
-                   format_value(*result.snapshot_interval) +
+                   format_value(*result.march.snapshot_interval) +
                    " mesh periods, far shorter than any time step; give 0 for "
                    "no fields, or at least " +
                    format_value(shortest));
@@ -270,59 +276,60 @@ std::vector<std::pair<double, double>> read_share_table(const ParameterValues& v
 LoadSharing read_load_sharing(const Case& result) {
   const ParameterValues& values = result.parameters;
   const std::string& kind = values.text("load_sharing.kind");
-  if (kind == "step") return LoadSharing::step(*result.line);
+  if (kind == "step") return LoadSharing::step(*result.pair.line);
   if (kind == "trapezoid") {
-    return LoadSharing::trapezoid(*result.line, values.real("load_sharing.at_end"),
+    return LoadSharing::trapezoid(*result.pair.line, values.real("load_sharing.at_end"),
                                   values.real("load_sharing.at_inner_edge"));
   }
-  return LoadSharing::table(*result.line, read_share_table(values));
+  return LoadSharing::table(*result.pair.line, read_share_table(values));
 }
 
 /// One contact from its entry, or from a chosen position, to its exit.
 void set_single_contact(Case& result) {
   const ParameterValues& values = result.parameters;
-  if (result.geometry == MeshGeometry::held) {
+  if (result.march.geometry == MeshGeometry::held) {
     throw InputError(values.origin("geometry") + ": 'geometry' is held, but the model " + values.text("model") +
                      " follows a contact along the line of action; set it to moving");
   }
-  result.geometry = MeshGeometry::single;
-  const double jump_length =
-      result.line->travel_velocity(result.pinion_speed) * result.scales.time * values.real("load_sharing.jump_time");
+  result.march.geometry = MeshGeometry::single;
+  const double jump_length = result.pair.line->travel_velocity(result.pair.pinion_speed) * result.scales.time *
+                             values.real("load_sharing.jump_time");
   const auto sharing = [&] { return read_load_sharing(result).with_jumps_over(jump_length); };
-  result.prescribed_load = PrescribedLoad{in_file_of(values, sharing), values.integer("load_sharing.jump_refinement")};
-  if (values.text("start.place") != "position") result.start_position = result.line->entry();
+  result.march.load = PrescribedLoad{in_file_of(values, sharing), values.integer("load_sharing.jump_refinement")};
+  if (values.text("start.place") != "position") result.march.start_position = result.pair.line->entry();
 }
 
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
-  result.start_position = read_start_position(result);
-  result.model = read_model(values.text("model"));
-  result.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
-  if (result.model == MarchModel::simplified || result.model == MarchModel::quasistatic) set_single_contact(result);
-  result.mesh_periods = values.real("mesh_periods");
-  result.restart = values.text("restart") == "yes";
-  result.time_limit = optional_real(values, "time_limit");
-  result.keep_checkpoint = values.text("keep_checkpoint") == "yes";
-  result.start_motion = read_start_motion(values);
-  const double h_x = (result.domain.x_max - result.domain.x_min) / (result.nx - 1);
-  result.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
-                  .newton = read_newton_options(values, "time", true)};
-  result.periodic = {.tolerance = values.real("periodic.tolerance"),
-                     .film_tolerance = values.real("periodic.film_tolerance"),
-                     .max_periods = values.integer("periodic.max_periods")};
-  result.with_multipliers = values.text("periodic.multipliers") == "yes";
+  result.march.start_position = read_start_position(result);
+  result.march.model = read_model(values.text("model"));
+  result.march.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
+  if (result.march.model == MarchModel::simplified || result.march.model == MarchModel::quasistatic)
+    set_single_contact(result);
+  result.march.mesh_periods = values.real("mesh_periods");
+  result.run.restart = values.text("restart") == "yes";
+  result.run.time_limit = optional_real(values, "time_limit");
+  result.run.keep_checkpoint = values.text("keep_checkpoint") == "yes";
+  result.march.start_motion = read_start_motion(values);
+  const double h_x = (result.numerics.domain.x_max - result.numerics.domain.x_min) / (result.numerics.nx - 1);
+  result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
+                           .newton = read_newton_options(values, "time", true)};
+  result.search.options = {.tolerance = values.real("periodic.tolerance"),
+                           .film_tolerance = values.real("periodic.film_tolerance"),
+                           .max_periods = values.integer("periodic.max_periods")};
+  result.search.with_multipliers = values.text("periodic.multipliers") == "yes";
   result.sweep = read_sweep(values);
-  result.eigen_modes = values.integer("eigen.modes");
-  result.eigen_of_orbit = values.text("eigen.orbit") == "yes";
-  result.eigen_periods = values.integer("eigen.periods");
-  result.step_levels = values.integer("time.levels");
-  result.snapshot_interval = optional_real(values, "output.snapshot_interval");
+  result.modes.count = values.integer("eigen.modes");
+  result.modes.of_orbit = values.text("eigen.orbit") == "yes";
+  result.modes.orbit_periods = values.integer("eigen.periods");
+  result.numerics.step_levels = values.integer("time.levels");
+  result.march.snapshot_interval = optional_real(values, "output.snapshot_interval");
   check_snapshot_interval(result);
-  result.spectrum_periods = optional_real(values, "output.spectrum_periods");
-  if (result.spectrum_periods && *result.spectrum_periods > result.mesh_periods) {
+  result.march.spectrum_periods = optional_real(values, "output.spectrum_periods");
+  if (result.march.spectrum_periods && *result.march.spectrum_periods > result.march.mesh_periods) {
     throw InputError(values.origin("output.spectrum_periods") + ": 'output.spectrum_periods' is " +
-                     format_value(*result.spectrum_periods) + ", more than the " + format_value(result.mesh_periods) +
-                     " mesh periods marched; give at most mesh_periods");
+                     format_value(*result.march.spectrum_periods) + ", more than the " +
+                     format_value(result.march.mesh_periods) + " mesh periods marched; give at most mesh_periods");
   }
 }
 
@@ -333,24 +340,21 @@ Case make_case(const ParameterValues& values) {
   result.parameters = values;
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
-  result.oil = read_lubricant(values);
-  if (result.kind == CaseKind::gear_pair) {
-    set_gear_pair(result);
-  } else {
-    set_bare_contact(result);
-  }
+  const Lubricant oil = read_lubricant(values);
+  const auto [solids, operation] =
+      result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
   in_file_of(values, [&] {
-    result.scales = make_scales(result.solids, result.oil, result.operation);
+    result.scales = make_scales(solids, oil, operation);
     check_strain(result.scales);
-    result.domain = read_domain(values, moes_groups(result.solids, result.oil, result.operation).M);
+    result.numerics.domain = read_domain(values, moes_groups(solids, oil, operation).M);
   });
-  result.nx = values.integer("grid.nx");
-  result.ny = values.integer("grid.ny");
-  result.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
-  result.steady_position = read_position(result, "steady.position");
-  result.steady_load_ratio = values.real("steady.load_ratio");
+  result.numerics.nx = values.integer("grid.nx");
+  result.numerics.ny = values.integer("grid.ny");
+  result.numerics.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
+  result.steady.position = read_position(result, "steady.position");
+  result.steady.load_ratio = values.real("steady.load_ratio");
   if (result.kind == CaseKind::gear_pair) set_march(result);
-  result.output_directory = values.text("output.dir");
+  result.run.directory = values.text("output.dir");
   return result;
 }
 

@@ -6,7 +6,7 @@
 namespace gearfilm {
 
 GridShape case_grid(const Case& problem) {
-  return grid_shape(problem.domain, problem.scales.hertz.ellipticity, problem.nx, problem.ny);
+  return grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, problem.numerics.nx, problem.numerics.ny);
 }
 
 SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
@@ -14,7 +14,7 @@ SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
 }
 
 void require_inertia(const Case& problem) {
-  if (problem.line && (problem.equivalent_mass || problem.model == MarchModel::quasistatic)) return;
+  if (problem.pair.line && (problem.pair.equivalent_mass || problem.march.model == MarchModel::quasistatic)) return;
   throw InputError("the case '" + problem.name +
                    "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
                    "wheel.inertia, of a gear pair");
@@ -25,34 +25,34 @@ void require_moving_films(const Case& problem, const std::string& command) {
     throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
                      ", but " + command + " is for all lubricated contacts, which travel; set it to " + needed);
   };
-  if (problem.model != MarchModel::dynamic) refuse("model", "dynamic");
-  if (problem.geometry == MeshGeometry::held) refuse("geometry", "moving");
+  if (problem.march.model != MarchModel::dynamic) refuse("model", "dynamic");
+  if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
-  const bool inert = problem.model != MarchModel::quasistatic && problem.equivalent_mass;
+  const bool inert = problem.march.model != MarchModel::quasistatic && problem.pair.equivalent_mass;
   return {.scales = problem.scales,
-          .path = ContactPath(*problem.line, problem.scales, problem.pinion_speed, start, geometry),
-          .inertia = inert ? problem.scales.inertia(*problem.equivalent_mass) : 0.0,
-          .load = problem.prescribed_load};
+          .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry),
+          .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
+          .load = problem.march.load};
 }
 
 MeshModel mesh_after_leaving(const Case& problem) {
-  return mesh_model(problem, problem.line->exit() - problem.line->base_pitch());
+  return mesh_model(problem, problem.pair.line->exit() - problem.pair.line->base_pitch());
 }
 
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
-  MarchOptions options{problem.solver, problem.steps};
+  MarchOptions options{problem.numerics.solver, problem.numerics.steps};
   options.films.multigrid.levels =
-      problem.step_levels > 0 ? problem.step_levels : step_levels(films->grid(), problem.steps.dT);
+      problem.numerics.step_levels > 0 ? problem.numerics.step_levels : step_levels(films->grid(), problem.numerics.steps.dT);
   return MeshMarch(films, mesh, options, std::move(observer), keeper);
 }
 
 OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
-  ContactFilm film(films, problem.scales, problem.solver.multigrid);
+  ContactFilm film(films, problem.scales, problem.numerics.solver.multigrid);
   const StationaryResult at_pitch = located("contact at the pitch point", [&] {
-    return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+    return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.numerics.solver);
   });
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
 }

@@ -77,15 +77,15 @@ void compare_contact(const Scales& scales, Oddities& found) {
 /// x_1 + x_2 = (Z_1+Z_2) (inv alpha' - inv alpha)/(2 tan alpha), where the gears mesh without backlash.
 double profile_shifts(const Case& problem) {
   const auto involute = [](double angle) { return std::tan(angle) - angle; };
-  const double alpha = problem.gears->pressure_angle, working = problem.line->working_pressure_angle();
-  return (problem.gears->pinion.teeth + problem.gears->wheel.teeth) * (involute(working) - involute(alpha)) /
+  const double alpha = problem.pair.gears->pressure_angle, working = problem.pair.line->working_pressure_angle();
+  return (problem.pair.gears->pinion.teeth + problem.pair.gears->wheel.teeth) * (involute(working) - involute(alpha)) /
          (2 * std::tan(alpha));
 }
 
 void compare_gears(const Case& problem, Oddities& found) {
-  const LineOfAction& line = *problem.line;
+  const LineOfAction& line = *problem.pair.line;
   const double pitch_radius = line.base_radius_pinion() / std::cos(line.working_pressure_angle());
-  compare(problem.pinion_speed * pitch_radius,
+  compare(problem.pair.pinion_speed * pitch_radius,
           {"the pitch-line velocity", "m/s", 0, 200, "", "faster than any gear runs"}, found);
   compare(profile_shifts(problem),
           {"the sum of the profile shifts", "modules", -1.5, 3, "is gear.centre_distance that of these teeth?",
@@ -93,7 +93,7 @@ void compare_gears(const Case& problem, Oddities& found) {
           found);
   compare(line.contact_ratio(), {"the contact ratio", "", 1, 3, "", "spur gears have 1.2 to 2.5"}, found);
   compare(2e3 * problem.scales.hertz.b,
-          {"the length of the contact ellipse", "mm", 0, 1e3 * problem.gears->face_width, "",
+          {"the length of the contact ellipse", "mm", 0, 1e3 * problem.pair.gears->face_width, "",
            "longer than the face is wide; the load reaches the edges of the teeth, which are not modelled"},
           found);
 }
@@ -101,12 +101,12 @@ void compare_gears(const Case& problem, Oddities& found) {
 /// m_ge beside that of two steel discs of the face width on the base circles.
 void compare_mass(const Case& problem, Oddities& found) {
   constexpr double steel = 7850.0;  // [kg/m^3]
-  const double r1 = problem.line->base_radius_pinion(), r2 = problem.line->base_radius_wheel();
+  const double r1 = problem.pair.line->base_radius_pinion(), r2 = problem.pair.line->base_radius_wheel();
   const auto inertia = [&](double r) {
-    return 0.5 * std::numbers::pi * steel * problem.gears->face_width * r * r * r * r;
+    return 0.5 * std::numbers::pi * steel * problem.pair.gears->face_width * r * r * r * r;
   };
-  const double discs = equivalent_mass(*problem.line, inertia(r1), inertia(r2));
-  compare(*problem.equivalent_mass,
+  const double discs = equivalent_mass(*problem.pair.line, inertia(r1), inertia(r2));
+  compare(*problem.pair.equivalent_mass,
           {"the equivalent mass", "kg", discs / 50, discs * 50,
            "less than a fiftieth of that of steel discs on the base circles",
            "more than 50 times that of steel discs on the base circles"},
@@ -115,24 +115,24 @@ void compare_mass(const Case& problem, Oddities& found) {
 
 void compare_steps(const Case& problem, Oddities& found) {
   constexpr double fewest_in_period = 30, most_in_march = 1e7;
-  const double mesh_period = 1.0 / (mesh_frequency(*problem.gears, problem.pinion_speed) * problem.scales.time);
-  const double in_period = mesh_period / problem.steps.dT;
+  const double mesh_period = 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
+  const double in_period = mesh_period / problem.numerics.steps.dT;
   compare(in_period,
           {"the number of time steps a mesh period", "", fewest_in_period, HUGE_VAL,
            "too coarse for entering and leaving contacts; lower time.dt", ""},
           found);
-  compare(in_period * problem.mesh_periods,
+  compare(in_period * problem.march.mesh_periods,
           {"the number of time steps of a march", "", 0, most_in_march, "",
            "days of computing; raise time.dt or lower mesh_periods"},
           found);
 }
 
 void compare_grid(const Case& problem, Oddities& found) {
-  const Domain& domain = problem.domain;
-  compare((problem.nx - 1) / (domain.x_max - domain.x_min),
+  const Domain& domain = problem.numerics.domain;
+  compare((problem.numerics.nx - 1) / (domain.x_max - domain.x_min),
           {"the number of nodes along the half-axis a", "", 4, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
           found);
-  compare((problem.ny - 1) / (2 * domain.y_half),
+  compare((problem.numerics.ny - 1) / (2 * domain.y_half),
           {"the number of nodes along the half-axis b", "", 3, HUGE_VAL, "too coarse for a film; raise grid.ny", ""},
           found);
 }
@@ -145,7 +145,7 @@ std::vector<std::string> oddities(const Case& problem) {
   compare_contact(problem.scales, found);
   if (problem.kind == CaseKind::gear_pair) {
     compare_gears(problem, found);
-    if (problem.equivalent_mass) compare_mass(problem, found);
+    if (problem.pair.equivalent_mass) compare_mass(problem, found);
     compare_steps(problem, found);
   }
   compare_grid(problem, found);

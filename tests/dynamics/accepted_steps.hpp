@@ -58,7 +58,7 @@ inline double backward_rate(double now, double before, double long_before, doubl
 class PairAt {
 public:
   PairAt(const RecordedMarch& march, const AcceptedState& state, int levels = 1) {
-    MultigridOptions options = march.problem().solver.multigrid;
+    MultigridOptions options = march.problem().numerics.solver.multigrid;
     options.levels = levels;
     options.precision = Precision::double_precision;  // exact products
     std::vector<LiveContact> contacts;

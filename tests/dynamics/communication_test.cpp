@@ -80,7 +80,7 @@ TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
 }
 
 TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
-  const double shift = 1.5 / problem.steps.dT;
+  const double shift = 1.5 / problem.numerics.steps.dT;
   OwnedVec state = films.create_state(), rate = films.create_state(), rows = films.create_state();
   std::vector<double> pressure(grid.local_size());
   hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure);

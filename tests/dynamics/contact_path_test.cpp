@@ -50,7 +50,7 @@ class PathOfContact : public testing::TestWithParam<PathOf> {
 protected:
   /// Just after the leaving of a contact, unless said otherwise.
   ContactPath path() const { return path(line.exit() - line.base_pitch()); }
-  ContactPath path(double start) const { return {line, pair.scales, pair.pinion_speed, start}; }
+  ContactPath path(double start) const { return {line, pair.scales, pair.pair.pinion_speed, start}; }
 
   static std::vector<Segment> segments(const ContactPath& path, double periods) {
     std::vector<Segment> list;
@@ -66,8 +66,8 @@ protected:
   bool whole() const { return std::abs(line.contact_ratio() - std::round(line.contact_ratio())) < 1e-9; }
 
   Case pair = input_case(GetParam().file);
-  LineOfAction line = GetParam().contact_ratio > 0.0 ? line_with_contact_ratio(*pair.gears, GetParam().contact_ratio)
-                                                     : *pair.line;
+  LineOfAction line = GetParam().contact_ratio > 0.0 ? line_with_contact_ratio(*pair.pair.gears, GetParam().contact_ratio)
+                                                     : *pair.pair.line;
 };
 
 constexpr double many_periods = 1000.0;
@@ -168,11 +168,11 @@ TEST_P(PathOfContact, conditions_follow_the_line_of_action) {
       const ContactConditions there = mesh.contact(contact, T).conditions;
       EXPECT_NEAR(there.relative_radius, line.radius_x(xi) / line.radius_x(0.0), 1e-12);
       EXPECT_NEAR(there.entrainment,
-                  line.entrainment_velocity(xi, pair.pinion_speed) / line.entrainment_velocity(0.0, pair.pinion_speed),
+                  line.entrainment_velocity(xi, pair.pair.pinion_speed) / line.entrainment_velocity(0.0, pair.pair.pinion_speed),
                   1e-12);
     }
   }
-  EXPECT_NEAR(contacts.mesh_period() * pair.scales.time * mesh_frequency(*pair.gears, pair.pinion_speed), 1.0, 1e-12);
+  EXPECT_NEAR(contacts.mesh_period() * pair.scales.time * mesh_frequency(*pair.pair.gears, pair.pair.pinion_speed), 1.0, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,
@@ -191,8 +191,8 @@ INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,
 
 TEST(HeldGeometry, contacts_stay_and_no_event_comes) {
   const Case problem = table3_case();
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, 4e-3, MeshGeometry::held);
-  const ContactPath moving(*problem.line, problem.scales, problem.pinion_speed, 4e-3);
+  const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, 4e-3, MeshGeometry::held);
+  const ContactPath moving(*problem.pair.line, problem.scales, problem.pair.pinion_speed, 4e-3);
   for (double T : {0.0, 3.0, 1e4}) {
     EXPECT_EQ(path.contacts_after(T), moving.contacts_after(0.0));
     EXPECT_DOUBLE_EQ(path.position(1, T), moving.position(1, 0.0));

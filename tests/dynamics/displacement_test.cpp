@@ -24,7 +24,7 @@ protected:
 
   /// The films' own mass of the first contact's state.
   std::vector<double> mass(const PairState& state) {
-    ContactFilm film(march.discretisation(), march.problem().scales, march.problem().solver.multigrid);
+    ContactFilm film(march.discretisation(), march.problem().scales, march.problem().numerics.solver.multigrid);
     const int number = march.march().contacts().front().number;
     film.set_conditions(march.mesh().contact(number, march.march().T()).conditions);
     std::vector<double> mass(pressure(state).size());

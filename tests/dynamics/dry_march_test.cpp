@@ -16,11 +16,11 @@ const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>
 class RungeKutta {
 public:
   explicit RungeKutta(const Case& problem)
-      : line_(*problem.line),
+      : line_(*problem.pair.line),
         scales_(problem.scales),
         inertia_(mesh_of(problem).inertia),
-        velocity_(line_.travel_velocity(problem.pinion_speed) * scales_.time),
-        start_(problem.start_position) {}
+        velocity_(line_.travel_velocity(problem.pair.pinion_speed) * scales_.time),
+        start_(problem.march.start_position) {}
 
   Motion integrate(Motion motion, double T_end, double largest_step) const {
     std::vector<double> times = {0.0, T_end};
@@ -138,8 +138,8 @@ protected:
   }
 
   Case problem = table3_case();
-  MeshModel mesh{problem.scales, ContactPath(*problem.line, problem.scales, 1e-15 * problem.pinion_speed, 0.0),
-                 problem.scales.inertia(*problem.equivalent_mass)};
+  MeshModel mesh{problem.scales, ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
+                 problem.scales.inertia(*problem.pair.equivalent_mass)};
   double H0_at_rest = -problem.scales.approach;
 };
 
@@ -169,7 +169,7 @@ TEST_F(FrozenGeometry, energy_is_conserved) {
 
 // Three halves is no whole power: the period of an oscillation differs from the linear one with the amplitude squared.
 TEST_F(FrozenGeometry, small_oscillations_have_the_natural_frequency) {
-  const double frequency = natural_frequency(mesh.stiffness_si(), *problem.equivalent_mass);
+  const double frequency = natural_frequency(mesh.stiffness_si(), *problem.pair.equivalent_mass);
   const double period = 1.0 / (frequency * problem.scales.time);
   DryMarch march(mesh, 0.1, nobody);
   const double amplitude = 1e-4 * std::abs(H0_at_rest);

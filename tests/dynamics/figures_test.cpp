@@ -30,7 +30,7 @@ TEST(ContactFigures, sliding_is_negative_before_the_pitch_point_and_positive_beh
   const Case problem = table3_case();
   const double u = problem.scales.operation.entrainment_velocity;
   for (const double xi : {-3e-3, 2e-3}) {
-    const double expected = problem.line->sliding_velocity(xi, problem.pinion_speed);
+    const double expected = problem.pair.line->sliding_velocity(xi, problem.pair.pinion_speed);
     EXPECT_GT(expected * xi, 0.0);
     EXPECT_NEAR(u * figures_at(xi, 1.0)["sliding_velocity"], expected, 1e-12 * u);
   }

@@ -114,7 +114,7 @@ TEST_F(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
   PetscReal size = 0.0;
   petsc_check(VecNorm(rows, NORM_2, &size));
   // Newton's tolerance, and the round-off of rates of differences.
-  EXPECT_LT(size / films.weight(), 1.1 * steps.march.problem().steps.newton.tolerance + 1e-11);
+  EXPECT_LT(size / films.weight(), 1.1 * steps.march.problem().numerics.steps.newton.tolerance + 1e-11);
   const double dT = steps.last.dT;
   EXPECT_NEAR(backward_rate(steps.last.motion.H0, steps.last_but_one.motion.H0, steps.before_last.motion.H0, dT),
               steps.last.motion.V0, 1e-6);

@@ -13,12 +13,12 @@ namespace {
 TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
   const Case problem = table3_case();
   const double k_el = mesh_of(problem).stiffness_si();
-  const std::array<double, 2> radii = {problem.line->base_radius_pinion(), problem.line->base_radius_wheel()};
-  const GearInertias inertias = disc_inertias(radii, *problem.equivalent_mass);
+  const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
+  const GearInertias inertias = disc_inertias(radii, *problem.pair.equivalent_mass);
   const auto [rigid, swinging] = dry_modes(k_el, radii, inertias);
   const auto& reference = table3::reference().at("derived").at("f_n");
   EXPECT_NEAR(swinging.frequency, reference.at("value"), 1e-3 * reference.at("value").get<double>());
-  EXPECT_NEAR(swinging.frequency, natural_frequency(k_el, *problem.equivalent_mass), 1e-9 * swinging.frequency);
+  EXPECT_NEAR(swinging.frequency, natural_frequency(k_el, *problem.pair.equivalent_mass), 1e-9 * swinging.frequency);
   EXPECT_LT(rigid.frequency, 1e-6 * swinging.frequency);
   // Geared together: R_b1 phi_1 = R_b2 phi_2.
   EXPECT_NEAR(radii[0] * rigid.shape[0], radii[1] * rigid.shape[1], 1e-9 * radii[0]);
@@ -49,7 +49,7 @@ public:
   explicit PairAtRest(const Settings& settings)
       : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}, {"solver.precision", "double"}}, settings))),
         march_(discretise(PETSC_COMM_WORLD, problem_),
-               mesh_model(problem_, problem_.start_position, MeshGeometry::held), {problem_.solver, problem_.steps},
+               mesh_model(problem_, problem_.march.start_position, MeshGeometry::held), {problem_.numerics.solver, problem_.numerics.steps},
                [](const StepRecord&, const std::vector<LiveContact>&) {}) {
     march_.start({});
     pair_ = std::make_unique<LubricatedPair>(march_.mesh(), march_.contacts());
@@ -125,9 +125,9 @@ TEST(FilmModes, agree_with_a_march_that_rings_down) {
   const FilmMode mode = swinging_mode(film_modes(rest.pair(), rest.state(), {}), rest.natural_rate());
   const Case& problem = rest.problem();
   std::vector<double> samples;
-  StepOptions steps = problem.steps;
+  StepOptions steps = problem.numerics.steps;
   steps.dT = 0.05;
-  MeshMarch march(rest.discretisation(), rest.mesh(), {problem.solver, steps},
+  MeshMarch march(rest.discretisation(), rest.mesh(), {problem.numerics.solver, steps},
                   [&](const StepRecord& record, const std::vector<LiveContact>&) {
                     if (record.T > 2.0) samples.push_back(record.motion.H0);  // the films have followed
                   });

@@ -11,7 +11,7 @@ namespace {
 Settings after_leaving_place() { return {{"start.place", "after_leaving"}, {"time.dt", "0.026"}}; }
 
 double free_frequency_of(const Case& problem, const Monodromy& monodromy) {
-  return free_oscillation(multipliers(monodromy), mesh_frequency(*problem.gears, problem.pinion_speed),
+  return free_oscillation(multipliers(monodromy), mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed),
                           mesh_of(problem).frequency_si())
       .frequency;
 }
@@ -68,7 +68,7 @@ TEST(DryOrbit, damping_leads_over_the_end_of_a_branch) {
 }
 
 PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
-  return find_periodic_orbit(march.march(), guess, march.problem().periodic, [](const SearchPeriod& period) {
+  return find_periodic_orbit(march.march(), guess, march.problem().search.options, [](const SearchPeriod& period) {
     report("mesh period %d: defect %.1e, of the films %.1e", period.number, period.defect, period.film_defect);
   });
 }
@@ -77,9 +77,9 @@ PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
   const Case& problem = march.problem();
   const DryOrbit dry = find_dry_orbit(march.mesh(), typical_film_damping);
-  ContactFilm film(discretise(march.grid(), problem.scales), problem.scales, problem.solver.multigrid);
+  ContactFilm film(discretise(march.grid(), problem.scales), problem.scales, problem.numerics.solver.multigrid);
   const StationaryResult at_pitch =
-      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.solver);
+      solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.numerics.solver);
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
 }
 
@@ -128,7 +128,7 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   const Case& problem = march.problem();
   const FloquetMultipliers few = floquet_multipliers(march.march(), orbit, {});
   const FreeOscillation oscillation = free_oscillation(
-      few.gear_pair, mesh_frequency(*problem.gears, problem.pinion_speed), mesh_of(problem).frequency_si());
+      few.gear_pair, mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed), mesh_of(problem).frequency_si());
   expect("floquet_modulus", std::abs(few.gear_pair[0]));
   expect("free_frequency", oscillation.frequency);
   // More periods change little, and show how small the films' own multipliers are.

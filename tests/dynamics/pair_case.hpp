@@ -47,7 +47,7 @@ inline Settings with(Settings settings, const Settings& replaced) {
 }
 
 /// The mesh of a case at its start.
-inline MeshModel mesh_of(const Case& problem) { return mesh_model(problem, problem.start_position); }
+inline MeshModel mesh_of(const Case& problem) { return mesh_model(problem, problem.march.start_position); }
 
 /// A lubricated march of a case that keeps its records.
 class RecordedMarch {
@@ -64,7 +64,7 @@ public:
   RecordedMarch& operator=(const RecordedMarch&) = delete;
 
   MeshMarch& march() { return march_; }
-  void start() { march_.start(problem_.start_motion); }
+  void start() { march_.start(problem_.march.start_motion); }
   void run(double T_end) { march_.run(T_end); }
 
   const Case& problem() const { return problem_; }

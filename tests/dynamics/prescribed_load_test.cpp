@@ -21,8 +21,8 @@ public:
                               {"load_sharing.kind", sharing},
                               {"load_sharing.jump_time", jump_time}})),
         discretisation_(discretise(PETSC_COMM_WORLD, problem_)),
-        march_(discretisation_, mesh_model(problem_, problem_.start_position, problem_.geometry),
-               {problem_.solver, problem_.steps},
+        march_(discretisation_, mesh_model(problem_, problem_.march.start_position, problem_.march.geometry),
+               {problem_.numerics.solver, problem_.numerics.steps},
                [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); }) {
     march_.start({});
     march_.run(path().exit_time(0));
@@ -32,7 +32,7 @@ public:
   const Grid& grid() const { return discretisation_->grid(); }
   const MeshModel& mesh() const { return march_.mesh(); }
   const ContactPath& path() const { return mesh().path; }
-  const LoadSharing& sharing() const { return problem_.prescribed_load->sharing; }
+  const LoadSharing& sharing() const { return problem_.march.load->sharing; }
   const std::vector<StepRecord>& records() const { return records_; }
 
 private:
@@ -63,7 +63,7 @@ TEST_P(QuasiStatic, force_is_the_prescribed_share_at_every_step) {
 TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
   const SingleContact contact("quasistatic", GetParam());
   const Scales& scales = contact.problem().scales;
-  ContactFilm film(discretise(contact.grid(), scales), scales, contact.problem().solver.multigrid);
+  ContactFilm film(discretise(contact.grid(), scales), scales, contact.problem().numerics.solver.multigrid);
   int compared = 0;
   for (double wanted : {-0.5e-3, 1.0e-3, 2.5e-3}) {
     const StepRecord& record = *std::min_element(
@@ -77,7 +77,7 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
     film.set_conditions(contact.mesh().contact(0, record.T).conditions);
     const StationaryResult still = solve_stationary(
         film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
-        contact.problem().solver);
+        contact.problem().numerics.solver);
     report("xi = %.3f mm: central film %.5f, stationary %.5f", 1e3 * record.contacts.front().position,
            marched["h_central"], still.figures.central_film);
     EXPECT_NEAR(marched["h_central"], still.figures.central_film, 0.01 * still.figures.central_film);
@@ -146,14 +146,14 @@ TEST(SimplifiedDynamic, a_large_inertia_hardly_moves_and_none_follows_the_load) 
 
 TEST(SinglePath, has_one_contact_until_its_exit) {
   const Case problem = table3_case();
-  const ContactPath path(*problem.line, problem.scales, problem.pinion_speed, problem.line->entry(),
+  const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, problem.pair.line->entry(),
                          MeshGeometry::single);
   EXPECT_EQ(path.contacts_after(0.0), std::vector<int>{0});
   EXPECT_DOUBLE_EQ(path.next_event(0.0), path.exit_time(0));
   EXPECT_EQ(path.contacts_after(0.99 * path.exit_time(0)), std::vector<int>{0});
   EXPECT_TRUE(path.contacts_after(path.exit_time(0)).empty());
   EXPECT_NEAR(path.time_at(0.0),
-              -problem.line->entry() / (problem.line->exit() - problem.line->entry()) * path.exit_time(0), 1e-9);
+              -problem.pair.line->entry() / (problem.pair.line->exit() - problem.pair.line->entry()) * path.exit_time(0), 1e-9);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void report_work(const RecordedMarch& march, double seconds) {
     newton += record.newton;
     krylov += record.krylov;
   }
-  report("dT = %g: %d records, %d Newton and %d Krylov iterations, %.1f s", march.problem().steps.dT,
+  report("dT = %g: %d records, %d Newton and %d Krylov iterations, %.1f s", march.problem().numerics.steps.dT,
          static_cast<int>(march.records().size()), newton, krylov, seconds);
 }
 

@@ -37,8 +37,8 @@ TEST(TimeSteps, converge_second_order) {
 /// Few Newton iterations, so that many a step of 0.05 fails.
 RecordedMarch march_with(int max_iterations, int max_rejections) {
   Case problem = table3_case(after_leaving());
-  problem.steps.newton.max_iterations = max_iterations;
-  problem.steps.max_rejections = max_rejections;
+  problem.numerics.steps.newton.max_iterations = max_iterations;
+  problem.numerics.steps.max_rejections = max_rejections;
   return RecordedMarch(problem);
 }
 

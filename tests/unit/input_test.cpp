@@ -69,40 +69,40 @@ TEST(CaseFile, barbieri_case_has_the_derived_quantities_of_table_3) {
   const Case barbieri = read_input("barbieri2013.yaml");
   EXPECT_EQ(barbieri.name, "barbieri2013");
   EXPECT_EQ(barbieri.kind, CaseKind::gear_pair);
-  EXPECT_EQ(barbieri.output_directory, "output/barbieri2013");
-  expect("contact_ratio", barbieri.line->contact_ratio());
-  expect("R_x", barbieri.solids.radius_x);
-  expect("R_y", barbieri.solids.radius_y);
+  EXPECT_EQ(barbieri.run.directory, "output/barbieri2013");
+  expect("contact_ratio", barbieri.pair.line->contact_ratio());
+  expect("R_x", barbieri.scales.solids.radius_x);
+  expect("R_y", barbieri.scales.solids.radius_y);
   expect("a", barbieri.scales.hertz.a);
   expect("p_hertz", barbieri.scales.hertz.pressure);
-  expect("f_m", mesh_frequency(*barbieri.gears, barbieri.pinion_speed));
-  expect("I_n", barbieri.scales.inertia(*barbieri.equivalent_mass));
-  const MoesGroups moes = moes_groups(barbieri.solids, barbieri.oil, barbieri.operation);
+  expect("f_m", mesh_frequency(*barbieri.pair.gears, barbieri.pair.pinion_speed));
+  expect("I_n", barbieri.scales.inertia(*barbieri.pair.equivalent_mass));
+  const MoesGroups moes = moes_groups(barbieri.scales.solids, barbieri.scales.oil, barbieri.scales.operation);
   expect("M", moes.M);
   expect("L", moes.L);
   // M >= 200: the short domain of the paper's Table 1.
-  EXPECT_EQ(barbieri.domain.x_min, -2.083);
-  EXPECT_EQ(barbieri.nx, 129);
-  EXPECT_EQ(barbieri.ny, 65);
+  EXPECT_EQ(barbieri.numerics.domain.x_min, -2.083);
+  EXPECT_EQ(barbieri.numerics.nx, 129);
+  EXPECT_EQ(barbieri.numerics.ny, 65);
 }
 
 TEST(CaseFile, wang_case_carries_the_equivalent_point_load) {
   const Case wang = read_input("wang2004.yaml");
   // design values of eq. (27): 493.6 N, 0.1179 mm, 0.786 GPa, printed to that many digits.
-  EXPECT_NEAR(wang.operation.load, 493.6, 0.05);
+  EXPECT_NEAR(wang.scales.operation.load, 493.6, 0.05);
   EXPECT_NEAR(wang.scales.hertz.a, 0.1179e-3, 0.5e-7);
   EXPECT_NEAR(wang.scales.hertz.pressure, 0.786e9, 0.5e6);
-  EXPECT_FALSE(wang.equivalent_mass.has_value());
-  EXPECT_EQ(wang.domain.y_half, 3.0);
-  EXPECT_EQ(wang.ny, 129);
+  EXPECT_FALSE(wang.pair.equivalent_mass.has_value());
+  EXPECT_EQ(wang.numerics.domain.y_half, 3.0);
+  EXPECT_EQ(wang.numerics.ny, 129);
 }
 
 TEST(CaseFile, circular_case_has_moes_groups_20_and_10) {
   const Case circular = read_input("circular_m20_l10.yaml");
   EXPECT_EQ(circular.kind, CaseKind::contact);
-  EXPECT_FALSE(circular.gears.has_value());
-  EXPECT_FALSE(circular.line.has_value());
-  const MoesGroups moes = moes_groups(circular.solids, circular.oil, circular.operation);
+  EXPECT_FALSE(circular.pair.gears.has_value());
+  EXPECT_FALSE(circular.pair.line.has_value());
+  const MoesGroups moes = moes_groups(circular.scales.solids, circular.scales.oil, circular.scales.operation);
   // Load and velocity have four digits.
   EXPECT_NEAR(moes.M, 20.0, 20.0 * 1e-3);
   EXPECT_NEAR(moes.L, 10.0, 10.0 * 1e-3);
@@ -124,26 +124,26 @@ TEST(CaseFile, name_of_the_file_is_the_default_name) {
     if (entry.name != "case.name") values.set(entry.name, entry.value, "x");
   values.complete();
   EXPECT_EQ(make_case(values).name, "some_case");
-  EXPECT_EQ(make_case(values).output_directory, "output/some_case");
+  EXPECT_EQ(make_case(values).run.directory, "output/some_case");
 }
 
 TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
   {
     const CommandLine options{{"-grid_nx", "65"}, {"-pinion_speed_rpm", "8000"}, {"-steady_position", "-1e-3"}};
     const Case overridden = read_input("barbieri2013.yaml");
-    EXPECT_EQ(overridden.nx, 65);
-    EXPECT_DOUBLE_EQ(overridden.pinion_speed, 8000 * 2 * std::numbers::pi / 60);
-    EXPECT_DOUBLE_EQ(overridden.steady_position, -1e-3);
+    EXPECT_EQ(overridden.numerics.nx, 65);
+    EXPECT_DOUBLE_EQ(overridden.pair.pinion_speed, 8000 * 2 * std::numbers::pi / 60);
+    EXPECT_DOUBLE_EQ(overridden.steady.position, -1e-3);
   }
-  EXPECT_EQ(read_input("barbieri2013.yaml").nx, 129);
+  EXPECT_EQ(read_input("barbieri2013.yaml").numerics.nx, 129);
   // These two have a grid section, Barbieri's has none.
-  EXPECT_EQ(read_input("wang2004.yaml").ny, 129);
-  EXPECT_EQ(read_input("circular_m20_l10.yaml").nx, 65);
-  EXPECT_EQ(read_input("barbieri2013.yaml").nx, 129);
+  EXPECT_EQ(read_input("wang2004.yaml").numerics.ny, 129);
+  EXPECT_EQ(read_input("circular_m20_l10.yaml").numerics.nx, 65);
+  EXPECT_EQ(read_input("barbieri2013.yaml").numerics.nx, 129);
   {
     const CommandLine same_as_the_file_before{{"-grid_nx", "65"}};
-    EXPECT_EQ(read_input("circular_m20_l10.yaml").nx, 65);
-    EXPECT_EQ(read_input("barbieri2013.yaml").nx, 65);
+    EXPECT_EQ(read_input("circular_m20_l10.yaml").numerics.nx, 65);
+    EXPECT_EQ(read_input("barbieri2013.yaml").numerics.nx, 65);
   }
 }
 
@@ -256,9 +256,9 @@ TEST(Parameters, echo_reads_back_as_the_same_case) {
   again.complete();
   const Case repeated = make_case(again);
   EXPECT_EQ(repeated.name, original.name);
-  EXPECT_EQ(repeated.operation.load, original.operation.load);
+  EXPECT_EQ(repeated.scales.operation.load, original.scales.operation.load);
   EXPECT_EQ(repeated.scales.lambda, original.scales.lambda);
-  EXPECT_EQ(repeated.solver.newton.tolerance, original.solver.newton.tolerance);
+  EXPECT_EQ(repeated.numerics.solver.newton.tolerance, original.numerics.solver.newton.tolerance);
   EXPECT_EQ(repeated.parameters.echo().size(), original.parameters.echo().size());
 }
 

@@ -89,7 +89,6 @@ private:
   LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
   bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
   std::vector<double> displacement_column_;     ///< dG/dH_0
-  std::vector<double> evaluated_pressure_;
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
   std::vector<double> masked_rate_;  ///< d(rho H)/dT with which the wet nodes were found; empty: none

@@ -23,55 +23,77 @@ namespace gearfilm {
 enum class CaseKind { gear_pair, contact };
 enum class MarchModel { dynamic, simplified, quasistatic, dry };
 
-struct Case {
-  std::string name;
-  CaseKind kind = CaseKind::gear_pair;
-
-  // Of a gear pair only.
-  std::optional<SpurGearPair> gears;
+/// The gears of a pair, and how they turn.
+struct PairCase {
+  std::optional<SpurGearPair> gears;  ///< absent for a bare contact
   std::optional<LineOfAction> line;
   double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
   double torque = 0.0;                    ///< T_g1 on the pinion [N m]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
   std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
+};
 
-  // The reference contact: the pitch point of a gear pair, or the bare contact.
-  ContactSolids solids;
-  Lubricant oil;
-  ContactOperation operation;  ///< w*, by gear.load_model; u_m*
-  Scales scales;
-
+/// Grid, solvers and time steps.
+struct NumericsCase {
   Domain domain;
   int nx = 0;  ///< nodes along X
   int ny = 0;  ///< nodes along Y
   SolverOptions solver;
+  StepOptions steps;
+  int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid
+};
 
-  double steady_position = 0.0;    ///< xi of a stationary contact [m]; zero for a bare contact
-  double steady_load_ratio = 1.0;  ///< its force over w* [-]
+/// A stationary contact.
+struct SteadyCase {
+  double position = 0.0;    ///< xi [m]; zero for a bare contact
+  double load_ratio = 1.0;  ///< its force over w* [-]
+};
 
-  // A march in time; of a gear pair only.
+/// A march in time; of a gear pair only.
+struct MarchCase {
   MarchModel model = MarchModel::dynamic;
   MeshGeometry geometry = MeshGeometry::moving;
-  std::optional<PrescribedLoad> prescribed_load;  ///< of the models simplified and quasistatic
+  std::optional<PrescribedLoad> load;  ///< of the models simplified and quasistatic
   double mesh_periods = 0.0;
-  double start_position = 0.0;         ///< xi of a contact at T = 0 [m]
-  std::optional<Motion> start_motion;  ///< absent: at rest
-  StepOptions steps;
-  int step_levels = 0;           ///< multigrid levels in time steps; 0: chosen by the grid
-  PeriodicOptions periodic;      ///< search for the periodic state
-  bool with_multipliers = true;  ///< Floquet multipliers with it, by two more mesh periods
-  SweepOptions sweep;
-  int eigen_modes = 0;                      ///< eigenvalues of the pair on its films to compute
-  bool eigen_of_orbit = false;              ///< multipliers of the periodic state too
-  int eigen_periods = 0;                    ///< mesh periods for them
+  double start_position = 0.0;              ///< xi of a contact at T = 0 [m]
+  std::optional<Motion> start_motion;       ///< absent: at rest
   std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
   std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken
+};
 
+/// The search for a periodic state.
+struct SearchCase {
+  PeriodicOptions options;
+  bool with_multipliers = true;  ///< Floquet multipliers with it, by two more mesh periods
+};
+
+/// Natural modes.
+struct ModesCase {
+  int count = 0;          ///< eigenvalues of the pair on its films to compute
+  bool of_orbit = false;  ///< multipliers of the periodic state too
+  int orbit_periods = 0;  ///< mesh periods for them
+};
+
+/// How a run is conducted; no part of its results.
+struct RunCase {
   bool restart = false;              ///< go on where the run stopped
   std::optional<double> time_limit;  ///< [s] of wall-clock time
   bool keep_checkpoint = false;      ///< when the run is complete
+  std::filesystem::path directory;   ///< of the results
+};
 
-  std::filesystem::path output_directory;
+struct Case {
+  std::string name;
+  CaseKind kind = CaseKind::gear_pair;
+  PairCase pair;
+  Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
+  NumericsCase numerics;
+  SteadyCase steady;
+  MarchCase march;
+  SearchCase search;
+  SweepOptions sweep;
+  ModesCase modes;
+  RunCase run;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
 };
 
