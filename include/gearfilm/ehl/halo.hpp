@@ -1,7 +1,11 @@
 // Exchange of the ghost rows of a Field between neighbouring processes, and their mirror image across Y = 0.
 #pragma once
 
+#include <array>
+#include <map>
+#include <span>
 #include <type_traits>
+#include <utility>
 
 #include "gearfilm/ehl/field.hpp"
 
@@ -19,35 +23,36 @@ MPI_Datatype mpi_type() {
 class Halo {
 public:
   explicit Halo(const Grid& grid);
+  ~Halo();
+  Halo(const Halo&) = delete;
+  Halo& operator=(const Halo&) = delete;
 
-  /// Fills the ghosts of all these fields; their messages travel together.
-  template <class... Fields>
-  void exchange(Fields&... fields) const {
-    if (!alone_) {
-      (begin(fields), ...);
-      (end(fields), ...);
-    }
-    if (first_) (reflect(fields), ...);
+  /// Fills the ghosts of all these fields, with one message to a neighbour.
+  template <class Real, class... More>
+  void exchange(Field<Real>& first, More&... more) const {
+    const std::array<Field<Real>*, 1 + sizeof...(More)> fields{&first, &more...};
+    if (!alone_) travel<Real>(fields);
+    if (first_) reflect<Real>(fields);
   }
 
 private:
   template <class Real>
-  void begin(Field<Real>& field) const {
-    petsc_check(PetscSFBcastBegin(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
-  }
-  template <class Real>
-  void end(Field<Real>& field) const {
-    petsc_check(PetscSFBcastEnd(forest_, mpi_type<Real>(), field.data(), field.data(), MPI_REPLACE));
-  }
+  void travel(std::span<Field<Real>* const> fields) const;
+  /// A value of each of so many fields.
+  MPI_Datatype values_of(std::size_t fields, MPI_Datatype real) const;
 
   template <class Real>
-  static void reflect(Field<Real>& field) {
-    for (int i = 0; i < field.nx(); ++i) field.row(i)[-1] = field.row(i)[1];
+  static void reflect(std::span<Field<Real>* const> fields) {
+    for (Field<Real>* field : fields) {
+      for (int i = 0; i < field->nx(); ++i) field->row(i)[-1] = field->row(i)[1];
+    }
   }
 
-  OwnedSF forest_;  ///< roots: own edge rows; leaves: the neighbours' ghost rows
+  OwnedSF forest_;  ///< roots: own edge rows; leaves: the neighbours' ghost rows; [line][south, north]
   bool alone_;
   bool first_;  ///< holds row 0
+  bool last_;   ///< holds the last row
+  mutable std::map<std::pair<std::size_t, MPI_Datatype>, MPI_Datatype> types_;
 };
 
 }  // namespace gearfilm
