@@ -29,7 +29,7 @@ void note(ThinnestFilm& thinnest, const StepRecord& step, const Scales& scales) 
   for (const ContactRecord& contact : step.contacts) {
     const double thickness = scales.thickness * contact.figures["h_min"];
     if (thickness < thinnest.thickness) {
-      thinnest = {thickness, scales.time * step.T, contact.position, contact.contact};
+      thinnest = {thickness, scales.time * step.T, contact.position, contact.number};
     }
   }
 }
@@ -38,7 +38,7 @@ void watch(MPI_Comm comm, const char* case_file) {
   const Case problem = read_case(comm, case_file);
   require_inertia(problem);
   const SharedDiscretisation films = discretise(comm, problem);
-  const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, problem.march.start_position);
+  const MeshModel mesh = mesh_model(problem, problem.march.start_position);
 
   int steps = 0;
   ThinnestFilm thinnest;
@@ -49,9 +49,9 @@ void watch(MPI_Comm comm, const char* case_file) {
     ++steps;
     note(thinnest, step, problem.scales);
   };
-  MeshMarch march = make_march(problem, films, path, observer);
+  MeshMarch march = make_march(problem, films, mesh, observer);
   march.start(problem.march.start_motion);
-  march.run(problem.march.mesh_periods * path.mesh_period());
+  march.run(problem.march.mesh_periods * mesh.path.mesh_period());
 
   petsc_check(PetscPrintf(comm, "%d steps to %.4f ms\n", steps, 1e3 * problem.scales.time * march.T()));
   petsc_check(PetscPrintf(comm, "h_min = %.6f um  at %.4f ms, contact %d, xi = %+.3f mm\n", 1e6 * thinnest.thickness,
