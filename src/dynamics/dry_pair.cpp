@@ -19,8 +19,8 @@ double dry_force(const Scales& scales, const ContactConditions& conditions, doub
   return load / scales.operation.load * scales.static_force;
 }
 
-DryMarch::DryMarch(const MeshModel& mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
-    : mesh_(mesh), damping_(damping), dT_(dT), observer_(std::move(observer)), keeper_(keeper) {}
+DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
+    : mesh_(std::move(mesh)), damping_(damping), dT_(dT), observer_(std::move(observer)), keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
   double sum = 0.0;

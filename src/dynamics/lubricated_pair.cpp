@@ -1,5 +1,6 @@
 #include "gearfilm/dynamics/lubricated_pair.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -7,14 +8,14 @@ namespace gearfilm {
 namespace {
 
 std::vector<int> numbers_of(const std::vector<LiveContact>& contacts) {
-  std::vector<int> numbers;
-  for (const LiveContact& contact : contacts) numbers.push_back(contact.number);
+  std::vector<int> numbers(contacts.size());
+  std::ranges::transform(contacts, numbers.begin(), &LiveContact::number);
   return numbers;
 }
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
-  std::vector<ContactFilm*> films;
-  for (const LiveContact& contact : contacts) films.push_back(contact.film);
+  std::vector<ContactFilm*> films(contacts.size());
+  std::ranges::transform(contacts, films.begin(), &LiveContact::film);
   return films;
 }
 

@@ -58,7 +58,7 @@ void Halo::travel(std::span<Field<Real>* const> fields) const {
       values[count + f] = fields[f]->row(i)[north - 1];
     }
   }
-  const MPI_Datatype type = values_of(count, mpi_type<Real>());
+  MPI_Datatype type = values_of(count, mpi_type<Real>());
   petsc_check(PetscSFBcastBegin(forest_, type, edges.data(), ghosts.data(), MPI_REPLACE));
   petsc_check(PetscSFBcastEnd(forest_, type, edges.data(), ghosts.data(), MPI_REPLACE));
   for (int i = 0; i < lines; ++i) {

@@ -341,12 +341,12 @@ Case make_case(const ParameterValues& values) {
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
   const Lubricant oil = read_lubricant(values);
-  const auto [solids, operation] =
+  const ReferenceContact reference =
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
   in_file_of(values, [&] {
-    result.scales = make_scales(solids, oil, operation);
+    result.scales = make_scales(reference.solids, oil, reference.operation);
     check_strain(result.scales);
-    result.numerics.domain = read_domain(values, moes_groups(solids, oil, operation).M);
+    result.numerics.domain = read_domain(values, moes_groups(reference.solids, oil, reference.operation).M);
   });
   result.numerics.nx = values.integer("grid.nx");
   result.numerics.ny = values.integer("grid.ny");

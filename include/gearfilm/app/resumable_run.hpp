@@ -1,4 +1,4 @@
-// What a command needs that can be stopped and continued: its folder, what it keeps there, and ears for the wish to
+// What a command needs that can be stopped and continued: its folder, what it keeps there, and whether it is to
 // stop.
 //
 //   DIR/checkpoint/run.json    the command and its parameters

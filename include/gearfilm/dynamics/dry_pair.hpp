@@ -19,8 +19,7 @@ class DryMarch {
 public:
   /// Steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A keeper must outlive the
   /// march.
-  DryMarch(const MeshModel& mesh, double dT, StepObserver observer, double damping = 0.0,
-           MarchKeeper* keeper = nullptr);
+  DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping = 0.0, MarchKeeper* keeper = nullptr);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);

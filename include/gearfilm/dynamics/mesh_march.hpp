@@ -28,8 +28,8 @@ class MeshMarch {
 public:
   /// All contacts have films of this discretisation. With a prescribed load the mesh has a single contact. A keeper
   /// must outlive the march.
-  MeshMarch(SharedDiscretisation discretisation, const MeshModel& mesh, const MarchOptions& options,
-            StepObserver observer, MarchKeeper* keeper = nullptr);
+  MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, const MarchOptions& options, StepObserver observer,
+            MarchKeeper* keeper = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
