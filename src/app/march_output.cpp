@@ -101,7 +101,7 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
   table.append(rows);
   table.write();
   Summary peaks = Summary::array();
-  for (const SpectralLine& peak : spectral_peaks(lines, peak_count)) {
+  for (const SpectralLine& peak : spectral_peaks(lines, window, peak_count)) {
     peaks.push_back({{"frequency", peak.frequency / scales.time}, {"H0", peak.amplitude}});
   }
   return peaks;

@@ -37,7 +37,8 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
 }
 
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
-  const FreeOscillation oscillation = free_oscillation(pair, mesh.mesh_frequency_si(), mesh.frequency_si());
+  const std::optional<FreeOscillation> oscillation =
+      free_oscillation(pair, mesh.mesh_frequency_si(), mesh.frequency_si());
   summary["floquet"] = Summary::array();
   for (const std::complex<double>& multiplier : pair) {
     summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
@@ -45,8 +46,8 @@ void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double
   const double modulus = std::max(std::abs(pair[0]), std::abs(pair[1]));
   summary["floquet_modulus"] = modulus;
   summary["stable"] = modulus < 1.0;
-  summary["free_frequency"] = oscillation.frequency;
-  summary["damping_ratio"] = oscillation.damping_ratio;
+  summary["free_frequency"] = oscillation ? Summary(oscillation->frequency) : Summary();
+  summary["damping_ratio"] = oscillation ? Summary(oscillation->damping_ratio) : Summary();
 }
 
 Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {

@@ -87,7 +87,7 @@ constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
 double number(const Summary& point, const char* name) {
   const auto found = point.find(name);
-  if (found == point.end()) return absent;
+  if (found == point.end() || found->is_null()) return absent;
   return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
 }
 

@@ -6,6 +6,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -129,11 +130,18 @@ void reject_odd_indents(const std::string& file, const std::string& text) {
   }
 }
 
+/// A file that a value names: in the case file beside it, on the command line where the program was called.
+std::string named_file(const ParameterValues& values, const std::string& name) {
+  const bool in_case = values.origin(name).starts_with(values.file() + ":");
+  const std::filesystem::path beside = in_case ? std::filesystem::path(values.file()).parent_path() : "";
+  return (beside / values.text(name)).string();
+}
+
 // The processes make their cases from the same text, read once.
 void attach_share_table(MPI_Comm comm, ParameterValues& values) {
   const std::string name = "load_sharing.file";
   if (!values.has(name) || values.text("load_sharing.kind") != "table") return;
-  values.attach(name, read_text(comm, values.text(name), values.origin(name) + ": table"));
+  values.attach(name, read_text(comm, named_file(values, name), values.origin(name) + ": table"));
 }
 
 }  // namespace

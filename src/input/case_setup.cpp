@@ -6,7 +6,8 @@
 namespace gearfilm {
 
 GridShape case_grid(const Case& problem) {
-  return grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, problem.numerics.nx, problem.numerics.ny);
+  return grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, problem.numerics.nx,
+                    problem.numerics.ny);
 }
 
 SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
@@ -44,8 +45,9 @@ MeshModel mesh_after_leaving(const Case& problem) {
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
   MarchOptions options{problem.numerics.solver, problem.numerics.steps};
-  options.films.multigrid.levels =
-      problem.numerics.step_levels > 0 ? problem.numerics.step_levels : step_levels(films->grid(), problem.numerics.steps.dT);
+  options.films.multigrid.levels = problem.numerics.step_levels > 0
+                                       ? problem.numerics.step_levels
+                                       : step_levels(films->grid(), problem.numerics.steps.dT);
   return MeshMarch(films, mesh, options, std::move(observer), keeper);
 }
 

@@ -115,7 +115,8 @@ void compare_mass(const Case& problem, Oddities& found) {
 
 void compare_steps(const Case& problem, Oddities& found) {
   constexpr double fewest_in_period = 30, most_in_march = 1e7;
-  const double mesh_period = 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
+  const double mesh_period =
+      1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
   const double in_period = mesh_period / problem.numerics.steps.dT;
   compare(in_period,
           {"the number of time steps a mesh period", "", fewest_in_period, HUGE_VAL,

@@ -212,7 +212,9 @@ Records load_sharing_records() {
            "two, or from load_sharing.file"),
        preset(1.0 / 3.0, number("at_end", "", "-", closed(1e-3, 10), "trapezoid: where a contact enters or leaves")),
        preset(2.0 / 3.0, number("at_inner_edge", "", "-", closed(1e-3, 10), "trapezoid: where it becomes alone")),
-       optional("none", word("file", "table: position [m] and share, one point a line; # begins a remark")),
+       optional("none", word("file",
+                             "table: position [m] and share, one point a line; # begins a remark; named in a case file "
+                             "it is sought beside it")),
        preset(0.025, number("jump_time", "", "-", closed(1e-6, 1),
                             "time that a jump of the share takes, in units of a/u_m as time.dt")),
        preset(10, whole("jump_refinement", "", closed(1, 10000), "least number of time steps in it"))});

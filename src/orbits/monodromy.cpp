@@ -13,8 +13,8 @@ std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy) {
   return {half_trace + root, half_trace - root};
 }
 
-FreeOscillation free_oscillation(const std::array<std::complex<double>, 2>& mu, double mesh_frequency,
-                                 double natural_frequency) {
+std::optional<FreeOscillation> free_oscillation(const std::array<std::complex<double>, 2>& mu, double mesh_frequency,
+                                                double natural_frequency) {
   if (mu[0].imag() == 0.0) return {};
   const double turn = std::abs(std::arg(mu[0])) / (2.0 * std::numbers::pi);
   const double ratio = natural_frequency / mesh_frequency;
@@ -22,7 +22,7 @@ FreeOscillation free_oscillation(const std::array<std::complex<double>, 2>& mu, 
   const double frequency = mesh_frequency * (std::abs(below - ratio) < std::abs(above - ratio) ? below : above);
   const double decay = -std::log(std::abs(mu[0])) * mesh_frequency;  // [1/s]
   const double angular = 2.0 * std::numbers::pi * frequency;
-  return {frequency, decay / std::hypot(decay, angular)};
+  return FreeOscillation{frequency, decay / std::hypot(decay, angular)};
 }
 
 }  // namespace gearfilm

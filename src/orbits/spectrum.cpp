@@ -72,12 +72,14 @@ std::vector<SpectralLine> MotionSignal::spectrum(double T_begin, double T_end, S
   return lines;
 }
 
-std::vector<SpectralLine> spectral_peaks(const std::vector<SpectralLine>& lines, std::size_t count) {
+std::vector<SpectralLine> spectral_peaks(const std::vector<SpectralLine>& lines, SpectralWindow window,
+                                         std::size_t count) {
   std::vector<SpectralLine> peaks;
   for (std::size_t n = 1; n < lines.size(); ++n) {
     const double before = n > 1 ? lines[n - 1].amplitude : 0.0;
     const double after = n + 1 < lines.size() ? lines[n + 1].amplitude : 0.0;
-    if (lines[n].amplitude > before && lines[n].amplitude > after) peaks.push_back(lines[n]);
+    const bool highest = lines[n].amplitude > before && lines[n].amplitude > after;
+    if (highest || window == SpectralWindow::none) peaks.push_back(lines[n]);
   }
   std::sort(peaks.begin(), peaks.end(),
             [](const SpectralLine& a, const SpectralLine& b) { return a.amplitude > b.amplitude; });

@@ -49,6 +49,15 @@ class OneContact(VibrationTest):
         rows = self.coarse("quasistatic", "-load_sharing_kind", "table", "-load_sharing_file", "shares.txt")
         self.assert_shares(rows, ((-4.5e-3, 0.5), (-3.1e-3, 0.5933), (-2.5e-3, 0.9), (4e-3, 0.9)))
 
+    def test_a_table_named_in_a_case_file_is_beside_it(self):
+        (self.folder / "pair").mkdir()
+        (self.folder / "pair/shares.txt").write_text("-6e-3 0.4\n6e-3 0.9\n", encoding="utf-8")
+        case = BARBIERI.read_text(encoding="utf-8") + "\nload_sharing:\n  kind: table\n  file: shares.txt\n"
+        (self.folder / "pair/case.yaml").write_text(case, encoding="utf-8")
+        self.run_program("info", "pair/case.yaml", "-model", "quasistatic", "-output_dir", "info")
+        self.assert_wrong(["does not exist", "shares.txt"], "info", "pair/case.yaml", "-model", "quasistatic",
+                          "-load_sharing_file", "shares.txt")
+
     def test_simplified_dynamic_contact_swings_about_its_share(self):
         rows = self.coarse("simplified")
         alone = rows[(rows["xi"] > ALONE[0]) & (rows["xi"] < ALONE[1])]

@@ -31,7 +31,7 @@ TEST(Spectrum, a_whole_number_of_periods_gives_its_lines) {
   const MotionSignal signal = signal_of(lines, -1.5, 8.0);
   const std::vector<SpectralLine> spectrum = signal.spectrum(2.0, 6.0, SpectralWindow::none);
   EXPECT_NEAR(spectrum[0].amplitude, 1.5, 1e-6);
-  const std::vector<SpectralLine> peaks = spectral_peaks(spectrum, 2);
+  const std::vector<SpectralLine> peaks = spectral_peaks(spectrum, SpectralWindow::none, 2);
   ASSERT_EQ(peaks.size(), 2u);
   for (std::size_t n = 0; n < 2; ++n) {
     EXPECT_NEAR(peaks[n].frequency, lines[n].frequency, 1e-12);
@@ -39,10 +39,20 @@ TEST(Spectrum, a_whole_number_of_periods_gives_its_lines) {
   }
 }
 
+// Harmonics of a periodic state fall off: none but the first is a maximum among its neighbours.
+TEST(Spectrum, harmonics_are_lines_of_their_own) {
+  const MotionSignal signal = signal_of({{0.5, 0.7}, {1.0, 0.4}, {1.5, 0.1}}, 0.0, 4.0);
+  const std::vector<SpectralLine> peaks =
+      spectral_peaks(signal.spectrum(0.0, 2.0, SpectralWindow::none), SpectralWindow::none, 3);
+  ASSERT_EQ(peaks.size(), 3u);
+  for (std::size_t n = 0; n < 3; ++n) EXPECT_NEAR(peaks[n].frequency, 0.5 * (n + 1.0), 1e-12);
+}
+
 TEST(Spectrum, a_window_keeps_strange_lines_apart) {
   // No whole number of periods, a thousandfold difference: without a window the leakage would bury the small one.
   const MotionSignal signal = signal_of({{0.512, 0.7}, {1.9, 0.0007}}, -50.0, 40.0);
-  const std::vector<SpectralLine> peaks = spectral_peaks(signal.spectrum(0.0, 40.0, SpectralWindow::hann), 2);
+  const std::vector<SpectralLine> peaks =
+      spectral_peaks(signal.spectrum(0.0, 40.0, SpectralWindow::hann), SpectralWindow::hann, 2);
   EXPECT_NEAR(peaks[0].frequency, 0.512, 0.5 / 40.0);
   EXPECT_NEAR(peaks[1].frequency, 1.9, 0.5 / 40.0);
   EXPECT_NEAR(peaks[1].amplitude, 0.0007, 0.2 * 0.0007);

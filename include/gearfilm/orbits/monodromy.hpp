@@ -7,6 +7,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 
 namespace gearfilm {
 
@@ -14,15 +15,16 @@ namespace gearfilm {
 using Monodromy = std::array<std::array<double, 2>, 2>;
 
 struct FreeOscillation {
-  double frequency = 0.0;      ///< [Hz]; 0 for real multipliers, which do not oscillate
+  double frequency = 0.0;      ///< [Hz]
   double damping_ratio = 0.0;  ///< zeta [-]
 };
 
 /// The two eigenvalues; of a complex pair the one with positive imaginary part first.
 std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy);
 
-/// From the multipliers, the mesh frequency f_m and the linear natural frequency f_n [Hz].
-FreeOscillation free_oscillation(const std::array<std::complex<double>, 2>& multipliers, double mesh_frequency,
-                                 double natural_frequency);
+/// From the multipliers, the mesh frequency f_m and the linear natural frequency f_n [Hz]. Real multipliers do not
+/// oscillate.
+std::optional<FreeOscillation> free_oscillation(const std::array<std::complex<double>, 2>& multipliers,
+                                                double mesh_frequency, double natural_frequency);
 
 }  // namespace gearfilm

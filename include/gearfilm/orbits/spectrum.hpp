@@ -45,7 +45,9 @@ private:
   std::vector<Sample> samples_;
 };
 
-/// The local maxima beside zero frequency, largest first, at most `count`.
-std::vector<SpectralLine> spectral_peaks(const std::vector<SpectralLine>& lines, std::size_t count);
+/// The largest lines beside zero frequency, largest first, at most `count`. A window spreads a line over its
+/// neighbours: then only local maxima count.
+std::vector<SpectralLine> spectral_peaks(const std::vector<SpectralLine>& lines, SpectralWindow window,
+                                         std::size_t count);
 
 }  // namespace gearfilm
