@@ -36,9 +36,9 @@ public:
   GridBench(MPI_Comm comm, const Case& problem, GridSize size)
       : comm_(comm),
         problem_(problem),
-        discretisation_(
-            discretise(Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-                       problem.scales)),
+        discretisation_(discretise(
+            Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
+            problem.scales)),
         film_(discretisation_, problem.scales, problem.numerics.solver.multigrid),
         unit_(common_unit(comm, size)),
         change_(film_.grid().local_size()),
@@ -68,8 +68,9 @@ private:
   void solve() {
     report("stationary film", median_time(
                                   [&] {
-                                    result_ = solve_stationary(
-                                        film_, LoadCondition::force(problem_.scales.static_force), problem_.numerics.solver);
+                                    result_ =
+                                        solve_stationary(film_, LoadCondition::force(problem_.scales.static_force),
+                                                         problem_.numerics.solver);
                                   },
                                   0.0, 0, solve_runs));
   }
@@ -138,7 +139,8 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   petsc_check(PetscPrintf(comm,
                           "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
                           "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, resized.numerics.steps.dT, seconds, contact_steps, contact_step, newton, krylov));
+                          size.nx, size.ny, resized.numerics.steps.dT, seconds, contact_steps, contact_step, newton,
+                          krylov));
   return {{"nx", size.nx},
           {"ny", size.ny},
           {"dT", resized.numerics.steps.dT},

@@ -14,9 +14,11 @@ namespace gearfilm {
 namespace {
 
 Summary dry_pair_summary(const Case& problem) {
-  const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
+  const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(),
+                                            problem.pair.line->base_radius_wheel()};
   const double k_el = mesh_after_leaving(problem).stiffness_si();
-  const GearInertias inertias = problem.pair.inertias.value_or(disc_inertias(base_radii, *problem.pair.equivalent_mass));
+  const GearInertias inertias =
+      problem.pair.inertias.value_or(disc_inertias(base_radii, *problem.pair.equivalent_mass));
   const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
   return {{"k_el", k_el},
           {"m_ge", *problem.pair.equivalent_mass},
@@ -105,7 +107,8 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   require_inertia(given);
   require_moving_films(given, "eigen");
   Case problem = given;
-  problem.numerics.solver.multigrid.precision = Precision::double_precision;  // eigenvalues have the digits of the products
+  problem.numerics.solver.multigrid.precision =
+      Precision::double_precision;  // eigenvalues have the digits of the products
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};

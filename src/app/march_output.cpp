@@ -181,7 +181,8 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
     Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (problem.march.model != MarchModel::dry) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
+    if (problem.march.model != MarchModel::dry)
+      entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
     summary["contact_losses"].push_back(entry);
   }
   return summary;

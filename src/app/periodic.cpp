@@ -52,7 +52,10 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   const double begin = found.orbit.begin, end = begin + mesh.path.mesh_period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
-  Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}, {"dT", problem.numerics.steps.dT}};
+  Summary summary = {{"case", problem.name},
+                     {"nx", problem.numerics.nx},
+                     {"ny", problem.numerics.ny},
+                     {"dT", problem.numerics.steps.dT}};
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
   summary.update(orbit_summary(mesh, found));

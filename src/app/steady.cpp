@@ -122,8 +122,8 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   film.set_conditions(position.contact.conditions);
   const double force = problem.steady.load_ratio * problem.scales.static_force;
   check_domain(film.grid(), problem.scales, position.contact.conditions, force, position.label);
-  const StationaryResult result =
-      located(position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.numerics.solver); });
+  const StationaryResult result = located(
+      position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.numerics.solver); });
   check_validity(film, result.figures, position.label);
   const Summary summary = film_summary(problem, position, result);
   write_results(comm, problem, position, film, summary);

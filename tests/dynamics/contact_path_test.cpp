@@ -66,8 +66,9 @@ protected:
   bool whole() const { return std::abs(line.contact_ratio() - std::round(line.contact_ratio())) < 1e-9; }
 
   Case pair = input_case(GetParam().file);
-  LineOfAction line = GetParam().contact_ratio > 0.0 ? line_with_contact_ratio(*pair.pair.gears, GetParam().contact_ratio)
-                                                     : *pair.pair.line;
+  LineOfAction line = GetParam().contact_ratio > 0.0
+                          ? line_with_contact_ratio(*pair.pair.gears, GetParam().contact_ratio)
+                          : *pair.pair.line;
 };
 
 constexpr double many_periods = 1000.0;
@@ -168,11 +169,13 @@ TEST_P(PathOfContact, conditions_follow_the_line_of_action) {
       const ContactConditions there = mesh.contact(contact, T).conditions;
       EXPECT_NEAR(there.relative_radius, line.radius_x(xi) / line.radius_x(0.0), 1e-12);
       EXPECT_NEAR(there.entrainment,
-                  line.entrainment_velocity(xi, pair.pair.pinion_speed) / line.entrainment_velocity(0.0, pair.pair.pinion_speed),
+                  line.entrainment_velocity(xi, pair.pair.pinion_speed) /
+                      line.entrainment_velocity(0.0, pair.pair.pinion_speed),
                   1e-12);
     }
   }
-  EXPECT_NEAR(contacts.mesh_period() * pair.scales.time * mesh_frequency(*pair.pair.gears, pair.pair.pinion_speed), 1.0, 1e-12);
+  EXPECT_NEAR(contacts.mesh_period() * pair.scales.time * mesh_frequency(*pair.pair.gears, pair.pair.pinion_speed), 1.0,
+              1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,

@@ -138,7 +138,8 @@ protected:
   }
 
   Case problem = table3_case();
-  MeshModel mesh{problem.scales, ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
+  MeshModel mesh{problem.scales,
+                 ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
                  problem.scales.inertia(*problem.pair.equivalent_mass)};
   double H0_at_rest = -problem.scales.approach;
 };

@@ -107,8 +107,8 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   EXPECT_GT(std::abs(stored), 0.01);
   EXPECT_LT(wet_nodes, (grid.nx() - 2) * (grid.ny() - 2));  // some nodes are cavitated
   // A sum of n rows is at most sqrt(n) times their norm, which Newton's tolerance bounds.
-  const double bound =
-      grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.system().weight() * problem.numerics.steps.newton.tolerance;
+  const double bound = grid.h_x() * grid.h_y() * std::sqrt(wet_nodes) * system.system().weight() *
+                       problem.numerics.steps.newton.tolerance;
   EXPECT_NEAR(flow.in - flow.out, stored, bound + 1e-11 * flow.in);
 }
 

@@ -49,7 +49,8 @@ public:
   explicit PairAtRest(const Settings& settings)
       : problem_(table3_case(with({{"grid.nx", "65"}, {"grid.ny", "33"}, {"solver.precision", "double"}}, settings))),
         march_(discretise(PETSC_COMM_WORLD, problem_),
-               mesh_model(problem_, problem_.march.start_position, MeshGeometry::held), {problem_.numerics.solver, problem_.numerics.steps},
+               mesh_model(problem_, problem_.march.start_position, MeshGeometry::held),
+               {problem_.numerics.solver, problem_.numerics.steps},
                [](const StepRecord&, const std::vector<LiveContact>&) {}) {
     march_.start({});
     pair_ = std::make_unique<LubricatedPair>(march_.mesh(), march_.contacts());

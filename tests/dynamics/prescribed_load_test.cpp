@@ -152,8 +152,9 @@ TEST(SinglePath, has_one_contact_until_its_exit) {
   EXPECT_DOUBLE_EQ(path.next_event(0.0), path.exit_time(0));
   EXPECT_EQ(path.contacts_after(0.99 * path.exit_time(0)), std::vector<int>{0});
   EXPECT_TRUE(path.contacts_after(path.exit_time(0)).empty());
-  EXPECT_NEAR(path.time_at(0.0),
-              -problem.pair.line->entry() / (problem.pair.line->exit() - problem.pair.line->entry()) * path.exit_time(0), 1e-9);
+  EXPECT_NEAR(
+      path.time_at(0.0),
+      -problem.pair.line->entry() / (problem.pair.line->exit() - problem.pair.line->entry()) * path.exit_time(0), 1e-9);
 }
 
 }  // namespace
