@@ -1,0 +1,49 @@
+// What holds films: the rows of each kind of border, and their solution together with films that give way.
+#include "gearfilm/ehl/border.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gearfilm {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double inertia = 31.0, static_force = 15.0, share = 0.4;
+
+TEST(Border, rows_vanish_where_it_is_in_balance) {
+  EXPECT_EQ(given_displacement(-0.7).rows(Values{-0.7}, Values{3.0}, 99.0, Border::Of::states), Values{0.0});
+  EXPECT_EQ(given_force(8.0).rows(Values{-0.7}, Values{3.0}, 8.0, Border::Of::states), Values{0.0});
+  // Falling at 0.2, sped up by a force that is larger than the share of the static one.
+  const double force = share * 1.5 * static_force, acceleration = 0.5 * static_force / inertia;
+  const Values rows = rigid_pair(inertia, static_force, share)
+                          .rows(Values{-0.7, -0.2}, Values{-0.2, acceleration}, force, Border::Of::states);
+  for (const double row : rows) EXPECT_NEAR(row, 0.0, 1e-15);
+}
+
+TEST(Border, rows_are_relative_errors) {
+  EXPECT_NEAR(given_force(8.0).rows(Values{0.0}, Values{0.0}, 8.8, Border::Of::states)[0], -0.1, 1e-15);
+  const Border pair = rigid_pair(inertia, static_force, share);
+  EXPECT_NEAR(pair.rows(Values{0.0, 0.0}, Values{0.0, 0.0}, 0.9 * share * static_force, Border::Of::states)[1], 0.1,
+              1e-15);
+}
+
+// The films' forces fall by their stiffness times the displacement.
+TEST(Border, solution_fulfils_the_rows) {
+  constexpr double shift = 7.0, film_stiffness = 13.0;
+  for (const Border& border : {given_displacement(-0.7), given_force(8.0), rigid_pair(inertia, static_force, share),
+                               rigid_pair(0.0, static_force, share)}) {
+    Values wanted(border.size());
+    for (std::size_t n = 0; n < wanted.size(); ++n) wanted[n] = 0.3 - 0.8 * static_cast<double>(n);
+    BorderFactors factors(border.size());
+    factors.factor(border, 1.0, 99.0);  // made again below
+    factors.factor(border, shift, film_stiffness);
+    const Values scalars = factors.solve(wanted);
+    Values rates = scalars;
+    for (double& rate : rates) rate *= shift;
+    const Values rows = border.rows(scalars, rates, -film_stiffness * border.displaced(scalars), Border::Of::changes);
+    for (std::size_t n = 0; n < wanted.size(); ++n) EXPECT_NEAR(rows[n], wanted[n], 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm
