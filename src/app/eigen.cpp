@@ -7,6 +7,7 @@
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
+#include "gearfilm/orbits/dynamic_stiffness.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"
 
@@ -31,7 +32,7 @@ Summary dry_pair_summary(const Case& problem) {
 }
 
 /// The pair at rest on its films at the chosen position, linearised.
-Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, double angular_frequency) {
+Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation) {
   const Scales& scales = problem.scales;
   const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   MeshMarch march =
@@ -51,7 +52,7 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
     pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
   const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.modes.count});
-  const std::complex<double> lambda = swinging_mode(modes, angular_frequency).eigenvalue;
+  const std::complex<double> lambda = swinging_mode(pair, state);
   Summary summary = {{"position", problem.steady.position},
                      {"contacts", contacts.size()},
                      {"H0", at_rest.motion.H0},
@@ -113,8 +114,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
-  const double dry_rate = 2.0 * std::numbers::pi * summary["f_n"].get<double>() * problem.scales.time;
-  summary.update(film_summary(problem, films, dry_rate));
+  summary.update(film_summary(problem, films));
   if (problem.modes.of_orbit) summary["orbit"] = orbit_multipliers(problem, films, run);
   write_summary(comm, run.directory().path(), summary);
   run.complete();

@@ -2,7 +2,6 @@
 
 #include <slepceps.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "gearfilm/error.hpp"
@@ -93,19 +92,6 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
     modes.push_back({{-real, imaginary == 0.0 ? 0.0 : imaginary}, error});
   }
   return modes;
-}
-
-FilmMode swinging_mode(const std::vector<FilmMode>& modes, double angular_frequency) {
-  const FilmMode* nearest = nullptr;
-  const auto distance = [&](const FilmMode& mode) { return std::abs(mode.eigenvalue.imag() - angular_frequency); };
-  for (const FilmMode& mode : modes) {
-    if (mode.eigenvalue.imag() <= 0.0) continue;
-    if (!nearest || distance(mode) < distance(*nearest)) nearest = &mode;
-  }
-  if (!nearest)
-    throw SolveError("none of the " + std::to_string(modes.size()) +
-                     " modes found oscillates; ask for more (eigen_modes)");
-  return *nearest;
 }
 
 }  // namespace gearfilm

@@ -26,6 +26,7 @@ public:
   FilmSystem(std::vector<ContactFilm*> films, Border border);
 
   std::size_t films() const { return films_.size(); }
+  ContactFilm& film(std::size_t contact) { return *films_[contact]; }
   const Grid& grid() const { return grid_; }
   /// Another border with as many scalars.
   void set_border(Border border) { border_ = std::move(border); }

@@ -1,10 +1,9 @@
 // Natural modes of the lubricated pair with its geometry held: the films and the motion linearised about rest.
 //
 //   A y + lambda B y = 0 ,   y = (dP_k, dH_0, dV_0) ~ exp(lambda T)
-// with A the linearised stationary system of lubricated_pair.hpp and B the squeeze term and the inertia. SLEPc finds
-// the eigenvalues nearest zero by shift and invert; A^-1 is our own Krylov solver with its multigrid. One conjugate
-// pair is the gear pair swinging on its films: |lambda| its angular frequency, -Re lambda/|lambda| its damping ratio.
-// The others are real or strongly damped, films by themselves.
+// with A the linearised stationary system of film_system.hpp and B the squeeze term and the inertia. SLEPc finds the
+// eigenvalues nearest zero by shift and invert; A^-1 is our own Krylov solver with its multigrid. Most are films by
+// themselves, real or strongly damped; for the swinging pair see dynamic_stiffness.hpp.
 #pragma once
 
 #include <complex>
@@ -29,9 +28,5 @@ struct FilmMode {
 /// Modes about a state at rest at the pair's present place, those nearest zero first. Throws SolveError where they do
 /// not converge.
 std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmModeOptions& options);
-
-/// The gear pair's mode: of the oscillating ones that nearest to the linear natural frequency, given as an angular one
-/// [1/t*]. Throws SolveError where none oscillates.
-FilmMode swinging_mode(const std::vector<FilmMode>& modes, double angular_frequency);
 
 }  // namespace gearfilm

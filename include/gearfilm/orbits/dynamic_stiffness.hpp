@@ -1,0 +1,33 @@
+// The mode in which a gear pair swings on its films at rest, from the films' dynamic stiffness.
+//
+// A displacement H_0 exp(s T) of a film at rest changes its pressure by p exp(s T) with
+//   (A + s B) p = -(a + s b) H_0 ,      A = dG/dP ,  a = dG/dH_0 ,  B, b: the same of rho H at wet nodes
+// and its force by -K(s) H_0: K(s) = Int (A + s B)^-1 (a + s b). The pair swings at the s with
+//   I_n s^2 + sum_k K_k(s) = 0 ,
+// found by the secant method from s = i 2 pi f_n on. H_0 is part of this mode by construction: a mode of the films
+// alone is no solution.
+#pragma once
+
+#include <complex>
+
+#include "gearfilm/dynamics/lubricated_pair.hpp"
+
+namespace gearfilm {
+
+struct SwingOptions {
+  double tolerance = 1e-9;          ///< on the change of s, relative
+  int max_iterations = 30;          ///< of the secant method
+  double krylov_tolerance = 1e-11;  ///< relative, of each solution for p
+  int krylov_max_iterations = 600;
+};
+
+/// K(s) of all contacts of a pair in a state at rest, at the pair's present place. Throws SolveError where the linear
+/// solution does not converge. Collective.
+std::complex<double> dynamic_stiffness(LubricatedPair& pair, Vec state, std::complex<double> s,
+                                       const SwingOptions& options = {});
+
+/// s of the swinging pair [1/t*], with Im s > 0. Throws SolveError where the secant method does not converge, or the
+/// pair does not swing.
+std::complex<double> swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& options = {});
+
+}  // namespace gearfilm

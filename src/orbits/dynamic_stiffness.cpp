@@ -1,0 +1,145 @@
+#include "gearfilm/orbits/dynamic_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// (A + s B) of one film on p = [x, y], with s = sigma + i omega:
+///   (A + sigma B) x - omega B y = f ,   omega B x + (A + sigma B) y = g
+/// Preconditioned with A + (sigma + 2 omega) B in the lower right corner. Then x + y and y follow one after the other
+/// from the real M = A + (sigma + omega) B, for which the film's own preconditioner stands:
+///   M (x + y) = f + g ,   M y = g - omega B (x + y)
+class FilmResponse final : public LinearisedSystem {
+public:
+  FilmResponse(ContactFilm& film, std::span<const double> pressure, double H0, std::complex<double> s)
+      : film_(film),
+        s_(s),
+        shift_(std::max(0.0, s.real() + s.imag())),
+        size_(pressure.size()),
+        product_(size_),
+        mass_(size_) {
+    film_.linearise(pressure, H0, {}, shift_);
+  }
+
+  MPI_Comm comm() const override { return film_.grid().comm(); }
+  PetscInt local_size() const override { return static_cast<PetscInt>(2 * size_); }
+  PetscInt pressure_count() const override { return local_size(); }
+
+  void multiply(Vec change, Vec rows) override {
+    const VecReading in(change);
+    const VecWriting out(rows);
+    const auto real = in.values().first(size_), imaginary = in.values().subspan(size_);
+    std::ranges::fill(out.values(), 0.0);
+    add(real, 0.0, out.values().first(size_), out.values().subspan(size_), 1.0);
+    add(imaginary, 0.0, out.values().subspan(size_), out.values().first(size_), -1.0);
+  }
+
+  /// a + s b.
+  void displacement_column(Vec column) {
+    const VecWriting out(column);
+    std::ranges::fill(out.values(), 0.0);
+    const std::vector<double> nothing(size_, 0.0);
+    add(nothing, 1.0, out.values().first(size_), out.values().subspan(size_), 1.0);
+  }
+
+  void precondition(Vec rows, Vec change) override {
+    const VecReading in(rows);
+    const VecWriting out(change);
+    const auto x = out.values().first(size_), y = out.values().subspan(size_);
+    for (std::size_t n = 0; n < size_; ++n) product_[n] = in[n] + in[size_ + n];
+    film_.precondition(product_, x);
+    film_.multiply_mass(x, 0.0, mass_);
+    for (std::size_t n = 0; n < size_; ++n) product_[n] = in[size_ + n] - s_.imag() * mass_[n];
+    film_.precondition(product_, y);
+    for (std::size_t n = 0; n < size_; ++n) x[n] -= y[n];
+  }
+
+  std::complex<double> force(Vec change) const {
+    const VecReading in(change);
+    return {integral(film_.grid(), in.values().first(size_)), integral(film_.grid(), in.values().subspan(size_))};
+  }
+
+private:
+  /// Adds (A + Re s B) change to `own` and sign Im s B change to `other`.
+  void add(std::span<const double> change, double change_H0, std::span<double> own, std::span<double> other,
+           double sign) {
+    film_.multiply(change, change_H0, product_);  // A + shift B
+    film_.multiply_mass(change, change_H0, mass_);
+    for (std::size_t n = 0; n < size_; ++n) {
+      own[n] += product_[n] + (s_.real() - shift_) * mass_[n];
+      other[n] += sign * s_.imag() * mass_[n];
+    }
+  }
+
+  ContactFilm& film_;
+  std::complex<double> s_;
+  double shift_;
+  std::size_t size_;
+  std::vector<double> product_, mass_;
+};
+
+std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& options) {
+  const OwnedMat matrix = shell_jacobian(response);
+  OwnedVec column, change;
+  petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
+  response.displacement_column(column);
+  OwnedKSP ksp;
+  petsc_check(KSPCreate(response.comm(), ksp.put()));
+  petsc_check(KSPSetOptionsPrefix(ksp, "modes_"));
+  petsc_check(KSPSetOperators(ksp, matrix, matrix));
+  configure_krylov(ksp, response, options.krylov_tolerance, options.krylov_max_iterations);
+  petsc_check(KSPSetFromOptions(ksp));
+  petsc_check(KSPSolve(ksp, column, change));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  petsc_check(KSPGetConvergedReason(ksp, &reason));
+  if (reason < 0) {
+    throw SolveError("a linear solution for the films' dynamic stiffness did not converge (" +
+                     std::string(KSPConvergedReasons[reason]) + ")");
+  }
+  return response.force(change);
+}
+
+}  // namespace
+
+std::complex<double> dynamic_stiffness(LubricatedPair& pair, Vec state, std::complex<double> s,
+                                       const SwingOptions& options) {
+  FilmSystem& system = pair.system();
+  const double H0 = pair.motion(state).H0;
+  std::complex<double> sum = 0.0;
+  for (std::size_t k = 0; k < system.films(); ++k) {
+    const std::vector<double> pressure = system.field(state, k);
+    FilmResponse response(system.film(k), pressure, H0, s);
+    sum += film_stiffness(response, options);
+  }
+  return sum;
+}
+
+std::complex<double> swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& options) {
+  const MeshModel& mesh = pair.mesh();
+  pair.place(0.0);
+  const auto residual = [&](std::complex<double> s) {
+    return mesh.inertia * s * s + dynamic_stiffness(pair, state, s, options);
+  };
+  std::complex<double> before(0.0, 2.0 * std::numbers::pi * mesh.frequency());
+  std::complex<double> s = before * std::complex<double>(1.0, 0.01);  // a little damped
+  std::complex<double> residual_before = residual(before);
+  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+    const std::complex<double> now = residual(s);
+    const std::complex<double> step = now * (s - before) / (now - residual_before);
+    before = s;
+    residual_before = now;
+    s -= step;
+    if (std::abs(step) > options.tolerance * std::abs(s)) continue;
+    if (s.imag() > options.tolerance * std::abs(s)) return s;
+    throw SolveError("the pair does not swing on its films: they damp it beyond any oscillation");
+  }
+  throw SolveError("no mode of the pair on its films found near its natural frequency");
+}
+
+}  // namespace gearfilm
