@@ -1,11 +1,13 @@
 """The commands that make a pair vibrate, from outside: eigen, sweep, and spectra of marches."""
 import os
+import re
 import shutil
 import unittest
 
 import numpy
 
 from films import BARBIERI, SAME, summary_in
+from restarts import SMALL
 from vibration import MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
 
 
@@ -126,6 +128,23 @@ class Sweep(VibrationTest):
                 self.assertRegex(other.stderr, r"\Agearfilm: wrong input: .*sweep\.values.*-output_dir.*\n\Z")
                 self.assertEqual(self.points(), before)
                 self.assertEqual(summary_in(self.output), again)
+
+    def test_two_chains_on_two_groups_of_two_processes(self):
+        tables = []
+        for processes in (1, 4):
+            run = self.run_well("sweep", BARBIERI, *SMALL, "-sweep_values", "15000, 16000", "-sweep_direction", "up",
+                                "-sweep_chain_points", 1, "-sweep_groups", 2, "-periodic_multipliers", "no",
+                                "-output_dir", f"on_{processes}", processes=processes)
+            # One line a point, from one process of its group.
+            self.assertEqual(sorted(re.findall(r"(?m)^up (\d+) rpm: force ratio", run.stdout)), ["15000", "16000"])
+            tables.append(table_in(self.folder / f"on_{processes}", "sweep"))
+        alone, shared = tables
+        numpy.testing.assert_array_equal(alone["found"], 1)
+        # What is left of the change over a period is the difference of nearly equal numbers. It tells that a film was
+        # cut: in two parts sums are rounded otherwise, while a group of one process has the numbers of one to the bit.
+        self.assertTrue((shared["film_defect"] != alone["film_defect"]).all())
+        for name in set(alone.dtype.names) - {"defect", "film_defect"}:
+            numpy.testing.assert_allclose(shared[name], alone[name], rtol=SAME, err_msg=name)
 
     def test_a_point_that_fails_leaves_the_others(self):
         # At 8000 rpm the dynamic force widens the contact beyond the sides of the short domain.

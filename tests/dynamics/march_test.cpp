@@ -5,12 +5,6 @@
 namespace gearfilm {
 namespace {
 
-/// The elder contact sits 0.2 before the place where the next one enters (in T).
-Settings before_an_entry() {
-  return with(after_leaving(),
-              {{"start.place", "position"}, {"start.position", "3.0e-3"}, {"start.H0", "-1.3"}, {"start.V0", "-0.3"}});
-}
-
 void expect_same_records(const StepRecord& record, const StepRecord& expected) {
   SCOPED_TRACE("T = " + std::to_string(expected.T));
   // The iterations stop at slightly different states: Newton's tolerance is 1e-5.
