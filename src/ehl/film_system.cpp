@@ -5,6 +5,21 @@
 #include <optional>
 
 namespace gearfilm {
+namespace {
+
+/// The local part of a rate, empty where nothing moves.
+class RateReading {
+public:
+  explicit RateReading(const FilmSystem::Rate& rate) {
+    if (rate.values) vec_.emplace(rate.values);
+  }
+  std::span<const double> values() const { return vec_ ? vec_->values() : std::span<const double>(); }
+
+private:
+  std::optional<VecReading> vec_;
+};
+
+}  // namespace
 
 FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
     : films_(std::move(films)),
@@ -66,20 +81,18 @@ Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, 
 }
 
 void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
-  std::optional<VecReading> rates;
-  if (rate.values) rates.emplace(rate.values);
-  const std::span<const double> moving = rates ? rates->values() : std::span<const double>();
+  const RateReading rates(rate);
   const VecReading in(state);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values());
   const double H0 = border_.displaced(scalars);
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->residual(part(in.values(), k), H0, squeeze(moving, k, rate.shift), part(out.values(), k));
+    films_[k]->residual(part(in.values(), k), H0, squeeze(rates.values(), k, rate.shift), part(out.values(), k));
   }
   const double sum = force_sum(in.values());
   if (!has_border()) return;
   const std::vector<double> still(border_.size(), 0.0);
-  const auto scalar_rates = moving.empty() ? std::span<const double>(still) : moving.subspan(border_at());
+  const auto scalar_rates = rate.values ? rates.values().subspan(border_at()) : std::span<const double>(still);
   put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
 }
 
@@ -95,13 +108,11 @@ void FilmSystem::transient(Vec state, Vec values) {
 void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
   shift_ = shift;
   elimination_ = elimination;
-  std::optional<VecReading> rates;
-  if (rate.values) rates.emplace(rate.values);
-  const std::span<const double> moving = rates ? rates->values() : std::span<const double>();
+  const RateReading rates(rate);
   const VecReading in(state);
   const double H0 = border_.displaced(scalars_in(in.values()));
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->linearise(part(in.values(), k), H0, squeeze(moving, k, rate.shift), shift);
+    films_[k]->linearise(part(in.values(), k), H0, squeeze(rates.values(), k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
     border_factors_.factor(border_, shift, 0.0);

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "film_case.hpp"
+#include "gearfilm/ehl/newton.hpp"
 
 namespace gearfilm {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 const char* name_of(Precision precision) { return precision == Precision::single_precision ? "single" : "double"; }
 
 /// A film linearised about the converged Table 3 film, and a linear solver for it.
-class FilmOperator {
+class FilmOperator final : public LinearisedSystem {
 public:
   FilmOperator(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
                double shift)
@@ -33,6 +34,16 @@ public:
     return values;
   }
 
+  MPI_Comm comm() const override { return grid.comm(); }
+  PetscInt local_size() const override { return grid.local_size(); }
+  PetscInt pressure_count() const override { return local_size(); }
+  void multiply(Vec change, Vec rows) override {
+    film.multiply(VecReading(change).values(), 0.0, VecWriting(rows).values());
+  }
+  void precondition(Vec rows, Vec change) override {
+    film.precondition(VecReading(rows).values(), VecWriting(change).values());
+  }
+
   /// Norms of the residual of FGMRES over that of the right side, until 1e-10.
   std::vector<double> convergence();
 
@@ -42,34 +53,11 @@ public:
 };
 
 std::vector<double> FilmOperator::convergence() {
-  OwnedMat matrix;
-  const PetscInt size = grid.local_size();
-  petsc_check(MatCreateShell(grid.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &film, matrix.put()));
-  const auto multiply = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      ContactFilm* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
-      own->multiply(VecReading(in).values(), 0.0, VecWriting(out).values());
-    });
-  };
-  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  const OwnedMat matrix = shell_jacobian(*this);
   OwnedKSP solver;
   petsc_check(KSPCreate(grid.comm(), solver.put()));
-  petsc_check(KSPSetType(solver, KSPFGMRES));
-  petsc_check(KSPGMRESSetRestart(solver, 200));
-  petsc_check(KSPSetTolerances(solver, 1e-10, 0.0, PETSC_DEFAULT, 200));
+  configure_krylov(solver, *this, 1e-10, 200);
   petsc_check(KSPSetOperators(solver, matrix, matrix));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(solver, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetContext(pc, &film));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      ContactFilm* own = nullptr;
-      petsc_check(PCShellGetContext(shell, &own));
-      own->precondition(VecReading(in).values(), VecWriting(out).values());
-    });
-  }));
   OwnedVec right = grid.create_vec(), solution = grid.create_vec();
   const auto values = right_side();
   std::ranges::copy(values, VecWriting(right).values().begin());

@@ -27,7 +27,6 @@ public:
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  const Grid& grid() const { return grid_; }
   /// Another border with as many scalars.
   void set_border(Border border) { border_ = std::move(border); }
 
