@@ -29,6 +29,12 @@ const Discretisation* Discretisation::coarser() const {
   return coarser_.get();
 }
 
+const Discretisation* Discretisation::before() const {
+  if (2.0 * grid_.h_x() > grid_.h_y() || grid_.nx() % 4 != 1) return coarser();
+  if (!coarser_in_x_) coarser_in_x_ = std::make_unique<const Discretisation>(grid_.coarsened_in_x(), C_h_);
+  return coarser_in_x_.get();
+}
+
 const Discretisation* Discretisation::whole() const {
   if (!grid_.can_coarsen() || can_be_cut(grid_)) return nullptr;
   if (!whole_) whole_ = std::make_unique<const Discretisation>(grid_.gathered(), C_h_);

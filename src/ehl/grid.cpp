@@ -81,6 +81,12 @@ Grid Grid::coarsened() const {
   return Grid(comm_, shape, std::move(ranges));
 }
 
+Grid Grid::coarsened_in_x() const {
+  GridShape shape = shape_;
+  shape.nx = (nx() - 1) / 2 + 1;
+  return Grid(comm_, shape, y_ranges_);
+}
+
 Grid Grid::gathered() const { return Grid(PETSC_COMM_SELF, shape_); }
 
 }  // namespace gearfilm

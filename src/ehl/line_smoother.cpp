@@ -1,6 +1,7 @@
 #include "gearfilm/ehl/line_smoother.hpp"
 
 #include <cstdlib>
+#include <numbers>
 #include <utility>
 
 #include "gearfilm/lubricant/independent_iterations.hpp"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2
 constexpr double damping = 0.75;            // of nodes that are not cavitated
+constexpr double distant_share = 0.5;       // of a long wave's deformation, which the band leaves out
 
 constexpr int lines_between(int i, int k) { return i < k ? k - i : i - k; }
 
@@ -22,6 +24,7 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
       nx_(grid.nx()),
       rows_(grid.y_count()),
       inverse_h_x2_(1.0 / (grid.h_x() * grid.h_x())),
+      long_wave_deformation_(2.0 * std::numbers::pi * deformation.C_h()),
       band_(static_cast<std::size_t>(nx_) * band_width * rows_),
       distributive_(grid),
       wet_(grid),
@@ -97,16 +100,29 @@ void LineSmoother<Real>::assemble_diagonal(const FilmStencil<Real>& linear, int 
 }
 
 template <class Real>
+void LineSmoother<Real>::add_distant_deformation(const FilmState& state, double entrainment, int i) {
+  const double weight = distant_share * entrainment * long_wave_deformation_;
+  const double* __restrict density = state.density.row(i);
+  const Real* __restrict wet = wet_.row(i);
+  const Real* __restrict distributive = distributive_.row(i);
+  Real* __restrict entry = band(i, 0);
+  for (int j = 0; j < rows_; ++j) entry[j] += static_cast<Real>(weight * density[j]) * (wet[j] - distributive[j]);
+}
+
+template <class Real>
 template <int... index>
 void LineSmoother<Real>::assemble_line(const FilmStencil<Real>& linear, int i, std::integer_sequence<int, index...>) {
   (assemble_diagonal<index - half_width>(linear, i), ...);
 }
 
 template <class Real>
-void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state) {
+void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment) {
   const ScopedEvent event(Kernel::smoother_factor);
   choose_unknowns(state);
-  for (int i = 1; i < nx_ - 1; ++i) assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
+  for (int i = 1; i < nx_ - 1; ++i) {
+    assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
+    add_distant_deformation(state, entrainment, i);
+  }
   factor_bands();
 }
 

@@ -7,6 +7,13 @@
 namespace gearfilm {
 namespace {
 
+/// Coarser levels do not see the jump of pressure at a thin film's outlet: the conductances that they are given there
+/// differ by orders of magnitude, and their corrections diverge.
+bool serves(const Grid& level) {
+  constexpr int fewest_nodes = 33;
+  return level.nx() >= fewest_nodes && level.ny() >= fewest_nodes;
+}
+
 template <class Real>
 class FilmMultigrid final : public LinearisedFilm {
 public:
@@ -69,15 +76,18 @@ private:
 
 template <class Real>
 void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
-  const auto wanted = [&] { return options_.levels == 0 || static_cast<int>(levels_.size()) < options_.levels; };
+  const auto wanted = [&](const Discretisation* level) {
+    if (!level) return false;
+    return options_.levels == 0 ? serves(level->grid()) : static_cast<int>(levels_.size()) < options_.levels;
+  };
   levels_.push_back(std::make_unique<Level>(finest));
   const Discretisation* last = &finest;
-  while (wanted() && last->coarser()) {
+  while (wanted(last->coarser())) {
     last = last->coarser();
     levels_.push_back(std::make_unique<Level>(*last));
   }
-  const Discretisation* whole = wanted() ? last->whole() : nullptr;
-  if (!whole) return;
+  const Discretisation* whole = last->whole();
+  if (!whole || !wanted(whole->coarser())) return;
   gather_ = &last->gather();
   whole_state_ = std::make_unique<FilmState>(whole->grid());
   MultigridOptions rest = options_;
@@ -220,7 +230,7 @@ void FilmMultigrid<Real>::build_cycle() {
         configure_gathered(coarse, matrix);
       } else {
         configure_smoother(coarse, matrix, *shells_[l],
-                           count == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
+                           options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
       KSP down = nullptr, up = nullptr;

@@ -18,7 +18,7 @@ template <class Real>
 void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double shift) {
   state_ = &state;
   linearise(grid(), entrainment, shift, state, linear_);
-  smoother_.factor(linear_, state);
+  smoother_.factor(linear_, state, entrainment);
 }
 
 template <class Real>

@@ -21,8 +21,15 @@ void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
   }
 }
 
+/// trial = state - length change, where no pressure becomes negative.
+void step_to(Vec trial, Vec state, double length, Vec change, PetscInt pressures) {
+  petsc_check(VecWAXPY(trial, -length, change, state));
+  const VecWriting pressure(trial);
+  for (PetscInt n = 0; n < pressures; ++n) pressure[n] = std::max(pressure[n], 0.0);
+}
+
 // Newton's direction would give d|F|^2/2 = -|F|^2 along it: no product with the Jacobian is needed to know the slope.
-void search(SNESLineSearch line_search) {
+void search(SNESLineSearch line_search, PetscInt pressures) {
   SNES snes = nullptr;
   Vec state = nullptr, residual = nullptr, change = nullptr, trial = nullptr, trial_residual = nullptr;
   petsc_check(SNESLineSearchGetSNES(line_search, &snes));
@@ -32,7 +39,7 @@ void search(SNESLineSearch line_search) {
   petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
   petsc_check(VecNorm(residual, NORM_2, &norm));
   for (double length = 1.0;;) {
-    petsc_check(VecWAXPY(trial, -length, change, state));
+    step_to(trial, state, length, change, pressures);
     petsc_check(SNESComputeFunction(snes, trial, trial_residual));
     petsc_check(VecNorm(trial_residual, NORM_2, &trial_norm));
     if (trial_norm < norm) break;
@@ -80,8 +87,11 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
   petsc_check(SNESLineSearchShellSetApply(
-      line_search, [](SNESLineSearch own, void*) -> PetscErrorCode { return petsc_callback([&] { search(own); }); },
-      nullptr));
+      line_search,
+      [](SNESLineSearch own, void* context) -> PetscErrorCode {
+        return petsc_callback([&] { search(own, static_cast<LinearisedSystem*>(context)->pressure_count()); });
+      },
+      &system));
   if (options.limit_changes) {
     petsc_check(SNESLineSearchSetPreCheck(
         line_search,

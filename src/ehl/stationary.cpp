@@ -95,8 +95,8 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
 StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options) {
   const ScopedStage stage("Stationary film");
   std::vector<SharedDiscretisation> coarser;  // next coarser first
-  for (const Discretisation* next = film.discretisation()->coarser(); next && next->grid().nx() >= coarsest_nx;
-       next = next->coarser()) {
+  for (const Discretisation* next = film.discretisation()->before(); next && next->grid().nx() >= coarsest_nx;
+       next = next->before()) {
     coarser.emplace_back(film.discretisation(), next);  // owned by the finest
   }
 

@@ -52,6 +52,7 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   Field<double> values(coarse), bend_x(coarse_grid), bend_y(coarse_grid), bend_xy(coarse_grid);
   halo.exchange(values);
   const int last = coarse_grid.rows() - 1;
+  const int across = coarse_grid.rows() == fine_grid.rows() ? 1 : 2;
   const auto bend_along_y = [&](const Field<double>& from, Field<double>& to) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
       for (int J = 0; J < coarse_grid.y_count(); ++J) {
@@ -74,7 +75,7 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
     const int below = i / 2, above = (i + 1) / 2;
     for (int j = 0; j < fine_grid.y_count(); ++j) {
       const int row = fine_grid.y_begin() + j;
-      const int J = row / 2 - coarse_grid.y_begin(), J_next = (row + 1) / 2 - coarse_grid.y_begin();
+      const int J = row / across - coarse_grid.y_begin(), J_next = (row + across - 1) / across - coarse_grid.y_begin();
       const auto mean = [&](const Field<double>& field) {
         return 0.25 * (field.row(below)[J] + field.row(below)[J_next] + field.row(above)[J] + field.row(above)[J_next]);
       };

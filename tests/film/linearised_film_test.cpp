@@ -145,11 +145,16 @@ INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
                                   name_of(std::get<1>(parameters.param));
                          });
 
-TEST(PreconditionerLevels, go_down_to_the_coarsest_grid_by_default) {
-  // 65 x 33, 33 x 17, 17 x 9, 9 x 5, 5 x 3
+TEST(PreconditionerLevels, go_down_to_33_nodes_by_default) {
   const FilmCase pitch = table3_pitch();
-  const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(65, 33)), pitch.scales);
-  EXPECT_EQ(make_linearised_film(*shared, MultigridOptions{})->levels(), 5);
+  const auto levels = [&](int nx, int ny) {
+    const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(nx, ny)), pitch.scales);
+    return make_linearised_film(*shared, MultigridOptions{})->levels();
+  };
+  EXPECT_EQ(levels(65, 33), 1);
+  EXPECT_EQ(levels(129, 65), 2);
+  EXPECT_EQ(levels(257, 65), 2);
+  EXPECT_EQ(levels(257, 129), 3);
 }
 
 // A finer grid's white noise takes longer to become smooth; from then on the grid hardly matters.

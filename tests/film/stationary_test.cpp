@@ -114,6 +114,22 @@ TEST(Stationary, same_answer_on_any_number_of_processes) {
   }
 }
 
+// What typical gears have: nearly line contacts with thin films. From nothing, Newton's method must not find the film's
+// edge node by node, nor the multigrid diverge on the lines near the tips of the ellipse.
+TEST(Stationary, thin_films_of_slender_contacts_take_few_iterations) {
+  for (const auto& [M, L, D] : {std::tuple{2e5, 5.0, 0.001}, {2.5e4, 12.0, 0.0035}}) {
+    for (const auto& [nx, ny] : {std::pair{129, 65}, {257, 65}, {257, 129}}) {
+      const SolvedFilm solved(PETSC_COMM_WORLD, moes_contact(M, L, D), nx, ny);
+      const SolveCounts& counts = solved.result.counts;
+      const double solves = counts.newton;
+      report("M %g L %g D %g, %d x %d: %d Newton iterations, %.1f Krylov iterations each", M, L, D, nx, ny,
+             counts.newton, counts.krylov / solves);
+      EXPECT_LE(counts.newton, 12);
+      EXPECT_LE(counts.krylov, 8.0 * solves);
+    }
+  }
+}
+
 TEST(Stationary, pressure_and_flow_are_complementary) {
   SolvedFilm solved(PETSC_COMM_WORLD, table3_pitch(), 65, 33);
   const auto& [pressure, H0] = solved.result.solution;

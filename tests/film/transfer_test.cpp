@@ -156,9 +156,14 @@ protected:
   /// Largest error at nodes at least `margin` coarse cells from the edges, from a row on.
   template <class Function>
   double error_for(Function f, int margin, int first_row = 0) {
-    Field<double> on_fine(fine), on_coarse(coarse);
-    fill(coarse, on_coarse, f);
-    interpolate_cubic(coarse, fine, on_coarse, on_fine);
+    return error_from(coarse, f, margin, first_row);
+  }
+
+  template <class Function>
+  double error_from(const Grid& before, Function f, int margin, int first_row = 0) {
+    Field<double> on_fine(fine), on_coarse(before);
+    fill(before, on_coarse, f);
+    interpolate_cubic(before, fine, on_coarse, on_fine);
     double error = 0.0;
     for (int i = 2 * margin; i < fine.nx() - 2 * margin; ++i) {
       for (int j = 0; j < fine.y_count(); ++j) {
@@ -185,6 +190,21 @@ TEST_F(CubicInterpolation, is_exact_for_cubics_away_from_the_edges) {
 TEST_F(CubicInterpolation, is_exact_for_bilinear_fields_everywhere) {
   EXPECT_LT(error_for([](double x, double y) { return 1.0 + 2.0 * x - y + 3.0 * x * y; }, 0, one_side), round_off);
   EXPECT_LT(error_for([](double x, double) { return 1.0 + 2.0 * x; }, 0), round_off);
+}
+
+// Not a polynomial across: nothing is interpolated there.
+TEST_F(CubicInterpolation, leaves_lines_alone_that_the_coarse_grid_has_all) {
+  const Grid all_rows = fine.coarsened_in_x();
+  EXPECT_EQ(all_rows.nx(), coarse.nx());
+  EXPECT_EQ(all_rows.rows(), fine.rows());
+  const auto cubic = [](double t) { return 1.0 - t + 0.5 * t * t - 2.0 * t * t * t; };
+  const auto rough = [](double y) { return std::sin(40.0 * y); };
+  EXPECT_LT(error_from(
+                all_rows, [&](double x, double y) { return cubic(x) * rough(y); }, 1),
+            round_off);
+  EXPECT_GT(error_from(
+                coarse, [&](double x, double y) { return cubic(x) * rough(y); }, 1),
+            1e-3);
 }
 
 TEST(InjectState, takes_every_field_at_the_same_point) {

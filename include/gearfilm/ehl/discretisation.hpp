@@ -29,6 +29,10 @@ public:
   /// Every second node, cut likewise among the processes; null where that would leave a process fewer than two rows, or
   /// where there are too few nodes.
   const Discretisation* coarser() const;
+  /// The grid before this one where a film is found on finer and finer grids: every second line while that leaves cells
+  /// no longer than they are wide, else coarser(). Across, a slender contact's lines are few, and its edge moves by
+  /// many cells from one to the next: a film cannot be interpolated between them.
+  const Discretisation* before() const;
   /// Where coarser() is null though there are nodes enough: this grid, whole on every process, for the rest of the
   /// hierarchy; null otherwise.
   const Discretisation* whole() const;
@@ -41,7 +45,7 @@ private:
   Halo halo_;
   mutable std::unique_ptr<const Deformation<double>> deformation_;
   mutable std::unique_ptr<const Deformation<float>> single_deformation_;
-  mutable std::unique_ptr<const Discretisation> coarser_, whole_;
+  mutable std::unique_ptr<const Discretisation> coarser_, coarser_in_x_, whole_;
   mutable std::unique_ptr<const Gather> gather_;
 };
 

@@ -77,6 +77,8 @@ public:
   int fewest_coarse_rows() const;
   /// Every second node; a coarse row belongs to the process that owns the same fine row.
   Grid coarsened() const;
+  /// Every second line x = const., with all rows.
+  Grid coarsened_in_x() const;
   /// The same grid, whole on every process.
   Grid gathered() const;
 

@@ -7,9 +7,12 @@
 // limit: by the wedge alone, a plain change of long wave length moves the row by U 2 pi C_h ~ 1 per unit, against
 // 2 xi_R/h_x^2 in the band; a limit of 0.3 lets such waves grow (films of low pressure on fine grids then fail), and
 // beyond 3 well conducting nodes are relaxed badly.
-// Damped by 0.75, both kinds alike: where they meet, different dampings (0.6 and 0.8) leave errors of long wave length
-// that grow with the grid. Lines being updated together, the number of processes is irrelevant.
-// Source of the idea: Venner and Lubrecht, Multilevel Methods in Lubrication (2000), ch. 6.
+// A wave exp(ikX) of a plain change moves its row by xi_R k^2 + i U rho 2 pi C_h, the second part whatever its length;
+// the band, which holds near deformation only, has nothing of it for long waves, and relaxation would multiply them.
+// Half of its size stands on the diagonal of plain changes. Damped by 0.75, both kinds alike: where they meet,
+// different dampings (0.6 and 0.8) leave errors of long wave length that grow with the grid. Lines being updated
+// together, the number of processes is irrelevant. Source of the idea: Venner and Lubrecht, Multilevel Methods in
+// Lubrication (2000), ch. 6.
 #pragma once
 
 #include <array>
@@ -26,7 +29,7 @@ public:
   LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Real>& deformation);
 
   /// Builds and factors the bands of all lines.
-  void factor(const FilmStencil<Real>& linear, const FilmState& state);
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment);
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   void relax(Field<Real>& residual, Field<Real>& change);
 
@@ -49,6 +52,7 @@ private:
   void assemble_diagonal(const FilmStencil<Real>& linear, int i);
   template <int... index>
   void assemble_line(const FilmStencil<Real>& linear, int i, std::integer_sequence<int, index...>);
+  void add_distant_deformation(const FilmState& state, double entrainment, int i);
   void factor_bands();
   void solve_bands(Field<Real>& values);
 
@@ -56,8 +60,9 @@ private:
   int nx_;
   int rows_;
   double inverse_h_x2_;
-  Real weight_x_;  ///< w_x
-  Real weight_y_;  ///< w_y
+  double long_wave_deformation_;  ///< 2 pi C_h
+  Real weight_x_;                 ///< w_x
+  Real weight_y_;                 ///< w_y
   Influence plain_;
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place

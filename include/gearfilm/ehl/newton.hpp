@@ -1,10 +1,11 @@
 // Newton's method as all film problems use it: SNES with a shell Jacobian, FGMRES, and a shell preconditioner.
 //
-// Globalised by backtracking on the residual norm. In a time step the first guess is near, except at the few nodes
-// which the edge of the contact crosses: there the conductance varies exponentially with pressure (the Table 3 oil
-// has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole step for their sake crawls.
-// Each node's change can therefore be limited by itself first: no pressure falls by more than half, or rises by more
-// than 0.2 p_h, in one step.
+// Globalised by backtracking on the residual norm, along which no pressure becomes negative: in thick film the row of
+// such a node is d P with a huge d, and one of them would shorten the whole step. In a time step the first guess is
+// near, except at the few nodes which the edge of the contact crosses: there the conductance varies exponentially with
+// pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole step
+// for their sake crawls. Each node's change can therefore be limited by itself first: no pressure falls by more than
+// half, or rises by more than 0.2 p_h, in one step.
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
