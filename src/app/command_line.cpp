@@ -7,6 +7,7 @@
 #include "gearfilm/app/command_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/input/memory.hpp"
 #include "gearfilm/input/oddities.hpp"
 #include "gearfilm/input/options.hpp"
@@ -21,12 +22,6 @@ namespace {
 bool starts_option(const std::string& word) {
   const std::size_t letter = word.starts_with("--") ? 2 : 1;
   return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
-}
-
-// Of a march. Contacts of a pair share its grid, one that is followed by itself is alone.
-int contacts_at_a_time(const Case& problem) {
-  const bool all = problem.pair.line && problem.march.geometry != MeshGeometry::single;
-  return all ? static_cast<int>(std::ceil(problem.pair.line->contact_ratio())) : 1;
 }
 
 void warn(MPI_Comm comm, const std::string& text) {

@@ -34,7 +34,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
       progress_(grid.comm()) {
   write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
-    snapshots_.emplace(file_, grid, problem.scales, run.directory() / "results.xmf");
+    snapshots_.emplace(file_, problem.scales, run.directory() / "results.xmf");
   }
 }
 

@@ -87,8 +87,8 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "b", scales.hertz.b);
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
-  write_xdmf(problem.run.directory / "results.xmf", "results.h5", group + "/mesh", film.grid(),
-             {{0.0, {{group, {"P", "H"}}}}});
+  write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
+             {{0.0, {{group, group + "/mesh", film.grid().shape(), {"P", "H"}}}}});
   write_summary(comm, problem.run.directory, summary);
 }
 
@@ -114,14 +114,20 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
 }  // namespace
 
 void run_steady(MPI_Comm comm, const Case& problem) {
-  const SharedDiscretisation discretisation = discretise(comm, problem);
   const Position position = steady_position(problem);
+  const double force = problem.steady.load_ratio * problem.scales.static_force;
+  const Room needed = needed_room(problem.numerics.room, problem.scales, position.contact.conditions, force,
+                                  position.label);
+  GridShape shape = case_grid(problem);
+  if (!has_room(shape, needed)) {
+    shape = widened(shape, needed, problem.numerics.room);
+    announce_widening(comm, shape, problem.scales, 1);
+  }
+  const SharedDiscretisation discretisation = gearfilm::discretise(Grid(comm, shape), problem.scales);
   const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
   ContactFilm film(discretisation, problem.scales, problem.numerics.solver.multigrid);
   film.set_conditions(position.contact.conditions);
-  const double force = problem.steady.load_ratio * problem.scales.static_force;
-  check_domain(film.grid(), problem.scales, position.contact.conditions, force, position.label);
   const StationaryResult result = located(
       position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.numerics.solver); });
   check_validity(film, result.figures, position.label);

@@ -64,7 +64,7 @@ public:
         } else {
           keep(read_neighbour(*result));
         }
-        if (last_) read_films(point, value);
+        if (last_) read_films(point);
       } else {
         result = compute(point, value);
         points_.write(group_, point, *result);
@@ -90,17 +90,17 @@ private:
     last_ = std::move(found);
   }
 
-  void read_films(const SweepPoint& point, double value) {
-    const Grid grid(group_, case_grid(case_at(problem_, value)));
-    const std::optional<StateFile> found = read_state(grid, points_.films(point));
+  void read_films(const SweepPoint& point) {
+    const std::optional<StateFile> found = read_state(group_, points_.films(point));
     if (!found) return;
     const Summary& description = found->description;
     last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
-                              films_from(found->fields, description["films"])};
+                              films_from(found->fields, description["films"]),
+                              found->shape};
   }
 
-  void write_films(const Grid& grid, const SweepPoint& point, const PairState& state) const {
-    write_state(grid, points_.films(point),
+  void write_films(const SweepPoint& point, const PairState& state) const {
+    write_state(Grid(group_, state.shape), points_.films(point),
                 {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", field_names(state)}}, fields_of(state));
   }
 
@@ -127,7 +127,7 @@ private:
     try {
       std::optional<DryOrbit> dry;
       const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
-      write_films(films->grid(), point, run.orbit.end);
+      write_films(point, run.orbit.end);
       result.update(orbit_summary(mesh, run));
       result["monodromy"] = run.orbit.monodromy;
       if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);

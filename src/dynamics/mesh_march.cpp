@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
+#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
@@ -51,24 +53,68 @@ ContactFilm* MeshMarch::free_film() {
   return films_.back().get();
 }
 
-LiveContact MeshMarch::enter(int number, const ContactFields* neighbour) {
+void MeshMarch::move_to(const GridShape& shape) {
+  const SharedDiscretisation before = discretisation_;
+  if (shape == before->grid().shape()) return;
+  discretisation_ = discretise(Grid(comm(), shape), mesh_.scales);
+  films_.clear();
+  for (LiveContact& contact : contacts_) contact.film = nullptr;
+  for (LiveContact& contact : contacts_) {
+    contact.film = free_film();
+    for (auto& [name, values] : contact.fields) values = refitted(values, before->grid(), discretisation_->grid());
+  }
+}
+
+Room MeshMarch::needed_room(int number, double pressure_integral) const {
+  if (!options_.room) return {};
+  return gearfilm::needed_room(*options_.room, mesh_.scales, mesh_.contact(number, T_).conditions, pressure_integral,
+                               label(number));
+}
+
+void MeshMarch::widen(const Room& needed) {
+  const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.room);
+  if (options_.on_widening) options_.on_widening(shape);
+  move_to(shape);
+}
+
+void MeshMarch::make_room() {
+  Room needed;
+  if (!options_.room) return;
+  for (const LiveContact& contact : contacts_) {
+    contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
+    needed = united(needed, needed_room(contact.number, present_figures(contact).pressure_integral));
+  }
+  if (!has_room(needed)) widen(needed);
+}
+
+LiveContact MeshMarch::enter(int number, const std::optional<PressureGuess>& guess) {
   const ScopedStage stage("Entering film");
-  ContactFilm* film = free_film();
-  film->set_conditions(mesh_.contact(number, T_).conditions);
   const LoadCondition load = LoadCondition::displacement(motion_.H0);
-  StationaryResult entered = located(label(number) + ", entering", [&] {
-    return neighbour
-               ? continue_stationary(*film, load, options_.films, {values_of(*neighbour, field::pressure), motion_.H0})
-               : solve_stationary(*film, load, options_.films);
-  });
-  check_validity(*film, entered.figures, label(number));
-  return {number, film, still(std::move(entered.solution.pressure))};
+  for (;;) {
+    ContactFilm* film = free_film();
+    film->set_conditions(mesh_.contact(number, T_).conditions);
+    StationaryResult entered = located(label(number) + ", entering", [&] {
+      if (!guess) return solve_stationary(*film, load, options_.films);
+      const std::vector<double> pressure = refitted(guess->values, Grid(comm(), guess->shape), film->grid());
+      return continue_stationary(*film, load, options_.films, {pressure, motion_.H0});
+    });
+    const Room needed = needed_room(number, entered.figures.pressure_integral);
+    if (has_room(needed)) {
+      check_validity(*film, entered.figures, label(number));
+      return {number, film, still(std::move(entered.solution.pressure))};
+    }
+    widen(needed);
+  }
 }
 
 // A single contact is balanced together with its film; several by the secant method on H_0.
 void MeshMarch::balance_at_rest() {
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   contacts_.clear();
+  // None of them carries more than the whole force.
+  Room needed;
+  for (int number : numbers) needed = united(needed, needed_room(number, mesh_.scales.static_force));
+  if (!has_room(needed)) widen(needed);
   ContactFilm* first = free_film();
   first->set_conditions(mesh_.contact(numbers.front(), T_).conditions);
   const auto sharing = mesh_.share_from(T_);
@@ -82,12 +128,13 @@ void MeshMarch::balance_at_rest() {
 
   const auto excess = [&](double H0) {
     motion_.H0 = H0;
-    std::vector<LiveContact> before = std::move(contacts_);
+    std::map<int, PressureGuess> before;
+    for (const LiveContact& contact : contacts_) before.emplace(contact.number, pressure_of(contact));
     contacts_.clear();
     double sum = -mesh_.scales.static_force;
     for (int number : numbers) {
-      const auto known = std::ranges::find(before, number, &LiveContact::number);
-      contacts_.push_back(enter(number, known != before.end() ? &known->fields : &before.front().fields));
+      const auto known = before.find(number);
+      contacts_.push_back(enter(number, known != before.end() ? known->second : before.begin()->second));
       sum += present_figures(contacts_.back()).pressure_integral;
     }
     return sum;
@@ -113,11 +160,12 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
     motion_ = *motion;
     contacts_.clear();
     for (int number : mesh_.path.contacts_after(T_)) {
-      contacts_.push_back(enter(number, contacts_.empty() ? nullptr : &contacts_.back().fields));
+      contacts_.push_back(enter(number, guess_from_last()));
     }
   } else {
     balance_at_rest();
   }
+  make_room();
   for (const LiveContact& contact : contacts_) {
     check_validity(*contact.film, present_figures(contact), label(contact.number));
   }
@@ -152,28 +200,34 @@ void MeshMarch::exchange_contacts() {
   const std::size_t kept = contacts_.size();
   for (int number : numbers) {
     if (std::ranges::find(contacts_, number, &LiveContact::number) == contacts_.end()) {
-      contacts_.push_back(enter(number, contacts_.empty() ? nullptr : &contacts_.back().fields));
+      contacts_.push_back(enter(number, guess_from_last()));
     }
   }
   if (kept != present || contacts_.size() != kept) observe_present();
 }
 
 PairState MeshMarch::state() const {
-  PairState state{motion_, {}};
+  PairState state{motion_, {}, discretisation_->grid().shape()};
   for (const LiveContact& contact : contacts_) state.films.push_back(contact.fields);
   return state;
 }
 
-void MeshMarch::resume(double T, const PairState& state) {
+void MeshMarch::resume(double T, const PairState& state) { take_up(T, state, mesh_.path.contacts_after(T)); }
+
+void MeshMarch::take_up(double T, const PairState& state, const std::vector<int>& numbers) {
   T_ = T;
   motion_ = state.motion;
-  const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   if (numbers.size() != state.films.size()) {
     throw std::logic_error("a march cannot go on from " + std::to_string(state.films.size()) + " films with " +
                            std::to_string(numbers.size()) + " contacts");
   }
+  if (!numbers.empty() && !same_lattice(discretisation_->grid().shape(), state.shape)) {
+    throw std::logic_error("a march cannot go on from films on a grid of other steps");
+  }
   contacts_.clear();
-  for (std::size_t k = 0; k < numbers.size(); ++k) contacts_.push_back({numbers[k], free_film(), state.films[k]});
+  if (!numbers.empty()) move_to(united(discretisation_->grid().shape(), state.shape));
+  const PairState here = refitted(state, comm(), discretisation_->grid().shape());
+  for (std::size_t k = 0; k < numbers.size(); ++k) contacts_.push_back({numbers[k], free_film(), here.films[k]});
 }
 
 // One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
@@ -220,6 +274,7 @@ void MeshMarch::displace(const Motion& motion) {
     }
   }
   motion_ = motion;
+  make_room();
   observe_present();
 }
 
@@ -235,13 +290,16 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
   SegmentStepper stepper(pair, steps, [&](const StepRecord& record) {
     T_ = record.T;
     motion_ = record.motion;
+    Room needed;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      check_validity(*contacts_[k].film, film_figures(record.contacts[k].figures), label(contacts_[k].number));
+      const FilmFigures figures = film_figures(record.contacts[k].figures);
+      check_validity(*contacts_[k].film, figures, label(contacts_[k].number));
+      needed = united(needed, needed_room(contacts_[k].number, figures.pressure_integral));
     }
     observe(record);
+    if (!has_room(needed)) stepper.stop();
   });
-  stepper.run(state, T_, T_end);
-  T_ = T_end;
+  T_ = stepper.run(state, T_, T_end);
   motion_ = pair.motion(state);
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     values_of(contacts_[k].fields, field::pressure) = system.field(state, k);
@@ -250,8 +308,12 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 }
 
 void MeshMarch::run(double T_end) {
-  if (const auto kept = take_over(keeper_, T_, motion_, observer_)) resume(kept->T, kept->state);
-  while (T_ < T_end - 1e-9 && !contacts_.empty()) {
+  if (const auto kept = take_over(keeper_, T_, motion_, observer_)) {
+    take_up(kept->T, kept->state, mesh_.path.contacts_before(kept->T));
+  }
+  // What happens between two segments follows from what is kept at the end of the first.
+  for (exchange_contacts(); T_ < T_end - 1e-9 && !contacts_.empty(); exchange_contacts()) {
+    make_room();
     double segment_end = std::min(T_end, mesh_.path.next_event(T_));
     StepOptions steps = options_.steps;
     const std::optional<LoadSharing::Piece> share = mesh_.share_from(T_);
@@ -260,7 +322,6 @@ void MeshMarch::run(double T_end) {
       if (share->jump) steps.dT = std::min(steps.dT, (segment_end - T_) / mesh_.load->jump_refinement);
     }
     run_segment(segment_end, steps, share);
-    exchange_contacts();
     if (keeper_) keeper_->keep(T_, state());
   }
 }

@@ -149,18 +149,19 @@ void SegmentStepper::finish_step() {
   krylov_so_far_ = krylov;
   wall_start_ = MPI_Wtime();
   const double rest = end - T;
-  if (rest < 1e-9 * step_) {
-    petsc_check(TSSetConvergedReason(ts_, TS_CONVERGED_TIME));  // not one more step of the size of round-off
+  if (stopped_ || rest < 1e-9 * step_) {  // not one more step of the size of round-off
+    petsc_check(TSSetConvergedReason(ts_, stopped_ ? TS_CONVERGED_USER : TS_CONVERGED_TIME));
   } else {
     petsc_check(TSSetTimeStep(ts_, rest < 1.0001 * step_ ? rest : step_));
   }
 }
 
-void SegmentStepper::run(Vec state, double T0, double T1) {
+double SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   step_ = (T1 - T0) / steps;
   state_time_ = last_time_ = T0;
   at_start_ = true;
+  stopped_ = false;
   wall_start_ = MPI_Wtime();
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetMaxTime(ts_, T1));
@@ -168,7 +169,7 @@ void SegmentStepper::run(Vec state, double T0, double T1) {
   petsc_check(TSSolve(ts_, state));
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));
-  if (reason > 0) return;
+  if (reason > 0) return stopped_ && T1 - last_time_ > 1e-9 * step_ ? last_time_ : T1;
   SNES snes = nullptr;
   const char* newton = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));

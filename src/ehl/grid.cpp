@@ -49,8 +49,8 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape) : Grid(comm, shape, even_range
 Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
     : comm_(comm),
       shape_(shape),
-      h_x_((shape.x_max - shape.x_min) / (shape.nx - 1)),
-      h_y_(2.0 * shape.y_half / (shape.ny - 1)),
+      h_x_(shape.h_x()),
+      h_y_(shape.h_y()),
       y_ranges_(std::move(y_ranges)),
       nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {
   MPI_Comm_rank(comm, &rank_);

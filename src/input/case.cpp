@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
+#include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_file.hpp"
 
@@ -141,12 +142,29 @@ Lubricant read_lubricant(const ParameterValues& values) {
   return oil;
 }
 
-Domain read_domain(const ParameterValues& values, double M) {
-  Domain domain = default_domain(M);
+/// The central film of the reference contact that the formula expects, in units of a^2/R_x.
+double expected_film(const Scales& scales) {
+  return nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) / scales.thickness;
+}
+
+Domain read_domain(const ParameterValues& values, const Scales& scales) {
+  Domain domain = values.text("grid.domain") == "paper"
+                      ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
+                      : domain_by_film(expected_film(scales), scales.hertz.ellipticity);
   if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
   if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
   if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
   return domain;
+}
+
+// Under more force the ellipse comes nearer to the inlet, but needs no longer one. Half of what is there at first stays,
+// and at the sides most, where less than what is clear was asked for.
+RoomRule room_rule(const Case& result) {
+  const Domain& domain = result.numerics.domain;
+  const double clear = clear_side(expected_film(result.scales), result.scales.hertz.ellipticity);
+  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = std::min(clear, 1.0 + 0.6 * (domain.y_half - 1.0))};
+  if (result.pair.gears) rule.face = 0.5 * result.pair.gears->face_width / result.scales.length;
+  return rule;
 }
 
 NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
@@ -346,7 +364,8 @@ Case make_case(const ParameterValues& values) {
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
     check_strain(result.scales);
-    result.numerics.domain = read_domain(values, moes_groups(reference.solids, oil, reference.operation).M);
+    result.numerics.domain = read_domain(values, result.scales);
+    result.numerics.room = room_rule(result);
   });
   result.numerics.nx = values.integer("grid.nx");
   result.numerics.ny = values.integer("grid.ny");

@@ -1,7 +1,10 @@
 #include "gearfilm/input/case_setup.hpp"
 
+#include <cmath>
+
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/memory.hpp"
 
 namespace gearfilm {
 
@@ -42,9 +45,27 @@ MeshModel mesh_after_leaving(const Case& problem) {
   return mesh_model(problem, problem.pair.line->exit() - problem.pair.line->base_pitch());
 }
 
+int contacts_at_a_time(const Case& problem) {
+  const bool all = problem.pair.line && problem.march.geometry != MeshGeometry::single;
+  return all ? static_cast<int>(std::ceil(problem.pair.line->contact_ratio())) : 1;
+}
+
+void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts) {
+  try {
+    require_memory(comm, shape.nx, shape.ny, contacts);
+  } catch (const InputError& error) {
+    throw SolveError(std::string("the grid cannot be widened: ") + error.what());
+  }
+  petsc_check(PetscPrintf(comm, "the grid is widened to %.3f < X < %.3f a, |y| < %.3f b: %d x %d nodes\n", shape.x_min,
+                          shape.x_max, scales.hertz.ellipticity * shape.y_half, shape.nx, shape.ny));
+}
+
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
-  MarchOptions options{problem.numerics.solver, problem.numerics.steps};
+  MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.room};
+  const MPI_Comm comm = films->grid().comm();
+  options.on_widening = [comm, scales = problem.scales, contacts = contacts_at_a_time(problem)](
+                            const GridShape& shape) { announce_widening(comm, shape, scales, contacts); };
   options.films.multigrid.levels = problem.numerics.step_levels > 0
                                        ? problem.numerics.step_levels
                                        : step_levels(films->grid(), problem.numerics.steps.dT);

@@ -154,21 +154,26 @@ Records lubricant_records() {
 }
 
 Records grid_records() {
-  const Domain long_domain = default_domain(0.0);
-  const Domain short_domain = default_domain(HUGE_VAL);
-  const auto by_load = [&](double Domain::*bound) {
-    return format_value(long_domain.*bound) + " for M < 200, else " + format_value(short_domain.*bound);
+  const auto in_words = [](const Domain& domain) {
+    return format_value(domain.x_min) + " < X < " + format_value(domain.x_max) + ", half width " +
+           format_value(domain.y_half);
   };
+  const std::string by_domain = "by grid.domain";
   return section(
       "grid", Scope::any,
-      {preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
+      {choice("domain", {"auto", "paper"},
+              "where the edges are at first: auto, the inlet so far before the contact that it is flooded, sides and "
+              "outlet clear of its ellipse; paper, Table 1 of the paper (" +
+                  in_words(paper_domain(0.0)) + " for M < 200, else " + in_words(paper_domain(HUGE_VAL)) +
+                  "). They move outwards where a contact needs it"),
+       preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
        preset(65, whole("ny", "N_y", odd(9, 16385),
                         "nodes across the entrainment, boundaries included; the films being symmetric, those on "
                         "one side and in the middle are computed")),
-       optional(by_load(&Domain::x_min),
+       optional(by_domain,
                 number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
-       optional(by_load(&Domain::x_max), number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
-       optional(by_load(&Domain::y_half),
+       optional(by_domain, number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
+       optional(by_domain,
                 number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});
 }
 

@@ -18,7 +18,12 @@ constexpr double largest_disturbance = 5e-2;   // that the linearised map still 
 class PeriodMap {
 public:
   PeriodMap(MeshMarch& march, const PeriodicOrbit& orbit, double size_of_difference)
-      : march_(march), path_(march.mesh().path), start_(orbit.start), end_(orbit.end), difference_(size_of_difference) {
+      : march_(march),
+        path_(march.mesh().path),
+        shape_(march.discretisation()->grid().shape()),
+        start_(refitted(orbit.start, march.comm(), shape_)),
+        end_(refitted(orbit.end, march.comm(), shape_)),
+        difference_(size_of_difference) {
     MPI_Comm_rank(march.comm(), &rank_);
     for (const ContactFields& fields : start_.films) {
       for (const auto& [name, values] : fields) {
@@ -75,7 +80,8 @@ private:
     return state;
   }
 
-  void difference_of(const PairState& a, const PairState& b, Vec vec) const {
+  void difference_of(const PairState& state, const PairState& b, Vec vec) const {
+    const PairState a = refitted(state, comm(), shape_);
     const VecWriting values(vec);
     std::size_t next = 0;
     for (std::size_t k = 0; k < a.films.size(); ++k) {
@@ -92,6 +98,7 @@ private:
 
   MeshMarch& march_;
   const ContactPath& path_;
+  GridShape shape_;  ///< of all states that are compared
   PairState start_, end_;
   double difference_;
   double weight_ = 1.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -52,7 +53,8 @@ private:
 };
 
 /// Largest change of any field between two states with the same contacts.
-double film_change(const PairState& before, const PairState& after, MPI_Comm comm) {
+double film_change(const PairState& earlier, const PairState& after, MPI_Comm comm) {
+  const PairState before = refitted(earlier, comm, after.shape);
   double largest = 0.0;
   for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
     for (const auto& [name, first] : before.films[k]) {
@@ -78,7 +80,7 @@ class OrbitSearch {
 public:
   OrbitSearch(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options, const SearchObserver& observer)
       : march_(march), path_(march.mesh().path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
-    if (guess.neighbour) {
+    if (guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape())) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion);
     } else {

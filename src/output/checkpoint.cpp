@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "gearfilm/parallel/agreement.hpp"
@@ -48,7 +49,7 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
   std::size_t next = 0;
   for (const Summary& names : description["films"]) next += names.size();
   for (const Summary& entry : description["snapshots"]) {
-    FilmSnapshot snapshot{entry["T"].get<double>(), {}};
+    FilmSnapshot snapshot{entry["T"].get<double>(), {}, grid.shape()};
     for (const Summary& contact : entry["contacts"]) {
       snapshot.contacts.push_back({contact[0].get<int>(), contact[1].get<double>(), {}});
       for (const Summary& name : contact[2]) {
@@ -101,8 +102,11 @@ void Checkpoint::find_states() {
 
 /// Completes what the name of a state does not tell. Whether the state and its steps are what was written.
 bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) const {
-  const std::optional<StateFile> found = read_state(grid_, file(state));
+  const std::optional<StateFile> found = read_state(grid_.comm(), file(state));
   if (!found) return false;
+  if (!same_lattice(grid_.shape(), found->shape)) {
+    throw InputError("'" + file(state).string() + "' is of a grid of other steps; start anew, without -restart");
+  }
   const Summary& description = found->description;
   if (description["figures"] != figure_names()) {
     throw InputError("'" + folder_.string() +
@@ -144,7 +148,7 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
   for (auto state = first; state != end; ++state) {
     const bool last = state + 1 == end;
     if (!last && !state->with_snapshots) continue;
-    const std::optional<StateFile> found = read_state(grid_, file(*state));
+    const std::optional<StateFile> found = read_state(grid_.comm(), file(*state));
     if (!found) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
     const Summary& description = found->description;
     const Summary& begin = description["begin"];
@@ -153,11 +157,12 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
       return {};
     }
-    read_snapshots(grid_, description, found->fields, recalled_);
+    read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, recalled_);
     if (!last) continue;
     kept.T = description["T"].get<double>();
     kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
     kept.state.films = films_from(found->fields, description["films"]);
+    kept.state.shape = found->shape;
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
   kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
@@ -191,15 +196,16 @@ void Checkpoint::keep(double T, const PairState& state) {
                          {"begin", run_begin_},
                          {"steps_end", next.steps.end},
                          {"steps_checksum", next.steps.checksum}};
+  const Grid grid = state.films.empty() ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);
   description["figures"] = figure_names();
   description["snapshots"] = Summary::array();
   for (const FilmSnapshot& snapshot : attached_) {
     description["snapshots"].push_back(description_of(snapshot));
-    append_fields(grid_, snapshot, fields);
+    append_fields(grid, snapshot, fields);
   }
-  write_state(grid_, file(next), description, fields);
+  write_state(grid, file(next), description, fields);
   kept_.push_back(next);
   waiting_.clear();
   attached_.clear();

@@ -5,6 +5,7 @@ namespace gearfilm {
 // The film itself has the pressure of the step; what else a contact carries is in its fields.
 FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   FilmSnapshot snapshot{record.T, {}};
+  if (!contacts.empty()) snapshot.shape = contacts.front().film->grid().shape();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
     contact.fields.push_back({std::string(field::pressure.name), contacts[k].film->pressure()});

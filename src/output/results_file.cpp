@@ -110,13 +110,13 @@ std::string xdmf_data(const std::string& size, const std::string& dataset) {
          "</DataItem>";
 }
 
-std::string xdmf_contact(const std::string& results_name, const std::string& mesh, const FieldGroup& group,
-                         const std::string& size) {
+std::string xdmf_contact(const std::string& results_name, const FieldGroup& group) {
+  const std::string size = std::to_string(group.shape.nx) + " " + std::to_string(group.shape.ny);
   std::string text =
       "        <Grid Name=\"" + group.name.substr(group.name.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
   text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
   text +=
-      "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + mesh) + "</Geometry>\n";
+      "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + group.mesh) + "</Geometry>\n";
   for (const std::string& name : group.datasets) {
     text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
             xdmf_data(size, results_name + ":" + group.name + "/" + name) + "</Attribute>\n";
@@ -126,9 +126,8 @@ std::string xdmf_contact(const std::string& results_name, const std::string& mes
 
 }  // namespace
 
-void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
-                const Grid& grid, const std::vector<TimedFields>& series) {
-  const std::string size = std::to_string(grid.nx()) + " " + std::to_string(grid.ny());
+void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::string& results_name,
+                const std::vector<TimedFields>& series) {
   std::ostringstream file;
   file.precision(12);
   file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
@@ -136,11 +135,11 @@ void write_xdmf(const std::filesystem::path& path, const std::string& results_na
   for (const TimedFields& fields : series) {
     file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
          << "        <Time Value=\"" << fields.time << "\"/>\n";
-    for (const FieldGroup& group : fields.groups) file << xdmf_contact(results_name, mesh, group, size);
+    for (const FieldGroup& group : fields.groups) file << xdmf_contact(results_name, group);
     file << "      </Grid>\n";
   }
   file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
-  write_whole(grid.comm(), path, file.str());
+  write_whole(comm, path, file.str());
 }
 
 }  // namespace gearfilm

@@ -5,31 +5,41 @@
 
 namespace gearfilm {
 
-Snapshots::Snapshots(ResultsFile& file, const Grid& grid, const Scales& scales, std::filesystem::path xdmf)
-    : file_(file), domain_(grid), scales_(scales), xdmf_(std::move(xdmf)) {
-  file_.grid("/mesh", domain_, scales_);
+Snapshots::Snapshots(ResultsFile& file, const Scales& scales, std::filesystem::path xdmf)
+    : file_(file), scales_(scales), xdmf_(std::move(xdmf)) {}
+
+const Snapshots::Mesh& Snapshots::mesh_of(const GridShape& shape) {
+  for (const auto& known : meshes_) {
+    if (known->grid.shape() == shape) return *known;
+  }
+  const std::string group = meshes_.empty() ? "/mesh" : "/mesh" + std::to_string(meshes_.size());
+  meshes_.push_back(std::make_unique<Mesh>(Grid(file_.comm(), shape), group));
+  file_.grid(group, meshes_.back()->domain, scales_);
+  return *meshes_.back();
 }
 
 void Snapshots::write(const FilmSnapshot& snapshot) {
   std::ostringstream name;
   name << "/snapshots/" << std::setw(4) << std::setfill('0') << written_.size();
   const double time = scales_.time * snapshot.T;
+  const Mesh& mesh = mesh_of(snapshot.shape);
   file_.attribute(name.str(), "T", snapshot.T);
   file_.attribute(name.str(), "t", time);
+  file_.attribute(name.str(), "mesh", mesh.group);
   TimedFields fields{time, {}};
   for (const ContactSnapshot& contact : snapshot.contacts) {
     const std::string group = name.str() + "/contact" + std::to_string(contact.number);
-    fields.groups.push_back({group, {}});
+    fields.groups.push_back({group, mesh.group + "/mesh", mesh.grid.shape(), {}});
     for (const auto& [field, values] : contact.fields) {
       const ContactField kind = field_named(field);
       const std::string dataset(kind.dataset);
-      file_.field(group, dataset, std::string(kind.unit.name), domain_, values, kind.unit.in_si(scales_, 1.0));
+      file_.field(group, dataset, std::string(kind.unit.name), mesh.domain, values, kind.unit.in_si(scales_, 1.0));
       fields.groups.back().datasets.push_back(dataset);
     }
     file_.attribute(group, "xi", contact.position);
   }
   written_.push_back(std::move(fields));
-  write_xdmf(xdmf_, "results.h5", "/mesh/mesh", domain_.grid(), written_);
+  write_xdmf(file_.comm(), xdmf_, "results.h5", written_);
 }
 
 }  // namespace gearfilm

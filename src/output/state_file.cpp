@@ -172,6 +172,7 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   description["format"] = restart_format;
   description["fields"] = fields.size();
   description["nodes"] = {grid.nx(), grid.rows()};
+  description["edges"] = {grid.shape().x_min, grid.shape().x_max, grid.shape().y_half};
   description["checksum"] = checksum_of(grid, fields);
   std::string text = description.dump();
   broadcast(grid.comm(), text);  // all count from its end
@@ -190,17 +191,16 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   });
 }
 
-std::optional<StateFile> read_state(const Grid& grid, const std::filesystem::path& path) {
-  std::string text = grid.rank() == 0 ? description_in(path) : std::string();
-  broadcast(grid.comm(), text);
+std::optional<StateFile> read_state(MPI_Comm comm, const std::filesystem::path& path) {
+  std::string text = rank_in(comm) == 0 ? description_in(path) : std::string();
+  broadcast(comm, text);
   if (text.empty()) return {};
-  StateFile state{Summary::parse(text), {}};
+  StateFile state{Summary::parse(text), {}, {}};
   require_restart_format(state.description, path);
-  const int nx = state.description["nodes"][0].get<int>(), rows = state.description["nodes"][1].get<int>();
-  if (nx != grid.nx() || rows != grid.rows()) {
-    throw InputError("'" + path.string() + "' is of a grid of " + std::to_string(nx) + " x " +
-                     std::to_string(2 * rows - 1) + " nodes; start anew, without -restart");
-  }
+  const Summary &nodes = state.description["nodes"], &edges = state.description["edges"];
+  state.shape = {nodes[0].get<int>(), 2 * nodes[1].get<int>() - 1, edges[0].get<double>(), edges[1].get<double>(),
+                 edges[2].get<double>()};
+  const Grid grid(comm, state.shape);
   if (const auto count = state.description["fields"].get<std::size_t>(); count > 0) {
     std::optional<CompactFields> fields = extract_fields(grid, path, fields_begin(text.size()), count);
     if (!fields) return {};

@@ -77,7 +77,7 @@ protected:
 TEST_F(CheckpointTest, state_comes_back_to_the_bit) {
   const CompactFields fields = {field(1.0), field(2.0), field(3.0)};
   write_state(grid_, path_, {{"T", 1.0 / 3.0}}, fields);
-  const std::optional<StateFile> state = read_state(grid_, path_);
+  const std::optional<StateFile> state = read_state(grid_.comm(), path_);
   ASSERT_TRUE(state);
   EXPECT_EQ(state->description["T"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(state->fields, fields);
@@ -87,7 +87,7 @@ TEST_F(CheckpointTest, state_comes_back_to_the_bit) {
 TEST_F(CheckpointTest, description_is_that_of_the_first_process) {
   const CompactFields fields = {field(1.0)};
   write_state(grid_, path_, {{"words", std::string(1 + 3 * grid_.rank(), 'a')}}, fields);
-  const std::optional<StateFile> state = read_state(grid_, path_);
+  const std::optional<StateFile> state = read_state(grid_.comm(), path_);
   ASSERT_TRUE(state);
   EXPECT_EQ(state->description["words"], "a");
   EXPECT_EQ(state->fields, fields);
@@ -105,7 +105,7 @@ TEST_F(CheckpointTest, journal_has_the_times_of_the_first_process) {
 TEST_F(CheckpointTest, state_is_read_by_another_number_of_processes) {
   write_state(grid_, path_, {}, {field(1.0), field(2.0)});
   const Grid alone(PETSC_COMM_SELF, grid_.shape());
-  const std::optional<StateFile> whole = read_state(alone, path_);
+  const std::optional<StateFile> whole = read_state(alone.comm(), path_);
   ASSERT_TRUE(whole);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
@@ -121,7 +121,7 @@ TEST_F(CheckpointTest, state_that_was_cut_off_is_none) {
     MPI_Barrier(PETSC_COMM_WORLD);
     if (grid_.rank() == 0) std::filesystem::resize_file(path_, cut);
     MPI_Barrier(PETSC_COMM_WORLD);
-    EXPECT_FALSE(read_state(grid_, path_));
+    EXPECT_FALSE(read_state(grid_.comm(), path_));
   }
 }
 
@@ -132,16 +132,16 @@ TEST_F(CheckpointTest, state_with_any_bit_changed_is_none) {
   const auto fields = size - 2 * sizeof(double) * grid_.nx() * grid_.rows();
   for (std::uintmax_t n = 0; n < size; n += n < fields ? 1 : 97) {
     change_bit(path_, n);
-    EXPECT_FALSE(read_state(grid_, path_)) << n;
+    EXPECT_FALSE(read_state(grid_.comm(), path_)) << n;
     change_bit(path_, n);
   }
-  EXPECT_TRUE(read_state(grid_, path_));
+  EXPECT_TRUE(read_state(grid_.comm(), path_));
 }
 
 TEST_F(CheckpointTest, state_of_zeros_is_none) {
   if (grid_.rank() == 0) std::ofstream(path_) << std::string(1000, '\0');
   MPI_Barrier(PETSC_COMM_WORLD);
-  EXPECT_FALSE(read_state(grid_, path_));
+  EXPECT_FALSE(read_state(grid_.comm(), path_));
 }
 
 TEST_F(CheckpointTest, state_of_another_grid_is_refused) {

@@ -31,7 +31,7 @@ inline FilmCase table3_pitch() {
                                     {.viscosity = 0.04, .pressure_viscosity = 2.2e-8},
                                     {.load = table3::pinion_torque / line.base_radius_pinion(),
                                      .entrainment_velocity = line.entrainment_velocity(0.0, table3::pinion_speed)});
-  return {scales, default_domain(2400.0)};
+  return {scales, paper_domain(2400.0)};
 }
 
 /// Contact of the solids and oil of Table 3 with R_y, load and velocity chosen for the Moes groups M, L, D.
@@ -40,7 +40,7 @@ inline FilmCase moes_contact(double M, double L, double D) {
   ContactSolids solids = pitch.scales.solids;
   solids.radius_y = solids.radius_x / D;
   const Lubricant oil = pitch.scales.oil;
-  return {make_scales(solids, oil, operation_for_moes(solids, oil, M, L)), default_domain(M)};
+  return {make_scales(solids, oil, operation_for_moes(solids, oil, M, L)), paper_domain(M)};
 }
 
 /// "steady_circular_definition" of tests/reference/table3.json.
@@ -49,7 +49,7 @@ inline FilmCase circular_contact() {
   const ContactSolids solids{
       .radius_x = definition.at("R_x"), .radius_y = definition.at("R_y"), .reduced_modulus = definition.at("E_prime")};
   const Lubricant oil{.viscosity = definition.at("eta_0"), .pressure_viscosity = definition.at("alpha_B")};
-  return {make_scales(solids, oil, operation_for_moes(solids, oil, 20.0, 10.0)), default_domain(20.0)};
+  return {make_scales(solids, oil, operation_for_moes(solids, oil, 20.0, 10.0)), paper_domain(20.0)};
 }
 
 /// The stationary film of a case, from nothing.

@@ -32,6 +32,8 @@ public:
 
   /// Contacts just after T, the leading one first. A contact at its exit has left, one at its entry is there.
   std::vector<int> contacts_after(double T) const;
+  /// Those just before T: one at its exit is still there, one at its entry not yet.
+  std::vector<int> contacts_before(double T) const { return contacts_after(T - 3.0 * tolerance()); }
   /// The next time after T at which a contact enters or leaves; infinity where none does.
   double next_event(double T) const;
 

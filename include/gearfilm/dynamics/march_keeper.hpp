@@ -1,7 +1,7 @@
 // How a march that was stopped with its program is done again without being computed again.
 //
 // A march is a series of runs; between two runs its state may be set anew (a jump of the motion, another period of a
-// search). A run is a series of segments, between which contacts enter or leave and the time scheme starts afresh: the
+// search). A run is a series of segments, between which contacts enter or leave, or the grid is widened, and the time scheme starts afresh: the
 // points at which a march can be taken up with not a bit changed. A program that is started again asks for the same
 // runs in the same order. What is kept of a run is taken over; the rest is computed.
 #pragma once
@@ -27,7 +27,7 @@ public:
   virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
   /// A step of the run, or its state after an entering or leaving.
   virtual void record(const StepRecord& record) = 0;
-  /// A segment ends at T with this state; contacts have been exchanged.
+  /// A segment ends at T with this state; whatever enters or leaves then is still to do so.
   virtual void keep(double T, const PairState& state) = 0;
 };
 

@@ -5,11 +5,13 @@
 // Source: Figs. 5 and 6 of doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "gearfilm/dynamics/march_keeper.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
+#include "gearfilm/ehl/room.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 
 namespace gearfilm {
@@ -22,11 +24,13 @@ int step_levels(const Grid& grid, double dT);
 struct MarchOptions {
   SolverOptions films;  ///< of the films' own solvers
   StepOptions steps;
+  std::optional<RoomRule> room{};                       ///< by which the grid is widened; none: it stays as it is
+  std::function<void(const GridShape&)> on_widening{};  ///< told before; may throw SolveError
 };
 
 class MeshMarch {
 public:
-  /// All contacts have films of this discretisation. With a prescribed load the mesh has a single contact. A keeper
+  /// All contacts have films of this discretisation, at first. With a prescribed load the mesh has a single contact. A keeper
   /// must outlive the march.
   MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, const MarchOptions& options, StepObserver observer,
             MarchKeeper* keeper = nullptr);
@@ -38,7 +42,8 @@ public:
 
   /// The present state.
   PairState state() const;
-  /// Goes on from a state at time T, with one film for each contact that exists just after it.
+  /// Goes on from a state at time T, with one film for each contact that exists just after it, on a grid that holds
+  /// both the state's and the present one: they must have the same lattice.
   void resume(double T, const PairState& state);
   /// Jumps to another motion. The films follow as they would if the jump took no longer than a time step: oil that
   /// cannot flow away in it stays.
@@ -50,11 +55,24 @@ public:
   const MeshModel& mesh() const { return mesh_; }
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
+  /// Of the present films.
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
 
 private:
+  /// A pressure near that of a film to be found.
+  struct PressureGuess {
+    std::vector<double> values;
+    GridShape shape;
+  };
+  PressureGuess pressure_of(const LiveContact& contact) const {
+    return {values_of(contact.fields, field::pressure), discretisation_->grid().shape()};
+  }
+  std::optional<PressureGuess> guess_from_last() const {
+    return contacts_.empty() ? std::nullopt : std::optional(pressure_of(contacts_.back()));
+  }
   /// A contact that enters at T_: its stationary film at the present H_0, from a neighbour's pressure or from nothing.
-  LiveContact enter(int number, const ContactFields* neighbour);
+  LiveContact enter(int number, const std::optional<PressureGuess>& guess);
   void balance_at_rest();
   /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
   bool follow(const LiveContact& contact, double H0, ContactFields& after) const;
@@ -64,6 +82,15 @@ private:
   FilmFigures present_figures(const LiveContact& contact) const;
   void observe_present() const;
   ContactFilm* free_film();
+  /// Puts the present contacts and their fields on a grid of another shape.
+  void move_to(const GridShape& shape);
+  /// What a contact needs under this pressure integral; nothing where the grid stays as it is.
+  Room needed_room(int number, double pressure_integral) const;
+  bool has_room(const Room& needed) const { return gearfilm::has_room(discretisation_->grid().shape(), needed); }
+  void widen(const Room& needed);
+  void make_room();
+  /// resume() with these contacts.
+  void take_up(double T, const PairState& state, const std::vector<int>& numbers);
   void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
   std::string label(int number) const;
 

@@ -11,6 +11,10 @@ namespace gearfilm {
 struct PairState {
   Motion motion;
   std::vector<ContactFields> films;  ///< none in the dry model
+  GridShape shape{};                 ///< of the grid that all films are on
 };
+
+/// The same on a grid of the same lattice that reaches farther, or less far (refit.hpp). Collective.
+PairState refitted(const PairState& state, MPI_Comm comm, const GridShape& shape);
 
 }  // namespace gearfilm

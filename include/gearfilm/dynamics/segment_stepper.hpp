@@ -31,8 +31,11 @@ public:
   SegmentStepper(const SegmentStepper&) = delete;
   SegmentStepper& operator=(const SegmentStepper&) = delete;
 
-  /// Integrates the state from T0 to T1, in equal steps of at most dT. Throws SolveError where a step cannot be made.
-  void run(Vec state, double T0, double T1);
+  /// Integrates the state from T0 to T1, in equal steps of at most dT, and returns the time that it came to: earlier
+  /// than T1 after stop(). Throws SolveError where a step cannot be made.
+  double run(Vec state, double T0, double T1);
+  /// Ends run() with the step that on_step is being told of.
+  void stop() { stopped_ = true; }
 
   /// d C(state)/dT at the end of run().
   Vec rate() const { return rate_; }
@@ -55,6 +58,7 @@ private:
   // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
   // PETSc works on (that of the stage, or of the step's start once a stage has failed).
   double state_time_ = 0.0;
+  bool stopped_ = false;
   bool at_start_ = true;      ///< no stage of the segment is done yet
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment

@@ -29,6 +29,9 @@ struct GridShape {
 
   /// Nodes with Y >= 0 in a line along Y.
   int rows() const { return (ny + 1) / 2; }
+  double h_x() const { return (x_max - x_min) / (nx - 1); }
+  double h_y() const { return 2.0 * y_half / (ny - 1); }
+  bool operator==(const GridShape&) const = default;
 };
 
 /// First item of every process, and their number, when items are cut as evenly as possible.

@@ -35,7 +35,8 @@ struct PairCase {
 
 /// Grid, solvers and time steps.
 struct NumericsCase {
-  Domain domain;
+  Domain domain;  ///< at first
+  RoomRule room;  ///< by which it follows the contacts
   int nx = 0;  ///< nodes along X
   int ny = 0;  ///< nodes along Y
   SolverOptions solver;

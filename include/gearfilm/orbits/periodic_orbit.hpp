@@ -20,7 +20,7 @@ struct PeriodicOptions {
 };
 
 /// Where a search begins, and its Jacobian. With a neighbour, films and all, the films follow from there to the motion;
-/// without one they start as stationary ones.
+/// without one, or where its grid has other steps, they start as stationary ones.
 struct OrbitGuess {
   Motion motion;
   Monodromy monodromy{};

@@ -20,7 +20,8 @@ class Checkpoint final : public MarchKeeper {
 public:
   enum class Begin { anew, where_it_stopped };
 
-  /// Creates the folder, or takes over what it holds. Throws OutputError. Collective.
+  /// Creates the folder, or takes over what it holds, which must be of the grid or of one that was widened from it.
+  /// Throws OutputError. Collective.
   Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
 
   std::optional<KeptRun> begin_run(double T, const Motion& motion) override;

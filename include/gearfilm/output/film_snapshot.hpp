@@ -25,6 +25,7 @@ struct ContactSnapshot {
 struct FilmSnapshot {
   double T = 0.0;
   std::vector<ContactSnapshot> contacts;
+  GridShape shape{};  ///< of the grid that they are on
 };
 
 /// Copies the fields of a step that have a dataset in the results.

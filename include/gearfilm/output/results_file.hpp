@@ -83,6 +83,8 @@ private:
 /// A group of results.h5 with the fields of one contact.
 struct FieldGroup {
   std::string name;
+  std::string mesh;  ///< the dataset of the coordinates
+  GridShape shape;
   std::vector<std::string> datasets;
 };
 
@@ -92,9 +94,8 @@ struct TimedFields {
   std::vector<FieldGroup> groups;
 };
 
-/// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time. mesh: the
-/// dataset of the coordinates.
-void write_xdmf(const std::filesystem::path& path, const std::string& results_name, const std::string& mesh,
-                const Grid& grid, const std::vector<TimedFields>& series);
+/// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time.
+void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::string& results_name,
+                const std::vector<TimedFields>& series);
 
 }  // namespace gearfilm

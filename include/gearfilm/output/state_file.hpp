@@ -1,7 +1,8 @@
 // Fields of a grid with a description, in one file that is there whole or not at all.
 //
 //   16 bytes      length of the description, and its checksum
-//   description   JSON; "format", "fields", "nodes" ([nx, rows]) and "checksum" of the fields are added to it
+//   description   JSON; "format", "fields" (how many), "nodes" ([nx, rows]), "edges" ([X_min, X_max, Y_half]) and
+//                 "checksum" of the fields are added to it
 //   fields        doubles, one field after the other as (nx, rows), rows those with Y >= 0
 // Does not depend on the number of processes. Written and read by all together (MPI-IO). What was damaged since, even
 // if it kept its size, is as good as missing.
@@ -32,11 +33,12 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
 
 struct StateFile {
   Summary description;
+  GridShape shape;
   CompactFields fields;
 };
 
-/// Nothing where the file is missing, not whole, or damaged. Throws InputError where it is of another format version
-/// or of another grid. Collective.
-std::optional<StateFile> read_state(const Grid& grid, const std::filesystem::path& path);
+/// Nothing where the file is missing, not whole, or damaged. Throws InputError where it is of another format version.
+/// Collective.
+std::optional<StateFile> read_state(MPI_Comm comm, const std::filesystem::path& path);
 
 }  // namespace gearfilm
