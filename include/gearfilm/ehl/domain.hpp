@@ -22,7 +22,10 @@ inline double flooded_inlet(double film) { return 12.0 * std::pow(film, 0.58); }
 
 /// Half the width [b] with which the sides change the forces of a moving contact by less than 0.03 %: pressure reaches
 /// about as far beyond the tips of the ellipse as into the inlet. ellipticity: a/b.
-inline double clear_side(double film, double ellipticity) { return 1.03 + 0.45 * ellipticity * flooded_inlet(film); }
+inline double clear_side(double film, double ellipticity) {
+  const double inlet = ellipticity * flooded_inlet(film);
+  return 1.03 + 1.1 * inlet / (1.0 + 0.35 * inlet);
+}
 
 /// The choice by the film that is to be expected: flooded and clear under up to 1.25 times the force too.
 inline Domain domain_by_film(double film, double ellipticity) {
