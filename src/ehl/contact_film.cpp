@@ -56,26 +56,14 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   exchange_ghosts(discretisation_->halo(), state_);
   evaluated_H0_ = H0;
   evaluated_ = true;
-  masked_ = false;
   at_linearised_ = false;
-}
-
-void ContactFilm::find_wet(const Squeeze& squeeze, std::span<double> rows) {
-  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
-  masked_rate_.assign(squeeze.rate.begin(), squeeze.rate.end());
-  masked_shift_ = squeeze.shift;
-  masked_ = true;
-}
-
-bool ContactFilm::has_mask_of(const Squeeze& squeeze) const {
-  return masked_ && squeeze.shift == masked_shift_ && std::ranges::equal(squeeze.rate, masked_rate_);
 }
 
 void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze,
                            std::span<double> rows) {
   evaluate(pressure, H0);
   at_linearised_ = false;
-  find_wet(squeeze, rows);
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
 }
 
 void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass) {
@@ -105,7 +93,7 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift) {
   evaluate(pressure, H0);
-  if (!has_mask_of(squeeze)) find_wet(squeeze, displacement_column_);
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, conditions_.entrainment, shift);
   linearised_->displacement_column(displacement_column_);

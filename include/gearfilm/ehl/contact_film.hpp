@@ -70,9 +70,6 @@ public:
 
 private:
   bool is_current(std::span<const double> pressure, double H0) const;
-  bool has_mask_of(const Squeeze& squeeze) const;
-  /// G at the evaluated state, and with it which nodes are wet.
-  void find_wet(const Squeeze& squeeze, std::span<double> rows);
   LinearisedFilm& linearisation_for(double shift);
   void require_linearised_state() const;
 
@@ -91,9 +88,6 @@ private:
   std::vector<double> displacement_column_;     ///< dG/dH_0
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
-  std::vector<double> masked_rate_;  ///< d(rho H)/dT with which the wet nodes were found; empty: none
-  double masked_shift_ = 0.0;
-  bool masked_ = false;  ///< the evaluated state has its wet nodes
   long convolutions_ = 0;
 };
 
