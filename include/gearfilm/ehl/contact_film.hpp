@@ -53,8 +53,8 @@ public:
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
-  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. This and
-  /// precondition() read the state: they are errors once another one was evaluated.
+  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the
+  /// state: an error once another one was evaluated.
   void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
   /// change = approximately (dG/dP)^-1 rows.
   void precondition(std::span<const double> rows, std::span<double> change);
@@ -71,7 +71,6 @@ public:
 private:
   bool is_current(std::span<const double> pressure, double H0) const;
   LinearisedFilm& linearisation_for(double shift);
-  void require_linearised_state() const;
 
   SharedDiscretisation discretisation_;
   const Grid& grid_;
