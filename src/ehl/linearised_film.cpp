@@ -166,7 +166,12 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
         return petsc_callback([&] {
           Shell* own = nullptr;
           petsc_check(PCShellGetContext(shell_pc, &own));
-          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero_guess == PETSC_TRUE);
+          // PCMG says that no guess is zero, but has just cleared it before the first sweep.
+          PetscReal norm = 0.0;
+          PetscBool known = PETSC_FALSE;
+          petsc_check(VecNormAvailable(out, NORM_2, &known, &norm));
+          const bool zero = zero_guess == PETSC_TRUE || (known == PETSC_TRUE && norm == 0.0);
+          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero);
           *done = its;
           *reason = PCRICHARDSON_CONVERGED_ITS;
         });
@@ -221,12 +226,9 @@ void FilmMultigrid<Real>::build_cycle() {
                            count == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
-      KSP down = nullptr, up = nullptr;
-      // Two solvers: a common one would compute the first residual of a zero guess.
-      petsc_check(PCMGGetSmootherDown(cycle_, petsc_level, &down));
-      petsc_check(PCMGGetSmootherUp(cycle_, petsc_level, &up));
-      configure_smoother(down, matrix, *shells_[l], options_.smoothing_sweeps);
-      configure_smoother(up, matrix, *shells_[l], options_.smoothing_sweeps);
+      KSP smoother = nullptr;
+      petsc_check(PCMGGetSmoother(cycle_, petsc_level, &smoother));
+      configure_smoother(smoother, matrix, *shells_[l], options_.smoothing_sweeps);
     }
     if (l > 0) {
       const int finer = petsc_level + 1;
