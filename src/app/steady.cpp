@@ -1,9 +1,11 @@
 // `gearfilm steady`: the stationary film of one contact at one position on the line of action.
+#include <cmath>
+#include <memory>
 #include <sstream>
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
-#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -36,12 +38,47 @@ Position steady_position(const Case& problem) {
   return position;
 }
 
-Summary film_summary(const Case& problem, const Position& position, const StationaryResult& result) {
+/// Values with their error and what they tend to; null where the grid cannot tell.
+void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, Summary& summary) {
+  const auto add = [&](const std::string& name, double unit, Estimate GridErrors::*figure) {
+    Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
+    if (!errors) return;
+    error = unit * ((*errors).*figure).error;
+    extrapolated = unit * ((*errors).*figure).extrapolated;
+  };
+  add("h_central", scales.thickness, &GridErrors::central_film);
+  add("h_min", scales.thickness, &GridErrors::smallest_film);
+  add("p_central", scales.pressure, &GridErrors::central_pressure);
+  add("p_max", scales.pressure, &GridErrors::largest_pressure);
+}
+
+bool chosen_by_program(const Case& problem) {
+  return !problem.parameters.has("grid.nx") && !problem.parameters.has("grid.ny");
+}
+
+/// Says where the films are less accurate than they should be.
+void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<GridErrors>& errors) {
+  constexpr double tolerable = 0.05;
+  const bool chosen = chosen_by_program(problem);
+  const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable;
+  if (errors && errors->worst() <= aim) return;
+  std::ostringstream text;
+  text.precision(2);
+  if (errors) {
+    text << "the films have an error of about " << 100.0 * errors->worst() << " %";
+  } else {
+    text << "the error of the films is not known, since a grid of half the nodes has no film";
+  }
+  text << (chosen ? "; lower grid.accuracy" : "; raise grid.nx and grid.ny, or leave them to the program");
+  petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: %s\n", text.str().c_str()));
+}
+
+Summary film_summary(const Case& problem, const Position& position, const Grid& grid, const StationaryResult& result) {
   const Scales& scales = problem.scales;
   Summary summary;
   summary["case"] = problem.name;
-  summary["nx"] = problem.numerics.nx;
-  summary["ny"] = problem.numerics.ny;
+  summary["nx"] = grid.nx();
+  summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
   const ContactMoment at{scales, position.contact, result.figures};
   for (const auto& figure : contact_figures) {
@@ -92,14 +129,22 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   write_summary(comm, problem.run.directory, summary);
 }
 
-void print_result(MPI_Comm comm, const Case& problem, const Position& position, const Summary& summary) {
+void print_result(MPI_Comm comm, const Position& position, const Summary& summary) {
   const Summary& predicted = summary["predictions"];
   const auto um = [](const Summary& value) { return 1e6 * value.get<double>(); };
   petsc_check(PetscPrintf(comm,
                           "%s, %d x %d nodes: film %.4f um central, %.4f um smallest; pressure %.4f GPa largest; "
                           "force %.6g N\n",
-                          position.label.c_str(), problem.numerics.nx, problem.numerics.ny, um(summary["h_central"]),
-                          um(summary["h_min"]), 1e-9 * summary["p_max"].get<double>(), summary["force"].get<double>()));
+                          position.label.c_str(), summary["nx"].get<int>(), summary["ny"].get<int>(),
+                          um(summary["h_central"]), um(summary["h_min"]), 1e-9 * summary["p_max"].get<double>(),
+                          summary["force"].get<double>()));
+  if (!summary["h_central_error"].is_null()) {
+    petsc_check(PetscPrintf(comm,
+                            "error of the grid about %.4f um central, %.4f um smallest; towards finer grids %.4f um, "
+                            "%.4f um\n",
+                            um(summary["h_central_error"]), um(summary["h_min_error"]),
+                            um(summary["h_central_extrapolated"]), um(summary["h_min_extrapolated"])));
+  }
   petsc_check(
       PetscPrintf(comm,
                   "formulas: Hamrock-Dowson %.4f um central, %.4f um smallest; Nijenbanning-Venner-Moes %.4f um "
@@ -111,29 +156,68 @@ void print_result(MPI_Comm comm, const Case& problem, const Position& position, 
                           summary["residual"].get<double>()));
 }
 
+/// The film of the contact on one grid.
+struct FilmOnGrid {
+  std::unique_ptr<ContactFilm> film;
+  StationaryResult result;
+  std::optional<GridErrors> errors;
+};
+
+FilmOnGrid solve_on(MPI_Comm comm, const Case& problem, const Position& position, const GridShape& shape) {
+  FilmOnGrid solved;
+  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(Grid(comm, shape), problem.scales), problem.scales,
+                                              problem.numerics.solver.multigrid);
+  solved.film->set_conditions(position.contact.conditions);
+  const LoadCondition load = LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force);
+  solved.result =
+      located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
+  check_validity(*solved.film, solved.result.figures, position.label);
+  solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
+  return solved;
+}
+
+/// The shape in steps shorter by so much.
+GridShape refined(const GridShape& shape, double factor) {
+  GridShape fine = shape;
+  fine.nx = nodes_along(shape.nx - 1, 1.0 / factor);
+  fine.ny = nodes_along(shape.ny - 1, 1.0 / factor);
+  return fine;
+}
+
+/// What the present grid lacks in steps, where the program chose it: 1 where nothing.
+double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
+  constexpr double most = 2.0;
+  if (!chosen_by_program(problem)) return 1.0;
+  if (!errors) return most;
+  const double excess = errors->worst() / problem.parameters.real("grid.accuracy");
+  return excess > 1.0 ? std::min(most, 1.1 * std::sqrt(excess)) : 1.0;
+}
+
 }  // namespace
 
 void run_steady(MPI_Comm comm, const Case& problem) {
   const Position position = steady_position(problem);
   const double force = problem.steady.load_ratio * problem.scales.static_force;
-  const Room needed = needed_room(problem.numerics.room, problem.scales, position.contact.conditions, force,
-                                  position.label);
+  const Room needed =
+      needed_room(problem.numerics.room, problem.scales, position.contact.conditions, force, position.label);
   GridShape shape = case_grid(problem);
   if (!has_room(shape, needed)) {
     shape = widened(shape, needed, problem.numerics.room);
     announce_widening(comm, shape, problem.scales, 1);
   }
-  const SharedDiscretisation discretisation = gearfilm::discretise(Grid(comm, shape), problem.scales);
+  const Grid checked(comm, shape);  // wrong input is said before anything is removed
   const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
-  ContactFilm film(discretisation, problem.scales, problem.numerics.solver.multigrid);
-  film.set_conditions(position.contact.conditions);
-  const StationaryResult result = located(
-      position.label, [&] { return solve_stationary(film, LoadCondition::force(force), problem.numerics.solver); });
-  check_validity(film, result.figures, position.label);
-  const Summary summary = film_summary(problem, position, result);
-  write_results(comm, problem, position, film, summary);
-  print_result(comm, problem, position, summary);
+  FilmOnGrid solved = solve_on(comm, problem, position, shape);
+  // The chosen grid rests on a fitted law; what its film says of itself counts more.
+  if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
+    solved = solve_on(comm, problem, position, refined(shape, factor));
+  }
+  Summary summary = film_summary(problem, position, solved.film->grid(), solved.result);
+  add_errors(problem.scales, solved.errors, summary);
+  write_results(comm, problem, position, *solved.film, summary);
+  print_result(comm, position, summary);
+  warn_of_errors(comm, problem, solved.errors);
 }
 
 }  // namespace gearfilm

@@ -293,8 +293,8 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
     Room needed;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const FilmFigures figures = film_figures(record.contacts[k].figures);
-      check_validity(*contacts_[k].film, figures, label(contacts_[k].number));
       needed = united(needed, needed_room(contacts_[k].number, figures.pressure_integral));
+      check_validity(*contacts_[k].film, figures, label(contacts_[k].number));
     }
     observe(record);
     if (!has_room(needed)) stepper.stop();

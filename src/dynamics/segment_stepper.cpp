@@ -103,6 +103,9 @@ void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
   configure_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  begin_with_short_restart(ksp);
   // The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
   // slowly. In the first stage it knows no velocity: under a rising load Newton's method would have to find the oil
   // outside the contact that the sinking body squeezes.

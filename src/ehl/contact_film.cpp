@@ -56,26 +56,14 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   exchange_ghosts(discretisation_->halo(), state_);
   evaluated_H0_ = H0;
   evaluated_ = true;
-  masked_ = false;
   at_linearised_ = false;
-}
-
-void ContactFilm::find_wet(const Squeeze& squeeze, std::span<double> rows) {
-  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
-  masked_rate_.assign(squeeze.rate.begin(), squeeze.rate.end());
-  masked_shift_ = squeeze.shift;
-  masked_ = true;
-}
-
-bool ContactFilm::has_mask_of(const Squeeze& squeeze) const {
-  return masked_ && squeeze.shift == masked_shift_ && std::ranges::equal(squeeze.rate, masked_rate_);
 }
 
 void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze,
                            std::span<double> rows) {
   evaluate(pressure, H0);
   at_linearised_ = false;
-  find_wet(squeeze, rows);
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
 }
 
 void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass) {
@@ -105,15 +93,11 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift) {
   evaluate(pressure, H0);
-  if (!has_mask_of(squeeze)) find_wet(squeeze, displacement_column_);
+  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, conditions_.entrainment, shift);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
-}
-
-void ContactFilm::require_linearised_state() const {
-  if (!at_linearised_) throw std::logic_error("a film's Jacobian is used at a state at which it was not linearised");
 }
 
 void ContactFilm::multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
@@ -125,7 +109,7 @@ void ContactFilm::multiply(std::span<const double> change, double change_H0, std
 }
 
 void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {
-  require_linearised_state();
+  if (!at_linearised_) throw std::logic_error("a film's Jacobian is used at a state at which it was not linearised");
   Field<double> pressure_change(grid_), deformed(grid_);
   pressure_change.load(change);
   deformation_.apply(pressure_change, deformed);
@@ -141,7 +125,6 @@ void ContactFilm::multiply_mass(std::span<const double> change, double change_H0
 }
 
 void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {
-  require_linearised_state();
   linearised_->apply(rows, change);
 }
 

@@ -23,9 +23,7 @@ public:
   }
 
   void update(const FilmState& state, double entrainment, double shift) override {
-    levels_.front()->update(state, entrainment, shift);
-    for (std::size_t l = 1; l < levels_.size(); ++l) levels_[l]->update(*levels_[l - 1], entrainment, shift);
-    if (whole_) update_gathered(entrainment, shift);
+    update_from(0, state, entrainment, shift);
   }
 
   void apply(std::span<const double> residual, std::span<double> change) override {
@@ -57,7 +55,9 @@ private:
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
-  void update_gathered(double entrainment, double shift);
+  /// This level and all coarser ones, which see the state injected.
+  void update_from(std::size_t level, const FilmState& state, double entrainment, double shift);
+  void update_gathered(const FilmState& state, double entrainment, double shift);
   OwnedMat level_operator(Shell& shell) const;
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
@@ -69,7 +69,6 @@ private:
   OwnedVec right_side_, solution_;  ///< wrap the caller's arrays
   // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
   const Gather* gather_ = nullptr;
-  std::unique_ptr<FilmState> whole_state_;
   std::unique_ptr<LinearisedFilm> whole_;
   std::vector<double> whole_residual_, whole_change_;
 };
@@ -89,7 +88,6 @@ void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
   const Discretisation* whole = last->whole();
   if (!whole || !wanted(whole->coarser())) return;
   gather_ = &last->gather();
-  whole_state_ = std::make_unique<FilmState>(whole->grid());
   MultigridOptions rest = options_;
   if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
   whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest);
@@ -178,7 +176,12 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
         return petsc_callback([&] {
           Shell* own = nullptr;
           petsc_check(PCShellGetContext(shell_pc, &own));
-          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero_guess == PETSC_TRUE);
+          // PCMG says that no guess is zero, but has just cleared it before the first sweep.
+          PetscReal norm = 0.0;
+          PetscBool known = PETSC_FALSE;
+          petsc_check(VecNormAvailable(out, NORM_2, &known, &norm));
+          const bool zero = zero_guess == PETSC_TRUE || (known == PETSC_TRUE && norm == 0.0);
+          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero);
           *done = its;
           *reason = PCRICHARDSON_CONVERGED_ITS;
         });
@@ -233,12 +236,9 @@ void FilmMultigrid<Real>::build_cycle() {
                            options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
-      KSP down = nullptr, up = nullptr;
-      // Two solvers: a common one would compute the first residual of a zero guess.
-      petsc_check(PCMGGetSmootherDown(cycle_, petsc_level, &down));
-      petsc_check(PCMGGetSmootherUp(cycle_, petsc_level, &up));
-      configure_smoother(down, matrix, *shells_[l], options_.smoothing_sweeps);
-      configure_smoother(up, matrix, *shells_[l], options_.smoothing_sweeps);
+      KSP smoother = nullptr;
+      petsc_check(PCMGGetSmoother(cycle_, petsc_level, &smoother));
+      configure_smoother(smoother, matrix, *shells_[l], options_.smoothing_sweeps);
     }
     if (l > 0) {
       const int finer = petsc_level + 1;
@@ -254,16 +254,30 @@ void FilmMultigrid<Real>::build_cycle() {
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_gathered(double entrainment, double shift) {
+void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double entrainment, double shift) {
+  levels_[level]->update(state, entrainment, shift);
+  if (level + 1 < levels_.size()) {
+    const Discretisation& coarser = levels_[level + 1]->discretisation();
+    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), entrainment,
+                shift);
+  } else if (whole_) {
+    update_gathered(state, entrainment, shift);
+  }
+}
+
+template <class Real>
+void FilmMultigrid<Real>::update_gathered(const FilmState& state, double entrainment, double shift) {
+  const Discretisation& everywhere = *levels_.back()->discretisation().whole();
+  FilmState whole_state(everywhere.grid());
   std::vector<double> own(levels_.back()->grid().local_size());
   std::vector<double> whole(whole_change_.size());
   for (const auto field : state_fields) {
-    (levels_.back()->state().*field).store(own);
+    (state.*field).store(own);
     gather_->to_all(own, whole);
-    ((*whole_state_).*field).load(whole);
+    (whole_state.*field).load(whole);
   }
-  exchange_ghosts(levels_.back()->discretisation().whole()->halo(), *whole_state_);
-  whole_->update(*whole_state_, entrainment, shift);
+  exchange_ghosts(everywhere.halo(), whole_state);
+  whole_->update(whole_state, entrainment, shift);
 }
 
 }  // namespace

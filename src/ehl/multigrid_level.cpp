@@ -16,17 +16,8 @@ MultigridLevel<Real>::MultigridLevel(const Discretisation& discretisation)
 
 template <class Real>
 void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double shift) {
-  state_ = &state;
   linearise(grid(), entrainment, shift, state, linear_);
   smoother_.factor(linear_, state, entrainment);
-}
-
-template <class Real>
-void MultigridLevel<Real>::update(const MultigridLevel& finer, double entrainment, double shift) {
-  if (!injected_) injected_ = std::make_unique<FilmState>(grid());
-  inject_state(finer.grid(), grid(), *finer.state_, *injected_);
-  exchange_ghosts(discretisation_.halo(), *injected_);
-  update(*injected_, entrainment, shift);
 }
 
 template <class Real>
@@ -74,7 +65,7 @@ void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, std::span<const d
   fine.rows_.load(fine_residual);
   fine.discretisation_.halo().exchange(fine.rows_);
   rows_.fill(Real(0));
-  restrict_residual(fine.grid(), grid(), fine.rows_, state_->wet, rows_);
+  restrict_residual(fine.grid(), grid(), fine.rows_, smoother_.wet(), rows_);
   rows_.store(residual);
 }
 
@@ -85,7 +76,7 @@ void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, std::span<const 
   change_.load(correction);
   discretisation_.halo().exchange(change_);
   fine.change_.load(fine_change);
-  add_interpolated(grid(), fine.grid(), change_, fine.state_->wet, fine.change_);
+  add_interpolated(grid(), fine.grid(), change_, fine.smoother_.wet(), fine.change_);
   fine.change_.store(fine_change);
 }
 

@@ -11,6 +11,9 @@ constexpr double largest_rise = 0.2;  // absolute
 constexpr double free_below = 0.01;   // pressures that may vanish at once
 constexpr double shortest_step = 1e-3;
 
+constexpr PetscInt full_restart = 60;
+constexpr PetscInt short_restart = 6;
+
 /// Limits each pressure's part of the change (the new state is state - change).
 void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
   const VecReading pressure(state);
@@ -63,7 +66,7 @@ OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&Lineari
 void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
   petsc_check(KSPSetType(ksp, KSPFGMRES));
   petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
-  petsc_check(KSPGMRESSetRestart(ksp, std::min(max_iterations, 60)));
+  petsc_check(KSPGMRESSetRestart(ksp, full_restart));
   PC pc = nullptr;
   petsc_check(KSPGetPC(ksp, &pc));
   petsc_check(PCSetType(pc, PCSHELL));
@@ -74,6 +77,19 @@ void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int m
       LinearisedSystem* own = nullptr;
       petsc_check(PCShellGetContext(shell, &own));
       own->precondition(in, out);
+    });
+  }));
+}
+
+void begin_with_short_restart(KSP ksp) {
+  petsc_check(KSPGMRESSetRestart(ksp, short_restart));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCShellSetPostSolve(pc, [](PC, KSP solver, Vec, Vec) -> PetscErrorCode {
+    return petsc_callback([&] {
+      PetscInt iterations = 0;
+      petsc_check(KSPGetIterationNumber(solver, &iterations));
+      if (iterations > short_restart) petsc_check(KSPGMRESSetRestart(solver, full_restart));
     });
   }));
 }

@@ -34,11 +34,12 @@ Room needed_room(const RoomRule& rule, const Scales& scales, const ContactCondit
   const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
   if (b > rule.face) {
     std::ostringstream message;
-    message << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
-            << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
-            << 2e3 * rule.face * scales.length
-            << " mm wide: the load reaches the edges of the teeth, which are not modelled; raise crowning or face width, "
-               "or lower the load";
+    message
+        << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
+        << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
+        << 2e3 * rule.face * scales.length
+        << " mm wide: the load reaches the edges of the teeth, which are not modelled; raise crowning or face width, "
+           "or lower the load";
     throw SolveError(message.str());
   }
   return {.inlet = a + rule.inlet, .outlet = outlet * a, .side = std::min(rule.side * b, rule.face)};

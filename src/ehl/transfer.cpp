@@ -12,34 +12,34 @@ int same_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
 
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
-                       const Field<double>& coarse_wet, Field<Real>& coarse) {
+                       const Field<Real>& coarse_wet, Field<Real>& coarse) {
   for (int I = 1; I < coarse_grid.nx() - 1; ++I) {
     const Real* before = fine.row(2 * I - 1);
     const Real* here = fine.row(2 * I);
     const Real* after = fine.row(2 * I + 1);
     const auto across = [&](int j) { return Real(0.25) * (before[j] + after[j]) + Real(0.5) * here[j]; };
-    const double* wet = coarse_wet.row(I);
+    const Real* wet = coarse_wet.row(I);
     Real* out = coarse.row(I);
     for (int J = 0; J < coarse_grid.y_count(); ++J) {
       const int j = same_row(fine_grid, coarse_grid, J);
-      out[J] = static_cast<Real>(wet[J]) * (Real(0.25) * (across(j - 1) + across(j + 1)) + Real(0.5) * across(j));
+      out[J] = wet[J] * (Real(0.25) * (across(j - 1) + across(j + 1)) + Real(0.5) * across(j));
     }
   }
 }
 
 template <class Real>
 void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
-                      const Field<double>& fine_wet, Field<Real>& fine) {
+                      const Field<Real>& fine_wet, Field<Real>& fine) {
   for (int i = 1; i < fine_grid.nx() - 1; ++i) {
     const Real* below = coarse.row(i / 2);
     const Real* above = coarse.row((i + 1) / 2);
-    const double* wet = fine_wet.row(i);
+    const Real* wet = fine_wet.row(i);
     Real* out = fine.row(i);
     for (int j = 0; j < fine_grid.y_count(); ++j) {
       const int row = fine_grid.y_begin() + j;
       const int J = row / 2 - coarse_grid.y_begin();
       const int J_next = (row + 1) / 2 - coarse_grid.y_begin();
-      out[j] += static_cast<Real>(wet[j]) * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
+      out[j] += wet[j] * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
     }
   }
 }
@@ -86,7 +86,19 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   }
 }
 
-void inject_state(const Grid& fine_grid, const Grid& coarse_grid, const FilmState& fine, FilmState& coarse) {
+std::vector<double> injected(const Grid& fine_grid, const Grid& coarse_grid, std::span<const double> fine) {
+  std::vector<double> coarse;
+  coarse.reserve(coarse_grid.local_size());
+  for (int I = 0; I < coarse_grid.nx(); ++I) {
+    const auto line = fine.subspan(static_cast<std::size_t>(2 * I) * fine_grid.y_count(), fine_grid.y_count());
+    for (int J = 0; J < coarse_grid.y_count(); ++J) coarse.push_back(line[same_row(fine_grid, coarse_grid, J)]);
+  }
+  return coarse;
+}
+
+FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const Halo& coarse_halo,
+                         const FilmState& fine) {
+  FilmState coarse(coarse_grid);
   for (const auto field : state_fields) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
       for (int J = 0; J < coarse_grid.y_count(); ++J) {
@@ -94,11 +106,13 @@ void inject_state(const Grid& fine_grid, const Grid& coarse_grid, const FilmStat
       }
     }
   }
+  exchange_ghosts(coarse_halo, coarse);
+  return coarse;
 }
 
-template void restrict_residual(const Grid&, const Grid&, const Field<float>&, const Field<double>&, Field<float>&);
+template void restrict_residual(const Grid&, const Grid&, const Field<float>&, const Field<float>&, Field<float>&);
 template void restrict_residual(const Grid&, const Grid&, const Field<double>&, const Field<double>&, Field<double>&);
-template void add_interpolated(const Grid&, const Grid&, const Field<float>&, const Field<double>&, Field<float>&);
+template void add_interpolated(const Grid&, const Grid&, const Field<float>&, const Field<float>&, Field<float>&);
 template void add_interpolated(const Grid&, const Grid&, const Field<double>&, const Field<double>&, Field<double>&);
 
 }  // namespace gearfilm

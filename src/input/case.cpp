@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
-#include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_file.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {
@@ -140,47 +140,6 @@ Lubricant read_lubricant(const ParameterValues& values) {
                                                                               : DensityLaw::dowson_higginson};
   in_file_of(values, [&] { check(oil); });
   return oil;
-}
-
-/// The central film of the reference contact that the formula expects, in units of a^2/R_x.
-double expected_film(const Scales& scales) {
-  return nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) / scales.thickness;
-}
-
-Domain read_domain(const ParameterValues& values, const Scales& scales) {
-  Domain domain = values.text("grid.domain") == "paper"
-                      ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
-                      : domain_by_film(expected_film(scales), scales.hertz.ellipticity);
-  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
-  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
-  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
-  return domain;
-}
-
-// Under more force the ellipse comes nearer to the inlet, but needs no longer one. Half of what is there at first stays,
-// and at the sides most, where less than what is clear was asked for.
-RoomRule room_rule(const Case& result) {
-  const Domain& domain = result.numerics.domain;
-  const double clear = clear_side(expected_film(result.scales), result.scales.hertz.ellipticity);
-  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = std::min(clear, 1.0 + 0.6 * (domain.y_half - 1.0))};
-  if (result.pair.gears) rule.face = 0.5 * result.pair.gears->face_width / result.scales.length;
-  return rule;
-}
-
-NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
-  return {.tolerance = values.real(section + ".newton_tolerance"),
-          .max_iterations = values.integer(section + ".newton_max_iterations"),
-          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
-          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations"),
-          .limit_changes = limit_changes};
-}
-
-MultigridOptions read_multigrid_options(const ParameterValues& values) {
-  return {.levels = values.integer("solver.levels"),
-          .smoothing_sweeps = values.integer("solver.smoothing_sweeps"),
-          .coarse_sweeps = values.integer("solver.coarse_sweeps"),
-          .precision =
-              values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
 }
 
 // Hertz's theory is for small strains, which are of the order of p_h/E'.
@@ -329,9 +288,7 @@ void set_march(Case& result) {
   result.run.time_limit = optional_real(values, "time_limit");
   result.run.keep_checkpoint = values.text("keep_checkpoint") == "yes";
   result.march.start_motion = read_start_motion(values);
-  const double h_x = (result.numerics.domain.x_max - result.numerics.domain.x_min) / (result.numerics.nx - 1);
-  result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : h_x,
-                           .newton = read_newton_options(values, "time", true)};
+  set_time_steps(result);
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),
                            .max_periods = values.integer("periodic.max_periods")};
@@ -340,7 +297,6 @@ void set_march(Case& result) {
   result.modes.count = values.integer("eigen.modes");
   result.modes.of_orbit = values.text("eigen.orbit") == "yes";
   result.modes.orbit_periods = values.integer("eigen.periods");
-  result.numerics.step_levels = values.integer("time.levels");
   result.march.snapshot_interval = optional_real(values, "output.snapshot_interval");
   check_snapshot_interval(result);
   result.march.spectrum_periods = optional_real(values, "output.spectrum_periods");
@@ -364,12 +320,8 @@ Case make_case(const ParameterValues& values) {
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
     check_strain(result.scales);
-    result.numerics.domain = read_domain(values, result.scales);
-    result.numerics.room = room_rule(result);
   });
-  result.numerics.nx = values.integer("grid.nx");
-  result.numerics.ny = values.integer("grid.ny");
-  result.numerics.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
+  set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");
   if (result.kind == CaseKind::gear_pair) set_march(result);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {
@@ -115,13 +116,17 @@ void compare_mass(const Case& problem, Oddities& found) {
 
 void compare_steps(const Case& problem, Oddities& found) {
   constexpr double fewest_in_period = 30, most_in_march = 1e7;
-  const double mesh_period =
-      1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
-  const double in_period = mesh_period / problem.numerics.steps.dT;
+  const double in_period = mesh_period(problem) / problem.numerics.steps.dT;
   compare(in_period,
           {"the number of time steps a mesh period", "", fewest_in_period, HUGE_VAL,
            "too coarse for entering and leaving contacts; lower time.dt", ""},
           found);
+  if (problem.pair.equivalent_mass) {
+    compare(natural_period(problem) / problem.numerics.steps.dT,
+            {"the number of time steps a free oscillation", "", steps_in_swing * (1 - 1e-9), HUGE_VAL,
+             "too coarse for the vibration of the pair; lower time.dt", ""},
+            found);
+  }
   compare(in_period * problem.march.mesh_periods,
           {"the number of time steps of a march", "", 0, most_in_march, "",
            "days of computing; raise time.dt or lower mesh_periods"},

@@ -166,15 +166,18 @@ Records grid_records() {
               "outlet clear of its ellipse; paper, Table 1 of the paper (" +
                   in_words(paper_domain(0.0)) + " for M < 200, else " + in_words(paper_domain(HUGE_VAL)) +
                   "). They move outwards where a contact needs it"),
-       preset(129, whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
-       preset(65, whole("ny", "N_y", odd(9, 16385),
-                        "nodes across the entrainment, boundaries included; the films being symmetric, those on "
-                        "one side and in the middle are computed")),
-       optional(by_domain,
-                number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
+       preset(0.02, number("accuracy", "", "-", closed(1e-4, 0.2),
+                           "relative error of the central and the smallest film that nx and ny are chosen for, where "
+                           "they are not given")),
+       optional("by grid.accuracy",
+                whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
+       optional("by grid.accuracy",
+                whole("ny", "N_y", odd(9, 16385),
+                      "nodes across the entrainment, boundaries included; the films being symmetric, those on "
+                      "one side and in the middle are computed")),
+       optional(by_domain, number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
        optional(by_domain, number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
-       optional(by_domain,
-                number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});
+       optional(by_domain, number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});
 }
 
 Records steady_records() {
@@ -240,18 +243,20 @@ Records start_records() {
 
 Records time_records() {
   const StepOptions standard;
-  return section("time", Scope::gear_pair,
-                 {optional("the grid's h_x", number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
-                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
-                                                           "on the root mean square of a step's scaled residual")),
-                  preset(standard.newton.max_iterations,
-                         whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
-                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
-                                                                  "relative, of each linear solve in a time step")),
-                  preset(standard.newton.krylov_max_iterations,
-                         whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
-                  preset(0, whole("levels", "", closed(0, 20),
-                                  "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
+  return section(
+      "time", Scope::gear_pair,
+      {optional("the shortest of the grid's h_x, a hundredth of a mesh period, a fortieth of a free oscillation",
+                number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+       preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                                                "on the root mean square of a step's scaled residual")),
+       preset(standard.newton.max_iterations,
+              whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
+       preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
+                                                       "relative, of each linear solve in a time step")),
+       preset(standard.newton.krylov_max_iterations,
+              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+       preset(0, whole("levels", "", closed(0, 20),
+                       "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
 Records periodic_records() {

@@ -26,7 +26,8 @@ protected:
       }
     }
     fine.update(state, entrainment, shift);
-    coarse.update(fine, entrainment, shift);
+    const Discretisation& coarser = coarse.discretisation();
+    coarse.update(injected_state(grid, coarser.grid(), coarser.halo(), state), entrainment, shift);
   }
 
   /// The preconditioner's answer to the right side.

@@ -13,11 +13,11 @@ protected:
   static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
 
   // Ones inside, zeros on the boundary and at every fifth node or so.
-  static Field<double> wet_mask(const Grid& grid, unsigned seed) {
-    Field<double> wet(grid);
+  static Field<Real> wet_mask(const Grid& grid, unsigned seed) {
+    Field<Real> wet(grid);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? 1.0 : 0.0;
+        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? Real(1) : Real(0);
       }
     }
     return wet;
@@ -29,13 +29,13 @@ protected:
   Halo coarse_halo{coarse};
   Field<Real> on_fine{fine};
   Field<Real> on_coarse{coarse};
-  Field<double> all_wet_fine{fine};
-  Field<double> inner_coarse{coarse};
+  Field<Real> all_wet_fine{fine};
+  Field<Real> inner_coarse{coarse};
 
   TransferOf() {
-    all_wet_fine.fill(1.0);
+    all_wet_fine.fill(Real(1));
     for (int i = 0; i < coarse.nx(); ++i) {
-      for (int j = 0; j < coarse.y_count(); ++j) inner_coarse.row(i)[j] = coarse.is_boundary(i, j) ? 0.0 : 1.0;
+      for (int j = 0; j < coarse.y_count(); ++j) inner_coarse.row(i)[j] = coarse.is_boundary(i, j) ? Real(0) : Real(1);
     }
   }
 };
@@ -207,15 +207,15 @@ TEST_F(CubicInterpolation, leaves_lines_alone_that_the_coarse_grid_has_all) {
             1e-3);
 }
 
-TEST(InjectState, takes_every_field_at_the_same_point) {
+TEST(InjectedState, takes_every_field_at_the_same_point) {
   const Grid fine(PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5});
   const Grid coarse = fine.coarsened();
-  FilmState fine_state(fine), coarse_state(coarse);
+  FilmState fine_state(fine);
   const auto value = [](std::size_t n, double x, double y) { return n + 1.0 + 0.3 * x - 0.2 * y; };
   for (std::size_t n = 0; n < state_fields.size(); ++n) {
     fill(fine, fine_state.*state_fields[n], [&](double x, double y) { return value(n, x, y); });
   }
-  inject_state(fine, coarse, fine_state, coarse_state);
+  const FilmState coarse_state = injected_state(fine, coarse, Halo(coarse), fine_state);
   for (std::size_t n = 0; n < state_fields.size(); ++n) {
     for (int i = 0; i < coarse.nx(); ++i) {
       for (int j = 0; j < coarse.y_count(); ++j) {

@@ -53,8 +53,8 @@ public:
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
-  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. This and
-  /// precondition() read the state: they are errors once another one was evaluated.
+  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the
+  /// state: an error once another one was evaluated.
   void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
   /// change = approximately (dG/dP)^-1 rows.
   void precondition(std::span<const double> rows, std::span<double> change);
@@ -70,11 +70,7 @@ public:
 
 private:
   bool is_current(std::span<const double> pressure, double H0) const;
-  bool has_mask_of(const Squeeze& squeeze) const;
-  /// G at the evaluated state, and with it which nodes are wet.
-  void find_wet(const Squeeze& squeeze, std::span<double> rows);
   LinearisedFilm& linearisation_for(double shift);
-  void require_linearised_state() const;
 
   SharedDiscretisation discretisation_;
   const Grid& grid_;
@@ -91,9 +87,6 @@ private:
   std::vector<double> displacement_column_;     ///< dG/dH_0
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
-  std::vector<double> masked_rate_;  ///< d(rho H)/dT with which the wet nodes were found; empty: none
-  double masked_shift_ = 0.0;
-  bool masked_ = false;  ///< the evaluated state has its wet nodes
   long convolutions_ = 0;
 };
 

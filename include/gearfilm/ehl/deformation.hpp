@@ -12,8 +12,9 @@
 // W and V being the transforms of K at the distances -M..M and 0..2M-1 of M rows.
 //
 // Distributed: rows are transformed in x (local, the grid is cut in y), transposed among the processes,
-// transformed in y, multiplied by the kernel's transform, and back. Padding in y is never communicated. Two rows are
-// transformed in x as one complex row, which FFTW does with vector instructions and two real ones it does not:
+// transformed in y, multiplied by the kernel's transform, and back: a few wave numbers at a time, so that what is
+// padded in y is neither communicated nor stored as a whole. Two rows are transformed in x as one complex row, which
+// FFTW does with vector instructions and two real ones it does not:
 //   Z = A + i B ,  A(k) = (Z(k) + conj Z(-k))/2 ,  B(k) = (Z(k) - conj Z(-k))/(2 i)
 #pragma once
 
@@ -48,29 +49,35 @@ private:
 
   bool alone() const { return wave_ranges_.size() == 2; }
   void count_blocks();
-  template <class Copy>
-  void for_each_block_line(Copy copy) const;
   void plan_transforms();
   void transform_kernel();
-  /// The transform in x of K at the distances first, first + 1, ... in y, into the y-lines.
-  void kernel_to_y_lines(int first);
-  void multiply_by_kernel() const;
+  /// The transforms in x of what the x-lines hold, to where load() finds them.
+  void to_waves() const;
+  /// Back from where store() puts them.
+  void from_waves() const;
+  /// The transform in x of all rows at an own wave number, from or into its y-line.
+  void load(int k, Complex* line) const;
+  void store(int k, const Complex* line) const;
+  /// A wave number's pieces in exchanged_: move(first row, piece, rows).
+  template <class Move>
+  void for_each_piece(int k, Move move) const;
+  /// The transform in x of the own rows at one wave number, out of those of their pairs or into them.
+  void separate_rows(int k, Complex* rows) const;
+  void combine_rows(int k, const Complex* rows) const;
+  /// Calls work(first wave number, count) for all own ones.
+  template <class Work>
+  void for_each_bundle(Work work) const;
+  /// The transform in y of one wave number times that of the kernel.
+  void multiply_by_kernel(int k, Complex* line) const;
+  /// The transforms in x of K at the distances first, first + 1, ... in y.
+  void kernel_to_waves(int first);
   /// Pairs of rows as reals, at a place or a wave number.
   Real* x_row(int i) const { return reinterpret_cast<Real*>(x_lines_.data() + static_cast<std::size_t>(i) * pairs_); }
-  Real* wave_row(int k) const {
-    return reinterpret_cast<Real*>(x_waves_.data() + static_cast<std::size_t>(k) * pairs_);
-  }
-  Complex* y_line(int k) const { return y_lines_.data() + static_cast<std::size_t>(k) * length_y_; }
-  Complex* y_wave(int k) const { return y_waves_.data() + static_cast<std::size_t>(k) * length_y_; }
-  /// The spectrum in x of the own rows for one wave number, before and after the transforms in y: on one process it
-  /// is their line itself.
-  Complex* spectrum_before(int k) const { return alone() ? y_line(k) : own_spectrum(k); }
-  Complex* spectrum_after(int k) const { return alone() ? y_wave(k) : own_spectrum(k); }
+  Complex* y_line(int n) const { return y_lines_.data() + static_cast<std::size_t>(n) * length_y_; }
+  Complex* y_wave(int n) const { return y_waves_.data() + static_cast<std::size_t>(n) * length_y_; }
   Complex* own_spectrum(int k) const { return x_spectrum_.data() + static_cast<std::size_t>(k) * own_rows_; }
-  void separate_rows() const;
-  void combine_rows() const;
-  void to_y_lines() const;
-  void to_x_lines() const;
+  /// Where the kernel's transforms of a wave number begin.
+  std::size_t kernel_at(int k) const { return static_cast<std::size_t>(k) * (length_y_ / 2 + 1); }
   int wave_count() const { return wave_ranges_[rank_ + 1] - wave_ranges_[rank_]; }
 
   MPI_Comm comm_;
@@ -89,15 +96,14 @@ private:
   std::vector<int> y_ranges_;
   Blocks x_side_;  ///< of x_spectrum_
   Blocks y_side_;  ///< of exchanged_
-  // Work space of apply(); [x or wave number][y], y contiguous. What pads a line stays zero.
-  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs], padded from nx - 1 on
-  mutable fftw::Buffer<Complex> x_waves_;     ///< its transform, and the result's back in place
-  mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][rows]; empty on one process
-  mutable fftw::Buffer<Complex> exchanged_;   ///< blocks as they travel; empty on one process
-  mutable fftw::Buffer<Complex> y_lines_;     ///< [own wave numbers and up to three][length_y], padded from rows on
+  // Work space of apply(); [x or wave number][y], y contiguous.
+  mutable fftw::Buffer<Complex> x_lines_;     ///< [length_x][pairs], transformed in place; padded from nx - 1 on
+  mutable fftw::Buffer<Complex> x_spectrum_;  ///< [all wave numbers][own rows]; empty on one process
+  mutable fftw::Buffer<Complex> exchanged_;   ///< pieces as they travel; empty on one process
+  mutable fftw::Buffer<Complex> y_lines_;     ///< a bundle: [wave numbers][length_y], zero from rows on
   mutable fftw::Buffer<Complex> y_waves_;     ///< its transform, and the result's back in place
-  // [own wave numbers][length_y], with the factor of the inverse transform.
-  std::vector<Real> kernel_;            ///< W, real since K is even
+  // [own wave numbers][length_y/2 + 1], with the factor of the inverse transform.
+  std::vector<Real> kernel_;            ///< W, real and even since K is
   std::vector<Complex> mirror_kernel_;  ///< V
   fftw::Plan<Real> x_forward_, x_backward_, y_forward_, y_backward_;
 };

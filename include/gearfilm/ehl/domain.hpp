@@ -1,7 +1,19 @@
-// The rectangle on which the film of one contact is computed: where its edges are at first (room.hpp: how they follow).
+// The rectangle on which the film of one contact is computed (where its edges are at first; room.hpp: how they follow),
+// and the steps of its grid, both from the film that is to be expected.
+//
+// With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the laws were fitted to 42 computed contacts, M =
+// 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/verification.md):
+//   what a contact lacks of its central film if the inlet is x long, in units of a, beyond the Hertz ellipse
+//     0.424 L^0.23 H^1.18 / (x^2 (1 + (0.8 kappa x)^2))
+//   relative errors of the central and of the smallest film on steps h_x, in units of a
+//     0.395 L^0.416 h_x^2/H^(4/3)      0.178 L^0.82/(1 + 1.85 kappa) h_x^2/H^(4/3)
+//   of the smallest film on steps h_y, in units of b, as far as they are not so long that a slender contact's
+//   film tears at its sides
+//     0.27 L^0.46 kappa^1.6 h_y^2/H^(4/3)
+//     h_y < 0.27 H^(3/4) kappa^(-1/4) and h_y < 1.1 H^0.885 kappa^(-0.49) L^(-0.61)
 #pragma once
 
-#include <cmath>
+#include "gearfilm/contact/scales.hpp"
 
 namespace gearfilm {
 
@@ -16,20 +28,43 @@ struct Domain {
 /// Source: Table 1 of doi 10.1016/j.triboint.2013.01.017.
 constexpr Domain paper_domain(double M) { return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1}; }
 
-/// Between the Hertz ellipse and the inlet edge [a], with which a contact is flooded: a longer inlet changes the central
-/// film by less than 0.3 %. film: the central film in units of a^2/R_x. Fitted (docs/verification.md).
-inline double flooded_inlet(double film) { return 12.0 * std::pow(film, 0.58); }
+/// Of the reference contact, by the formula of Nijenbanning, Venner and Moes.
+struct ExpectedFilm {
+  explicit ExpectedFilm(const Scales& scales);
+
+  double film = 0.0;         ///< H
+  double lubricant = 0.0;    ///< L
+  double ellipticity = 0.0;  ///< kappa
+};
+
+/// Between the Hertz ellipse and the inlet edge [a], with which 0.3 % of the central film are lacking.
+double flooded_inlet(const ExpectedFilm& expected);
 
 /// Half the width [b] with which the sides change the forces of a moving contact by less than 0.03 %: pressure reaches
-/// about as far beyond the tips of the ellipse as into the inlet. ellipticity: a/b.
-inline double clear_side(double film, double ellipticity) {
-  const double inlet = ellipticity * flooded_inlet(film);
-  return 1.03 + 1.1 * inlet / (1.0 + 0.35 * inlet);
-}
+/// about as far beyond the tips of the ellipse as into the inlet.
+double clear_side(const ExpectedFilm& expected);
 
-/// The choice by the film that is to be expected: flooded and clear under up to 1.25 times the force too.
-inline Domain domain_by_film(double film, double ellipticity) {
-  return {-1.2 - flooded_inlet(film), 1.25, 1.08 * clear_side(film, ellipticity)};
-}
+/// Flooded and clear, under up to 1.25 times the force too.
+Domain domain_of(const ExpectedFilm& expected);
+
+/// Steps of a grid, in units of a along X and of b along Y.
+struct Steps {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Relative errors to be expected of a film on such steps.
+struct FilmErrors {
+  double central = 0.0;
+  double smallest = 0.0;  ///< infinite where the film tears
+};
+FilmErrors expected_errors(const ExpectedFilm& expected, const Steps& steps);
+
+/// The longest steps on which neither error exceeds `accuracy`.
+Steps steps_for(const ExpectedFilm& expected, double accuracy);
+
+/// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 33, so that there
+/// are coarser grids.
+int nodes_along(double length, double step);
 
 }  // namespace gearfilm

@@ -30,6 +30,8 @@ public:
 
   /// Builds and factors the bands of all lines.
   void factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment);
+  /// 1 where Reynolds' equation holds, else 0.
+  const Field<Real>& wet() const { return wet_; }
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   void relax(Field<Real>& residual, Field<Real>& change);
 

@@ -1,8 +1,7 @@
 // One level of the film preconditioner: operator, smoother, and transfer from the next finer level.
 #pragma once
 
-#include <memory>
-#include <optional>
+#include <span>
 
 #include "gearfilm/ehl/discretisation.hpp"
 #include "gearfilm/ehl/line_smoother.hpp"
@@ -20,13 +19,9 @@ public:
 
   const Discretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return discretisation_.grid(); }
-  const FilmState& state() const { return *state_; }
 
-  /// Linearises about a state with ghosts and wet mask, which must stay until the next update, and factors the
-  /// smoother.
+  /// Linearises about a state with ghosts and wet mask, and factors the smoother.
   void update(const FilmState& state, double entrainment, double shift);
-  /// The same about the finer level's state, injected here.
-  void update(const MultigridLevel& finer, double entrainment, double shift);
 
   /// rows = linearised film * change; compact.
   void multiply(std::span<const double> change, std::span<double> rows);
@@ -46,8 +41,6 @@ private:
   const Deformation<Real>& deformation_;
   FilmStencil<Real> linear_;
   LineSmoother<Real> smoother_;
-  const FilmState* state_ = nullptr;
-  std::unique_ptr<FilmState> injected_;  ///< where the state comes from a finer level
   Field<Real> change_;
   Field<Real> deformed_;
   Field<Real> rows_;

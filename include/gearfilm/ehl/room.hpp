@@ -14,9 +14,9 @@ namespace gearfilm {
 
 /// By what the edges follow.
 struct RoomRule {
-  double inlet = 1.0;                                           ///< between the ellipse and X_min [a]
-  double side = 1.06;                                           ///< half the width, of the ellipse's half-axis
-  double face = std::numeric_limits<double>::infinity();        ///< half the face width [a]: no domain is wider
+  double inlet = 1.0;                                     ///< between the ellipse and X_min [a]
+  double side = 1.06;                                     ///< half the width, of the ellipse's half-axis
+  double face = std::numeric_limits<double>::infinity();  ///< half the face width [a]: no domain is wider
 };
 
 /// Distances of the edges from the centre; in units of the Hertz half-axis a in both directions.

@@ -11,18 +11,22 @@ namespace gearfilm {
 /// coarse = full weighting of fine; fine needs its ghosts. Zero at coarse nodes that are not wet.
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
-                       const Field<double>& coarse_wet, Field<Real>& coarse);
+                       const Field<Real>& coarse_wet, Field<Real>& coarse);
 
 /// fine += bilinear interpolation of coarse at wet nodes; coarse needs its ghosts.
 template <class Real>
 void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
-                      const Field<double>& fine_wet, Field<Real>& fine);
+                      const Field<Real>& fine_wet, Field<Real>& fine);
 
 /// fine = cubic interpolation of coarse (own nodes), for first guesses of smooth fields.
 void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,
                        Field<double>& fine);
 
-/// Every field of the coarse state is the fine one at the same point (own nodes).
-void inject_state(const Grid& fine_grid, const Grid& coarse_grid, const FilmState& fine, FilmState& coarse);
+/// The compact values of every second node, of which the coarse ones are those at the same points.
+std::vector<double> injected(const Grid& fine_grid, const Grid& coarse_grid, std::span<const double> fine);
+
+/// A state of which every field is the fine one at the same point; with ghosts.
+FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const Halo& coarse_halo,
+                         const FilmState& fine);
 
 }  // namespace gearfilm

@@ -37,8 +37,8 @@ struct PairCase {
 struct NumericsCase {
   Domain domain;  ///< at first
   RoomRule room;  ///< by which it follows the contacts
-  int nx = 0;  ///< nodes along X
-  int ny = 0;  ///< nodes along Y
+  int nx = 0;     ///< nodes along X
+  int ny = 0;     ///< nodes along Y
   SolverOptions solver;
   StepOptions steps;
   int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid

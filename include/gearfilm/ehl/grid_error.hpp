@@ -1,0 +1,40 @@
+// How far a stationary film may be from that of an infinitely fine grid.
+//
+// The same film on every second node of the grid differs from it by three times as much, since errors are of second
+// order: e = (h(h) - h(2h))/3 is the estimate of the error, h(h) + e the extrapolated value. Its cost is a quarter of a
+// solution from a good guess.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gearfilm/ehl/stationary.hpp"
+
+namespace gearfilm {
+
+/// A figure with its bar.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;  ///< of the value, absolute
+  double extrapolated = 0.0;
+
+  double relative_error() const { return error / std::abs(extrapolated); }
+};
+
+struct GridErrors {
+  Estimate central_film;
+  Estimate smallest_film;
+  Estimate central_pressure;
+  Estimate largest_pressure;
+
+  /// Relative, of the two films.
+  double worst() const { return std::max(central_film.relative_error(), smallest_film.relative_error()); }
+};
+
+/// Of the film that was found under the load condition; nothing where the grid has no coarser one, or this no film that
+/// is positive. Collective.
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                      const StationaryResult& result);
+
+}  // namespace gearfilm

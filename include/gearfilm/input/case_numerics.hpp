@@ -1,0 +1,23 @@
+// Grid, solvers and time steps of a case: what is given, and what the program chooses where nothing is.
+#pragma once
+
+#include "gearfilm/input/case.hpp"
+
+namespace gearfilm {
+
+/// Domain, nodes and solvers of the films; the scales and gears of the case are set.
+void set_film_numerics(Case& result);
+
+/// Time steps of a gear pair; its grid is set.
+void set_time_steps(Case& result);
+
+/// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
+double natural_period(const Case& problem);
+/// The mesh period of a gear pair [T].
+double mesh_period(const Case& problem);
+
+/// Steps that a mesh period and a free oscillation are given at least, where the program chooses.
+constexpr double steps_in_mesh_period = 100.0;
+constexpr double steps_in_swing = 40.0;
+
+}  // namespace gearfilm

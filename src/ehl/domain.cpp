@@ -1,0 +1,73 @@
+#include "gearfilm/ehl/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/contact/film_formulas.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double starvation = 0.003;
+
+// Errors along X per (h_x/H^(2/3))^2.
+double central_factor(const ExpectedFilm& at) { return 0.395 * std::pow(at.lubricant, 0.416); }
+double smallest_factor(const ExpectedFilm& at) {
+  return 0.178 * std::pow(at.lubricant, 0.82) / (1.0 + 1.85 * at.ellipticity);
+}
+/// The same along Y.
+double side_factor(const ExpectedFilm& at) {
+  return 0.27 * std::pow(at.lubricant, 0.46) * std::pow(at.ellipticity, 1.6);
+}
+/// The steps along Y up to which the film at the sides is safe from tearing.
+double tearing_step(const ExpectedFilm& at) {
+  const double by_film = 0.27 * std::pow(at.film, 0.75) * std::pow(at.ellipticity, -0.25);
+  const double by_oil =
+      1.1 * std::pow(at.film, 0.885) * std::pow(at.ellipticity, -0.49) * std::pow(at.lubricant, -0.61);
+  return std::min(by_film, by_oil);
+}
+/// H^(2/3), the length over which pressure rises in the inlet.
+double rise(const ExpectedFilm& at) { return std::cbrt(at.film * at.film); }
+
+}  // namespace
+
+ExpectedFilm::ExpectedFilm(const Scales& scales)
+    : film(nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) / scales.thickness),
+      lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
+      ellipticity(scales.hertz.ellipticity) {}
+
+double flooded_inlet(const ExpectedFilm& at) {
+  const double slender = std::sqrt(0.424 * std::pow(at.lubricant, 0.23) * std::pow(at.film, 1.18) / starvation);
+  const double width = 2.0 * 0.8 * at.ellipticity * slender;
+  return slender * std::sqrt(2.0 / (1.0 + std::sqrt(1.0 + width * width)));
+}
+
+double clear_side(const ExpectedFilm& expected) { return 1.03 + expected.ellipticity * flooded_inlet(expected); }
+
+Domain domain_of(const ExpectedFilm& expected) {
+  return {-1.2 - flooded_inlet(expected), 1.25, 1.08 * clear_side(expected)};
+}
+
+FilmErrors expected_errors(const ExpectedFilm& at, const Steps& steps) {
+  const double x = std::pow(steps.x / rise(at), 2), y = std::pow(steps.y / rise(at), 2);
+  // The central film has a quarter of the smallest film's error along Y.
+  const double side = side_factor(at) * y;
+  const double smallest = steps.y < 1.2 * tearing_step(at) ? smallest_factor(at) * x + side : HUGE_VAL;
+  return {central_factor(at) * x + 0.25 * side, smallest};
+}
+
+Steps steps_for(const ExpectedFilm& at, double accuracy) {
+  // Three quarters of the error come from the steps along X, where a node gains most.
+  const double factor = std::max(central_factor(at), smallest_factor(at));
+  const double x = std::sqrt(0.75 * accuracy / factor) * rise(at);
+  const double y = std::sqrt(0.25 * accuracy / side_factor(at)) * rise(at);
+  return {x, std::min(y, 0.8 * tearing_step(at))};
+}
+
+int nodes_along(double length, double step) {
+  constexpr int block = 16, fewest = 32;
+  const int cells = block * static_cast<int>(std::ceil(length / (block * step) - 1e-9));
+  return std::max(cells, fewest) + 1;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,40 @@
+#include "gearfilm/ehl/grid_error.hpp"
+
+#include <cmath>
+
+#include "gearfilm/ehl/transfer.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/parallel/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+Estimate estimate(double fine, double coarse) {
+  const double difference = (fine - coarse) / 3.0;
+  return {fine, std::abs(difference), fine + difference};
+}
+
+}  // namespace
+
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                      const StationaryResult& result) {
+  const ScopedStage stage("Error of the grid");
+  const Discretisation* coarser = film.discretisation()->coarser();
+  if (!coarser) return {};
+  ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
+  coarse.set_conditions(film.conditions());
+  const FilmSolution guess{injected(film.grid(), coarser->grid(), result.solution.pressure), result.solution.H0};
+  StationaryResult found;
+  try {
+    found = continue_stationary(coarse, load, options, guess);
+  } catch (const SolveError&) {
+    return {};
+  }
+  const FilmFigures &fine = result.figures, &half = found.figures;
+  if (!half.finite || half.smallest_film <= 0.0) return {};
+  return GridErrors{estimate(fine.central_film, half.central_film), estimate(fine.smallest_film, half.smallest_film),
+                    estimate(fine.central_pressure, half.central_pressure),
+                    estimate(fine.largest_pressure, half.largest_pressure)};
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,95 @@
+#include "gearfilm/input/case_numerics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/dynamics/natural_frequency.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int most_nodes = 2049;  // along either direction, where the program chooses
+
+Domain read_domain(const ParameterValues& values, const Scales& scales) {
+  Domain domain = values.text("grid.domain") == "paper"
+                      ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
+                      : domain_of(ExpectedFilm(scales));
+  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
+  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
+  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
+  return domain;
+}
+
+void set_nodes(Case& result) {
+  const ParameterValues& values = result.parameters;
+  const Domain& domain = result.numerics.domain;
+  const Steps steps = steps_for(ExpectedFilm(result.scales), values.real("grid.accuracy"));
+  const auto nodes = [&](const std::string& name, double length, double step) {
+    return values.has(name) ? values.integer(name) : std::min(nodes_along(length, step), most_nodes);
+  };
+  result.numerics.nx = nodes("grid.nx", domain.x_max - domain.x_min, steps.x);
+  result.numerics.ny = nodes("grid.ny", 2.0 * domain.y_half, steps.y);
+}
+
+// Under more force the ellipse comes nearer to the inlet, but needs no longer one. Half of what is there at first
+// stays, and at the sides most, where less than what is clear was asked for.
+RoomRule room_rule(const Case& result) {
+  const Domain& domain = result.numerics.domain;
+  const double clear = clear_side(ExpectedFilm(result.scales));
+  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = std::min(clear, 1.0 + 0.6 * (domain.y_half - 1.0))};
+  if (result.pair.gears) rule.face = 0.5 * result.pair.gears->face_width / result.scales.length;
+  return rule;
+}
+
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
+  return {.tolerance = values.real(section + ".newton_tolerance"),
+          .max_iterations = values.integer(section + ".newton_max_iterations"),
+          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
+          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations"),
+          .limit_changes = limit_changes};
+}
+
+MultigridOptions read_multigrid_options(const ParameterValues& values) {
+  return {.levels = values.integer("solver.levels"),
+          .smoothing_sweeps = values.integer("solver.smoothing_sweeps"),
+          .coarse_sweeps = values.integer("solver.coarse_sweeps"),
+          .precision =
+              values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
+}
+
+// By the film, which oil passes with the velocity 1; by the mesh; by the swing of the gears.
+double time_step(const Case& result) {
+  const Domain& domain = result.numerics.domain;
+  const double by_film = (domain.x_max - domain.x_min) / (result.numerics.nx - 1);
+  double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period);
+  if (result.pair.equivalent_mass) step = std::min(step, natural_period(result) / steps_in_swing);
+  return step;
+}
+
+}  // namespace
+
+double natural_period(const Case& problem) {
+  const double stiffness = contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach);
+  return 1.0 / (natural_frequency(stiffness, *problem.pair.equivalent_mass) * problem.scales.time);
+}
+
+double mesh_period(const Case& problem) {
+  return 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
+}
+
+void set_film_numerics(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.numerics.domain = read_domain(values, result.scales);
+  result.numerics.room = room_rule(result);
+  set_nodes(result);
+  result.numerics.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
+}
+
+void set_time_steps(Case& result) {
+  const ParameterValues& values = result.parameters;
+  result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
+                           .newton = read_newton_options(values, "time", true)};
+  result.numerics.step_levels = values.integer("time.levels");
+}
+
+}  // namespace gearfilm

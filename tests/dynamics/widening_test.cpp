@@ -1,0 +1,133 @@
+// Grids that are widened on the way of a march: the films are those of a wide grid, and nothing is lost between the
+// two.
+#include <algorithm>
+#include <optional>
+
+#include "gearfilm/ehl/refit.hpp"
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Keeps what a march gives it, and gives it back as a program that was started again would find it.
+class Memory final : public MarchKeeper {
+public:
+  std::optional<KeptRun> begin_run(double, const Motion&) override { return known; }
+  void record(const StepRecord&) override {}
+  void keep(double T, const PairState& state) override { kept.push_back({{}, T, state}); }
+
+  std::vector<KeptRun> kept;
+  std::optional<KeptRun> known;
+};
+
+/// A mesh period at 8000 rpm, where the force reaches twice the static one.
+class Widening : public testing::Test {
+protected:
+  static Settings settings(const std::string& y_half, const std::string& ny) {
+    return {
+        {"grid.nx", "65"}, {"grid.ny", ny}, {"time.dt", "0.05"}, {"grid.y_half", y_half}, {"pinion.speed_rpm", "8000"}};
+  }
+  std::unique_ptr<MeshMarch> march_with(const Case& problem, MarchKeeper* keeper = nullptr) {
+    auto march = std::make_unique<MeshMarch>(make_march(
+        problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
+        [this](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); }, keeper));
+    march->start(problem.march.start_motion);
+    return march;
+  }
+
+  std::vector<StepRecord> records;
+  const Case narrow = table3_case(settings("1.2", "33"));
+  const double T_end = mesh_of(narrow).path.mesh_period();
+};
+
+TEST_F(Widening, gives_the_forces_of_a_grid_that_was_wide_from_the_start) {
+  // The same steps: 16 cells to the narrow side, 24 to the wide one.
+  const Case wide = table3_case(settings("1.8", "49"));
+  const auto marches = [&](const Case& problem) {
+    records.clear();
+    const auto march = march_with(problem);
+    march->run(T_end);
+    return std::pair(march->discretisation()->grid().shape(), records);
+  };
+  const auto [widened_shape, widened_records] = marches(narrow);
+  const auto [wide_shape, wide_records] = marches(wide);
+  EXPECT_GT(widened_shape.ny, 33);
+  EXPECT_EQ(wide_shape.ny, 49);
+  double largest = 0.0;
+  for (const StepRecord& record : widened_records) {
+    if (record.dT == 0.0) continue;
+    const auto after = std::ranges::find_if(wide_records, [&](const StepRecord& other) { return other.T >= record.T; });
+    if (after == wide_records.begin() || after == wide_records.end() || after->dT == 0.0) continue;
+    const StepRecord& before = *(after - 1);
+    const double part = (record.T - before.T) / after->dT;
+    const double force = before.pressure_integral() + part * (after->pressure_integral() - before.pressure_integral());
+    largest = std::max(largest, std::abs(record.pressure_integral() - force));
+  }
+  report("widened to %d rows; forces differ by %.1e of the static force", widened_shape.ny,
+         largest / narrow.scales.static_force);
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(largest, 2e-3 * narrow.scales.static_force);
+}
+
+TEST_F(Widening, carries_films_over_without_a_change_of_mass) {
+  Memory memory;
+  const auto march = march_with(narrow, &memory);
+  march->run(T_end);
+  const GridShape last = march->discretisation()->grid().shape();
+  ASSERT_FALSE(memory.kept.empty());
+  const PairState& before = memory.kept.front().state;
+  ASSERT_NE(before.shape, last);
+  const PairState after = refitted(before, PETSC_COMM_WORLD, last);
+  const auto mass_of = [&](const PairState& state) {
+    const Grid grid(PETSC_COMM_WORLD, state.shape);
+    ContactFilm film(discretise(grid, narrow.scales), narrow.scales, MultigridOptions{});
+    const auto& pressure = values_of(state.films.front(), field::pressure);
+    std::vector<double> mass(pressure.size());
+    film.mass(pressure, state.motion.H0, mass);
+    return refitted(mass, grid, Grid(PETSC_COMM_WORLD, before.shape));
+  };
+  EXPECT_LT(relative_difference(mass_of(after), mass_of(before)), 1e-13);
+}
+
+// From every state that was kept: before, at and after the widening.
+TEST_F(Widening, is_gone_through_again_to_the_bit) {
+  Memory memory;
+  const auto march = march_with(narrow, &memory);
+  march->run(T_end);
+  const PairState whole = march->state();
+  ASSERT_GT(memory.kept.size(), 1U);
+  for (const KeptRun& kept : memory.kept) {
+    Memory again;
+    again.known = kept;
+    const auto resumed = march_with(narrow, &again);
+    resumed->run(T_end);
+    const PairState end = resumed->state();
+    EXPECT_EQ(end.motion.H0, whole.motion.H0) << "from T = " << kept.T;
+    EXPECT_EQ(end.motion.V0, whole.motion.V0);
+    EXPECT_EQ(end.shape, whole.shape);
+    EXPECT_EQ(end.films, whole.films);
+  }
+}
+
+TEST_F(Widening, is_told_of_before) {
+  int told = 0;
+  const SharedDiscretisation films = discretise(PETSC_COMM_WORLD, narrow);
+  MarchOptions options{narrow.numerics.solver, narrow.numerics.steps, narrow.numerics.room};
+  options.films.multigrid.levels = 1;
+  GridShape shape = films->grid().shape();
+  options.on_widening = [&](const GridShape& next) {
+    ++told;
+    EXPECT_GE(next.nx, shape.nx);
+    EXPECT_GE(next.ny, shape.ny);
+    EXPECT_NE(next, shape);
+    shape = next;
+  };
+  MeshMarch march(films, mesh_of(narrow), options, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  march.start(narrow.march.start_motion);
+  march.run(T_end);
+  EXPECT_GT(told, 0);
+  EXPECT_EQ(march.discretisation()->grid().shape(), shape);
+}
+
+}  // namespace
+}  // namespace gearfilm
