@@ -1,8 +1,10 @@
 #include "gearfilm/app/derived.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/format_version.hpp"
 #include "gearfilm/output/provenance.hpp"
@@ -34,6 +36,28 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
   summary["f_n"] = natural_frequency(mesh.stiffness_si(), *problem.pair.equivalent_mass);
 }
 
+/// The grid and the step that a run would begin with, and what is to be expected of films on them.
+void add_numerics(const Case& problem, Summary& summary) {
+  const NumericsCase& numerics = problem.numerics;
+  const Domain& domain = numerics.domain;
+  summary["nx"] = numerics.nx;
+  summary["ny"] = numerics.ny;
+  summary["x_min"] = domain.x_min;
+  summary["x_max"] = domain.x_max;
+  summary["y_half"] = domain.y_half;
+  const FilmErrors errors =
+      expected_errors(ExpectedFilm(problem.scales), {(domain.x_max - domain.x_min) / (numerics.nx - 1),
+                                                     2.0 * domain.y_half / (numerics.ny - 1)});
+  summary["expected_error_h_central"] = errors.central;
+  if (std::isfinite(errors.smallest)) summary["expected_error_h_min"] = errors.smallest;
+  if (!problem.pair.line) return;
+  summary["dT"] = numerics.steps.dT;
+  summary["steps_in_mesh_period"] = mesh_period(problem) / numerics.steps.dT;
+  if (problem.pair.equivalent_mass) {
+    summary["steps_in_free_oscillation"] = natural_period(problem) / numerics.steps.dT;
+  }
+}
+
 }  // namespace
 
 Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation) {
@@ -63,6 +87,7 @@ Summary derived_quantities(const Case& problem) {
   summary["D"] = groups.D;
   if (problem.pair.line) add_mesh_motion(problem, summary);
   summary.update(film_predictions(scales.solids, scales.oil, scales.operation));
+  add_numerics(problem, summary);
   return summary;
 }
 

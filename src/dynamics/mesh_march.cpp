@@ -81,7 +81,6 @@ void MeshMarch::make_room() {
   Room needed;
   if (!options_.room) return;
   for (const LiveContact& contact : contacts_) {
-    contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
     needed = united(needed, needed_room(contact.number, present_figures(contact).pressure_integral));
   }
   if (!has_room(needed)) widen(needed);
@@ -178,6 +177,7 @@ void MeshMarch::observe(const StepRecord& record) const {
 }
 
 FilmFigures MeshMarch::present_figures(const LiveContact& contact) const {
+  contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
   return contact.film->figures(values_of(contact.fields, field::pressure), motion_.H0);
 }
 

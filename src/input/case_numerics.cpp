@@ -36,7 +36,7 @@ void set_nodes(Case& result) {
 RoomRule room_rule(const Case& result) {
   const Domain& domain = result.numerics.domain;
   const double clear = clear_side(ExpectedFilm(result.scales));
-  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = std::min(clear, 1.0 + 0.6 * (domain.y_half - 1.0))};
+  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = std::min(clear, 1.0 + 0.4 * (domain.y_half - 1.0))};
   if (result.pair.gears) rule.face = 0.5 * result.pair.gears->face_width / result.scales.length;
   return rule;
 }

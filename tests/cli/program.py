@@ -1,6 +1,7 @@
 """Runs the program under test, as a user would, in a folder of its own."""
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import tempfile
@@ -8,6 +9,7 @@ import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INPUT = SOURCE / "input"
+ERROR_OF_FILMS = re.compile("gearfilm: warning: the (films have an error|error of the films)")
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
@@ -35,7 +37,11 @@ class Outcome:
         self.status = status
         self.stdout = stdout
         # mpiexec adds a notice of its own when a process returns another status than 0.
-        self.stderr = stderr if processes == 1 else before_notice_of_mpiexec(stderr)
+        said = stderr if processes == 1 else before_notice_of_mpiexec(stderr)
+        of_errors = [line for line in said.splitlines(keepends=True) if ERROR_OF_FILMS.match(line)]
+        # Coarse grids are what most tests want: what is said of them is kept apart.
+        self.of_errors = "".join(of_errors)
+        self.stderr = "".join(line for line in said.splitlines(keepends=True) if line not in of_errors)
 
     def __str__(self):
         return f"gearfilm {self.words[:1000]}: status {self.status}\n{self.stdout}{self.stderr}"

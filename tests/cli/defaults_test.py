@@ -1,0 +1,97 @@
+"""Domain, grid and step as the program chooses them, the error it says its films have, and grids that are widened.
+
+Environment as for cli_test.py.
+"""
+import json
+import unittest
+
+from program import INPUT, ProgramTest
+
+BARBIERI = INPUT / "barbieri2013.yaml"
+HIGH_CONTACT_RATIO = INPUT / "high_contact_ratio.yaml"
+# A nearly line contact with a thin film, as typical gears have: M = 2e5, L = 5, D = 0.001.
+SLENDER = """case:
+  name: slender
+  kind: contact
+contact:
+  radius_x: 8e-3
+  radius_y: 8
+  reduced_modulus: 226e9
+  load: 3915.73
+  entrainment_velocity: 0.0676816
+lubricant:
+  viscosity: 0.02
+  pressure_viscosity: 2e-8
+"""
+THICK = SLENDER.replace("radius_y: 8\n", "radius_y: 20e-3\n").replace("load: 3915.73", "load: 20").replace(
+    "velocity: 0.0676816", "velocity: 0.5").replace("slender", "thick")
+
+
+class Defaults(ProgramTest):
+    def summary(self, *arguments):
+        run = self.run_program(*arguments, "-output_dir", "out")
+        self.assertEqual((run.status, run.stderr), (0, ""), run)
+        return run, json.loads((self.folder / "out/summary.json").read_text(encoding="utf-8"))
+
+    def test_error_of_a_chosen_grid_holds_the_film_of_a_finer_one(self):
+        for text in (SLENDER, THICK):
+            case = self.write_case(text)
+            run, chosen = self.summary("steady", case)
+            self.assertEqual(run.of_errors, "")
+            _, fine = self.summary("steady", case, "-grid_nx", 2 * chosen["nx"] - 1, "-grid_ny", 2 * chosen["ny"] - 1)
+            for film in ("h_central", "h_min"):
+                with self.subTest(case=chosen["case"], film=film):
+                    self.assertLess(chosen[film + "_error"], 0.02 * chosen[film])
+                    self.assertLess(abs(fine[film] - chosen[film]), chosen[film + "_error"])
+                    self.assertAlmostEqual(chosen[film + "_extrapolated"] / fine[film + "_extrapolated"], 1, delta=0.005)
+
+    def test_accuracy_is_what_is_asked_for(self):
+        case = self.write_case(SLENDER)
+        _, rough = self.summary("steady", case, "-grid_accuracy", 0.05)
+        _, fine = self.summary("steady", case, "-grid_accuracy", 0.01)
+        self.assertLess(rough["nx"] * rough["ny"], 0.5 * fine["nx"] * fine["ny"])
+        self.assertLess(rough["h_central_error"], 0.05 * rough["h_central"])
+        self.assertLess(fine["h_central_error"], 0.01 * fine["h_central"])
+
+    def test_coarse_grid_says_its_error_or_that_it_has_none(self):
+        run, summary = self.summary("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33)
+        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")
+        self.assertGreater(summary["h_min_error"], 0.05 * summary["h_min"])
+        run, summary = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 129, "-grid_ny", 65)
+        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
+        self.assertIsNone(summary["h_central_error"])
+
+    def test_two_processes_choose_and_find_the_same(self):
+        case = self.write_case(SLENDER)
+        _, alone = self.summary("steady", case, "-grid_accuracy", 0.05)
+        run = self.run_program("steady", case, "-grid_accuracy", 0.05, "-output_dir", "two", processes=2)
+        self.assertEqual((run.status, run.stderr), (0, ""), run)
+        two = json.loads((self.folder / "two/summary.json").read_text(encoding="utf-8"))
+        for name in ("nx", "ny", "h_central", "h_min", "h_central_error"):
+            self.assertAlmostEqual(two[name] / alone[name], 1, delta=1e-5)
+
+    def test_info_prints_what_a_run_begins_with(self):
+        run, _ = self.summary("info", BARBIERI)
+        for name in ("nx", "ny", "x_min", "y_half", "dT", "expected_error_h_central", "steps_in_free_oscillation"):
+            self.assertRegex(run.stdout, rf"(?m)^{name} +[-\d.e]+$")
+
+    def test_step_follows_the_vibration_where_oil_is_slow(self):
+        _, fast = self.summary("info", BARBIERI)
+        _, slow = self.summary("info", BARBIERI, "-pinion_speed_rpm", 500)
+        self.assertGreater(fast["steps_in_free_oscillation"], 100)
+        self.assertAlmostEqual(slow["steps_in_free_oscillation"], 40, delta=1e-6)
+        self.assertLess(slow["dT"], 0.5 * fast["dT"])
+
+    def test_grid_is_widened_for_a_force_and_says_so(self):
+        for ratio, widened in ((1, False), (1.6, True)):
+            run, summary = self.summary("steady", BARBIERI, "-steady_load_ratio", ratio)
+            self.assertEqual("the grid is widened" in run.stdout, widened, run)
+            self.assertEqual(summary["nx"] * summary["ny"] > 129 * 65, widened)
+
+    def test_faces_that_are_too_narrow_are_said(self):
+        self.assert_message(self.run_program("steady", HIGH_CONTACT_RATIO, "-steady_load_ratio", 60), 2,
+                            "gearfilm: not solved: ", ["edges of the teeth", "raise crowning or face width"])
+
+
+if __name__ == "__main__":
+    unittest.main()
