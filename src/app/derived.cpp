@@ -46,8 +46,8 @@ void add_numerics(const Case& problem, Summary& summary) {
   summary["x_max"] = domain.x_max;
   summary["y_half"] = domain.y_half;
   const FilmErrors errors =
-      expected_errors(ExpectedFilm(problem.scales), {(domain.x_max - domain.x_min) / (numerics.nx - 1),
-                                                     2.0 * domain.y_half / (numerics.ny - 1)});
+      expected_errors(ExpectedFilm(problem.scales),
+                      {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)});
   summary["expected_error_h_central"] = errors.central;
   if (std::isfinite(errors.smallest)) summary["expected_error_h_min"] = errors.smallest;
   if (!problem.pair.line) return;

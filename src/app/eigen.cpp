@@ -42,8 +42,7 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   std::vector<std::unique_ptr<ContactFilm>> films;
   std::vector<LiveContact> contacts;
   for (const LiveContact& contact : march.contacts()) {
-    films.push_back(
-        std::make_unique<ContactFilm>(march.discretisation(), scales, problem.numerics.solver.multigrid));
+    films.push_back(std::make_unique<ContactFilm>(march.discretisation(), scales, problem.numerics.solver.multigrid));
     contacts.push_back({contact.number, films.back().get()});
   }
   LubricatedPair pair(mesh, contacts);

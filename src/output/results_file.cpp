@@ -115,8 +115,8 @@ std::string xdmf_contact(const std::string& results_name, const FieldGroup& grou
   std::string text =
       "        <Grid Name=\"" + group.name.substr(group.name.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
   text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
-  text +=
-      "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + group.mesh) + "</Geometry>\n";
+  text += "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + group.mesh) +
+          "</Geometry>\n";
   for (const std::string& name : group.datasets) {
     text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
             xdmf_data(size, results_name + ":" + group.name + "/" + name) + "</Attribute>\n";

@@ -30,8 +30,8 @@ struct MarchOptions {
 
 class MeshMarch {
 public:
-  /// All contacts have films of this discretisation, at first. With a prescribed load the mesh has a single contact. A keeper
-  /// must outlive the march.
+  /// All contacts have films of this discretisation, at first. With a prescribed load the mesh has a single contact. A
+  /// keeper must outlive the march.
   MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, const MarchOptions& options, StepObserver observer,
             MarchKeeper* keeper = nullptr);
 
