@@ -30,11 +30,11 @@ int step_levels(const Grid& grid, double dT) {
   return grid.nx() * grid.ny() <= (well_conditioned ? 50000 : 10000) ? 1 : 0;
 }
 
-MeshMarch::MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, const MarchOptions& options,
-                     StepObserver observer, MarchKeeper* keeper)
+MeshMarch::MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options, StepObserver observer,
+                     MarchKeeper* keeper)
     : discretisation_(std::move(discretisation)),
       mesh_(std::move(mesh)),
-      options_(options),
+      options_(std::move(options)),
       observer_(std::move(observer)),
       keeper_(keeper) {}
 

@@ -36,9 +36,10 @@ ExpectedFilm::ExpectedFilm(const Scales& scales)
       lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
       ellipticity(scales.hertz.ellipticity) {}
 
-double flooded_inlet(const ExpectedFilm& at) {
-  const double slender = std::sqrt(0.424 * std::pow(at.lubricant, 0.23) * std::pow(at.film, 1.18) / starvation);
-  const double width = 2.0 * 0.8 * at.ellipticity * slender;
+double flooded_inlet(const ExpectedFilm& expected) {
+  const double slender =
+      std::sqrt(0.424 * std::pow(expected.lubricant, 0.23) * std::pow(expected.film, 1.18) / starvation);
+  const double width = 2.0 * 0.8 * expected.ellipticity * slender;
   return slender * std::sqrt(2.0 / (1.0 + std::sqrt(1.0 + width * width)));
 }
 
@@ -48,20 +49,20 @@ Domain domain_of(const ExpectedFilm& expected) {
   return {-1.2 - flooded_inlet(expected), 1.25, 1.08 * clear_side(expected)};
 }
 
-FilmErrors expected_errors(const ExpectedFilm& at, const Steps& steps) {
-  const double x = std::pow(steps.x / rise(at), 2), y = std::pow(steps.y / rise(at), 2);
+FilmErrors expected_errors(const ExpectedFilm& expected, const Steps& steps) {
+  const double x = std::pow(steps.x / rise(expected), 2), y = std::pow(steps.y / rise(expected), 2);
   // The central film has a quarter of the smallest film's error along Y.
-  const double side = side_factor(at) * y;
-  const double smallest = steps.y < 1.2 * tearing_step(at) ? smallest_factor(at) * x + side : HUGE_VAL;
-  return {central_factor(at) * x + 0.25 * side, smallest};
+  const double side = side_factor(expected) * y;
+  const double smallest = steps.y < 1.2 * tearing_step(expected) ? smallest_factor(expected) * x + side : HUGE_VAL;
+  return {central_factor(expected) * x + 0.25 * side, smallest};
 }
 
-Steps steps_for(const ExpectedFilm& at, double accuracy) {
+Steps steps_for(const ExpectedFilm& expected, double accuracy) {
   // Three quarters of the error come from the steps along X, where a node gains most.
-  const double factor = std::max(central_factor(at), smallest_factor(at));
-  const double x = std::sqrt(0.75 * accuracy / factor) * rise(at);
-  const double y = std::sqrt(0.25 * accuracy / side_factor(at)) * rise(at);
-  return {x, std::min(y, 0.8 * tearing_step(at))};
+  const double factor = std::max(central_factor(expected), smallest_factor(expected));
+  const double x = std::sqrt(0.75 * accuracy / factor) * rise(expected);
+  const double y = std::sqrt(0.25 * accuracy / side_factor(expected)) * rise(expected);
+  return {x, std::min(y, 0.8 * tearing_step(expected))};
 }
 
 int nodes_along(double length, double step) {

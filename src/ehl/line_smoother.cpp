@@ -24,7 +24,7 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
       nx_(grid.nx()),
       rows_(grid.y_count()),
       inverse_h_x2_(1.0 / (grid.h_x() * grid.h_x())),
-      long_wave_deformation_(2.0 * std::numbers::pi * deformation.C_h()),
+      long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       band_(static_cast<std::size_t>(nx_) * band_width * rows_),
       distributive_(grid),
       wet_(grid),

@@ -32,7 +32,7 @@ class MeshMarch {
 public:
   /// All contacts have films of this discretisation, at first. With a prescribed load the mesh has a single contact. A
   /// keeper must outlive the march.
-  MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, const MarchOptions& options, StepObserver observer,
+  MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options, StepObserver observer,
             MarchKeeper* keeper = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.

@@ -35,7 +35,7 @@ public:
   /// deformation = K pressure on the own nodes; ghosts are neither read nor written.
   void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
 
-  double C_h() const { return C_h_; }
+  double elastic_coefficient() const { return C_h_; }
   /// K between nodes that are i lines and j rows apart.
   double coefficient(int i, int j) const { return C_h_ * love_kernel(i * h_x_, j * h_y_, h_x_, h_y_); }
 
