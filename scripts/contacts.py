@@ -1,6 +1,6 @@
-"""Bare contacts of steel, R_x = 12.5 mm, in one oil, given by their Moes groups: case files, domains, film formulas.
+"""Bare contacts of steel, R_x = 12.5 mm, given by their Moes groups: case files, domains, film formulas.
 
-Load and velocity follow from M and L, R_y from D.
+Load and velocity follow from M and L, R_y from D. The oil is the same in all unless given.
 """
 from tables import percent
 
@@ -22,9 +22,9 @@ def domain_of(M):
     return LONG_DOMAIN if M < SHORT_FROM else SHORT_DOMAIN
 
 
-def case_text(M, L, D):
+def case_text(M, L, D, viscosity=VISCOSITY, pressure_viscosity=PRESSURE_VISCOSITY):
     """A case file with these groups: U = 2 eta_0 u_m/(E' R_x) = (L/(alpha E'))^4, w = M E' R_x^2 U^(3/4)."""
-    U = (L / (PRESSURE_VISCOSITY * REDUCED_MODULUS)) ** 4
+    U = (L / (pressure_viscosity * REDUCED_MODULUS)) ** 4
     x_min, x_max, y_half = domain_of(M)
     return f"""
 case: {{kind: contact}}
@@ -33,8 +33,8 @@ contact:
   radius_y: {RADIUS_X / D!r}
   reduced_modulus: {REDUCED_MODULUS!r}
   load: {M * REDUCED_MODULUS * RADIUS_X ** 2 * U ** 0.75!r}
-  entrainment_velocity: {U * REDUCED_MODULUS * RADIUS_X / (2 * VISCOSITY)!r}
-lubricant: {{viscosity: {VISCOSITY!r}, pressure_viscosity: {PRESSURE_VISCOSITY!r}}}
+  entrainment_velocity: {U * REDUCED_MODULUS * RADIUS_X / (2 * viscosity)!r}
+lubricant: {{viscosity: {viscosity!r}, pressure_viscosity: {pressure_viscosity!r}}}
 grid: {{x_min: {x_min!r}, x_max: {x_max!r}, y_half: {y_half!r}}}
 """
 

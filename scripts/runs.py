@@ -2,32 +2,64 @@
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it, for example "mpiexec -n 2".
 """
+import dataclasses
 import json
 import os
 import pathlib
 import shlex
 import subprocess
 import sys
+import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("GEARFILM", str(SOURCE / "build/release/bin/gearfilm"))
 LAUNCHER = shlex.split(os.environ.get("GEARFILM_LAUNCHER", ""))
+OUT_OF_TIME = "time"           # status of a run that was ended at its time limit
 
 
 class RunError(Exception):
     """A run that cannot be made; the text is for the user."""
 
 
-def gearfilm(command, case, folder, *options):
-    """Summary of one run; None, with the message on stderr, where it was not solved (exit status 2)."""
+@dataclasses.dataclass
+class Run:
+    """What became of a run: its exit status, how long it took, what it said on stderr, its summary if it left one."""
+    words: list
+    status: object
+    seconds: float
+    errors: str
+    summary: dict
+
+    @property
+    def message(self):
+        """The last line of what it said."""
+        return self.errors.strip().rpartition("\n")[2]
+
+
+def attempt(command, case, folder, *options, time_limit=None):
+    """One run, however it ends; longer than its time limit [s] it is ended, with the status OUT_OF_TIME."""
     words = [*LAUNCHER, PROGRAM, command, str(case), "-output_dir", str(folder), *map(str, options)]
+    begin = time.monotonic()
     try:
-        run = subprocess.run(words, capture_output=True, text=True, check=False)
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=time_limit)
+        status, errors = done.returncode, done.stderr
+    except subprocess.TimeoutExpired:
+        status, errors = OUT_OF_TIME, f"not done after {time_limit} s"
     except OSError as error:
         raise RunError(f"cannot run {words[0]}: {error.strerror}; set GEARFILM or run scripts/setup.sh") from None
-    if run.returncode == 2:
-        print(run.stderr.strip(), file=sys.stderr)
+    seconds = time.monotonic() - begin
+    # With status 1 the folder is as it was.
+    place = folder / "summary.json"
+    summary = json.loads(place.read_text(encoding="utf-8")) if status != 1 and place.exists() else None
+    return Run(words, status, seconds, errors, summary)
+
+
+def gearfilm(command, case, folder, *options):
+    """Summary of one run; None, with the message on stderr, where it was not solved (exit status 2)."""
+    run = attempt(command, case, folder, *options)
+    if run.status == 2:
+        print(run.errors.strip(), file=sys.stderr)
         return None
-    if run.returncode != 0:
-        raise RunError(f"'{' '.join(words)}' failed: {run.stderr.strip()}")
-    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    if run.status != 0:
+        raise RunError(f"'{' '.join(run.words)}' failed: {run.errors.strip()}")
+    return run.summary

@@ -1,9 +1,14 @@
 """Random but valid pairs of spur gears, their domain, grid and march: all parameters of a case, drawn from a seed."""
 import math
+import sys
 
 import numpy
 
 from film_equations import conditions
+from program import SOURCE
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from pairs import disc_inertia, logarithmic  # noqa: E402
 
 CONTACT_RATIO = (1.05, 2.2)
 # R_x at the ends of the path over that at the pitch point. It is zero where teeth meet on a base circle, and a contact
@@ -11,7 +16,6 @@ CONTACT_RATIO = (1.05, 2.2)
 END_RADIUS = 0.25
 PRESSURE = (0.4e9, 3.5e9)       # of Hertz at the pitch point [Pa]
 ENTRAINMENT = (1.0, 30.0)       # at the pitch point [m/s]
-STEEL = 7850.0                  # density [kg/m^3]
 # Free oscillations in a mesh period. Pairs that have more are thrown about within few time steps where a contact enters
 # on a pair at rest: they can be marched, but take a minute.
 OSCILLATIONS = 3.0
@@ -20,10 +24,6 @@ LONG_INLET, SHORT_INLET = (1.5, 3.0), (0.8, 1.5)
 GRIDS = (129, 257)              # nodes in x
 MESH_ERROR = 0.02               # of the central film, about: those at the sides are thinner, and stay positive with it
 TRIAL = {"pinion.torque": 100.0, "pinion.speed_rpm": 1000.0}
-
-
-def logarithmic(draw, low, high):
-    return math.exp(draw.uniform(math.log(low), math.log(high)))
 
 
 def gears(draw):
@@ -44,7 +44,7 @@ def gears(draw):
                  f"{gear}.youngs_modulus": draw.choice((206e9, draw.uniform(90e9, 230e9))),
                  f"{gear}.poisson_ratio": draw.uniform(0.25, 0.34),
                  # From a disc of steel with holes to one with what turns on its shaft.
-                 f"{gear}.inertia": logarithmic(draw, 0.5, 30) * 0.5 * math.pi * STEEL * width * radius ** 4}
+                 f"{gear}.inertia": logarithmic(draw, 0.5, 30) * disc_inertia(width, radius)}
     return pair
 
 
@@ -152,7 +152,3 @@ def random_pair(draw, derive):
         room = domain(draw, derived)
         if room is not None and derived["f_n"] < OSCILLATIONS * derived["f_m"]:
             return pair | room | march(draw, derived), derived
-
-
-def case_text(pair):
-    return "".join(f"{name}: {value}\n" for name, value in pair.items())
