@@ -1,0 +1,79 @@
+// Domain and steps that follow from the film to be expected, and the error that a film says its grid has.
+#include "film_case.hpp"
+#include "gearfilm/ehl/grid_error.hpp"
+
+namespace gearfilm {
+namespace {
+
+class ChoiceFor : public testing::TestWithParam<std::array<double, 3>> {
+protected:
+  const FilmCase contact = moes_contact(GetParam()[0], GetParam()[1], GetParam()[2]);
+  const ExpectedFilm expected{contact.scales};
+};
+
+TEST_P(ChoiceFor, steps_keep_both_errors_within_the_accuracy) {
+  for (const double accuracy : {0.05, 0.02, 0.005}) {
+    const Steps steps = steps_for(expected, accuracy);
+    const FilmErrors errors = expected_errors(expected, steps);
+    EXPECT_LE(errors.central, accuracy * (1.0 + 1e-12));
+    EXPECT_LE(errors.smallest, accuracy * (1.0 + 1e-12));
+    EXPECT_GT(std::max(errors.central, errors.smallest), 0.7 * accuracy);  // and no finer than that
+    EXPECT_NEAR(steps_for(expected, 0.25 * accuracy).x, 0.5 * steps.x, 1e-12 * steps.x);
+  }
+}
+
+TEST_P(ChoiceFor, domain_has_the_ellipse_and_an_inlet_before_it) {
+  const Domain domain = domain_of(expected);
+  EXPECT_LT(domain.x_min, -1.0 - flooded_inlet(expected));
+  EXPECT_GT(domain.x_max, 1.1);
+  EXPECT_GT(domain.y_half, clear_side(expected));
+  EXPECT_GT(clear_side(expected), 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(contacts, ChoiceFor,
+                         testing::Values(std::array{2e5, 5.0, 0.001}, std::array{2.5e4, 12.0, 0.0035},
+                                         std::array{2400.0, 27.0, 0.06}, std::array{100.0, 10.0, 0.5},
+                                         std::array{20.0, 10.0, 1.0}));
+
+TEST(Choice, films_that_would_tear_have_no_finite_error) {
+  const ExpectedFilm expected(moes_contact(2e5, 5.0, 0.001).scales);
+  const Steps steps = steps_for(expected, 0.02);
+  EXPECT_EQ(expected_errors(expected, {steps.x, 3.0 * steps.y}).smallest, HUGE_VAL);
+}
+
+TEST(Choice, nodes_can_be_halved) {
+  for (const double length : {1.0, 3.3, 40.0}) {
+    const int nodes = nodes_along(length, 0.026);
+    EXPECT_EQ((nodes - 1) % 16, 0);
+    EXPECT_GE(nodes, 33);
+    EXPECT_LE(length / (nodes - 1), 0.026);
+  }
+}
+
+// Limits of the study of docs/verification.md, section 3, on the paper's short domain.
+TEST(GridErrors, hold_the_film_of_an_infinitely_fine_grid) {
+  const FilmCase pitch = table3_pitch();
+  const SolvedFilm coarse(PETSC_COMM_WORLD, pitch, 129, 65), fine(PETSC_COMM_WORLD, pitch, 257, 129);
+  const LoadCondition load = LoadCondition::force(pitch.scales.static_force);
+  const auto of_coarse = grid_errors(coarse.film, load, {}, coarse.result);
+  const auto of_fine = grid_errors(fine.film, load, {}, fine.result);
+  ASSERT_TRUE(of_coarse && of_fine);
+  for (const auto figure : {&GridErrors::central_film, &GridErrors::smallest_film}) {
+    const Estimate &first = (*of_coarse).*figure, &second = (*of_fine).*figure;
+    report("129 x 65: %.4f +- %.4f, extrapolated %.4f; 257 x 129: %.4f +- %.4f, extrapolated %.4f", first.value,
+           first.error, first.extrapolated, second.value, second.error, second.extrapolated);
+    EXPECT_LE(std::abs(second.extrapolated - first.value), 1.6 * first.error);
+    EXPECT_LT(second.error, 0.5 * first.error);
+    EXPECT_NEAR(first.extrapolated, second.extrapolated, second.error + first.error);
+  }
+  EXPECT_EQ(of_coarse->central_film.value, coarse.result.figures.central_film);
+}
+
+TEST(GridErrors, are_unknown_where_half_the_nodes_have_no_film) {
+  const FilmCase thin = moes_contact(2e5, 5.0, 0.001);
+  const SolvedFilm solved(PETSC_COMM_WORLD, thin, 129, 65);
+  EXPECT_FALSE(grid_errors(solved.film, LoadCondition::force(thin.scales.static_force), {}, solved.result));
+}
+
+}  // namespace
+}  // namespace gearfilm
