@@ -40,7 +40,7 @@ void solve(MPI_Comm comm) {
   const ContactOperation operation{.load = 5.746, .entrainment_velocity = 0.5778};
   const Scales scales = make_scales(solids, oil, operation);
 
-  const Domain domain = default_domain(moes_groups(solids, oil, operation).M);
+  const Domain domain = paper_domain(moes_groups(solids, oil, operation).M);
   const Grid grid(comm, grid_shape(domain, scales.hertz.ellipticity, option("-nx", 65), option("-ny", 65)));
   const SolverOptions options;
   ContactFilm film(discretise(grid, scales), scales, options.multigrid);

@@ -65,10 +65,15 @@ void MeshMarch::move_to(const GridShape& shape) {
   }
 }
 
+// The force grows with the power 3/2 of the approach, the half-axes with its root. Two steps ahead: in one the ellipse
+// must not pass the edge.
 Room MeshMarch::needed_room(int number, double pressure_integral) const {
-  if (!options_.room) return {};
-  return gearfilm::needed_room(*options_.room, mesh_.scales, mesh_.contact(number, T_).conditions, pressure_integral,
-                               label(number));
+  if (!options_.room || pressure_integral <= 0.0) return {};
+  const ContactConditions conditions = mesh_.contact(number, T_).conditions;
+  const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
+  const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.dT;
+  const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
+  return gearfilm::needed_room(*options_.room, mesh_.scales, conditions, pressure_integral, label(number), growth);
 }
 
 void MeshMarch::widen(const Room& needed) {

@@ -28,7 +28,7 @@ int cells_to(double present, double wanted, double step, int block) {
 }  // namespace
 
 Room needed_room(const RoomRule& rule, const Scales& scales, const ContactConditions& conditions,
-                 double pressure_integral, const std::string& where) {
+                 double pressure_integral, const std::string& where, double growth) {
   if (pressure_integral <= 0.0) return {};
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
   const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
@@ -42,7 +42,9 @@ Room needed_room(const RoomRule& rule, const Scales& scales, const ContactCondit
            "or lower the load";
     throw SolveError(message.str());
   }
-  return {.inlet = a + rule.inlet, .outlet = outlet * a, .side = std::min(rule.side * b, rule.face)};
+  return {.inlet = growth * a + rule.inlet,
+          .outlet = outlet * growth * a,
+          .side = std::min(rule.side * growth * b, rule.face)};
 }
 
 Room united(const Room& a, const Room& b) {

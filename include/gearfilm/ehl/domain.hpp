@@ -1,16 +1,15 @@
 // The rectangle on which the film of one contact is computed (where its edges are at first; room.hpp: how they follow),
 // and the steps of its grid, both from the film that is to be expected.
 //
-// With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the laws were fitted to 42 computed contacts, M =
-// 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/verification.md):
+// With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the laws were fitted to 42 computed contacts, M = 20
+// to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/film_laws.py):
 //   what a contact lacks of its central film if the inlet is x long, in units of a, beyond the Hertz ellipse
-//     0.424 L^0.23 H^1.18 / (x^2 (1 + (0.8 kappa x)^2))
+//     0.328 L^0.285 H^1.15 / (x^2 (1 + 0.707 kappa x))
 //   relative errors of the central and of the smallest film on steps h_x, in units of a
-//     0.395 L^0.416 h_x^2/H^(4/3)      0.178 L^0.82/(1 + 1.85 kappa) h_x^2/H^(4/3)
-//   of the smallest film on steps h_y, in units of b, as far as they are not so long that a slender contact's
-//   film tears at its sides
-//     0.27 L^0.46 kappa^1.6 h_y^2/H^(4/3)
-//     h_y < 0.27 H^(3/4) kappa^(-1/4) and h_y < 1.1 H^0.885 kappa^(-0.49) L^(-0.61)
+//     0.395 L^0.416 h_x^2/H^(4/3)      0.15 L^0.955/(1 + 0.66 kappa) h_x^2/H^(4/3)
+//   of the smallest film on steps h_y, in units of b, as far as they are not so long that the film tears at its sides
+//     1.3 kappa h_y^2/H^(4/3)
+//     h_y < 0.27 H^(3/4) kappa^(-1/4),  0.57 H kappa^(-1/2),  1.1 H^0.885 kappa^(-0.49) L^(-0.61)
 #pragma once
 
 #include "gearfilm/contact/scales.hpp"

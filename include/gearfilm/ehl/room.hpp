@@ -28,10 +28,10 @@ struct Room {
   bool operator==(const Room&) const = default;
 };
 
-/// What a contact under a pressure integral must have at least. Throws SolveError, naming `where`, if its ellipse
-/// reaches the edges of the teeth.
+/// What a contact under a pressure integral must have at least, growth: with half-axes that are about to be so many
+/// times as long. Throws SolveError, naming `where`, if its ellipse reaches the edges of the teeth.
 Room needed_room(const RoomRule& rule, const Scales& scales, const ContactConditions& conditions,
-                 double pressure_integral, const std::string& where);
+                 double pressure_integral, const std::string& where, double growth = 1.0);
 /// What several contacts on one grid need.
 Room united(const Room& a, const Room& b);
 
