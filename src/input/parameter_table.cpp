@@ -244,7 +244,8 @@ Records start_records() {
 Records time_records() {
   const StepOptions standard;
   return section("time", Scope::gear_pair,
-                 {optional("the shortest of the grid's h_x or 0.026 if that is longer, a hundredth of a mesh period, a "
+                 {optional("the shortest of the grid's h_x (at least 0.026 where grid.nx is not given), a hundredth of "
+                           "a mesh period, a "
                            "fortieth of a free oscillation",
                            number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
                   preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
