@@ -15,12 +15,11 @@ import argparse
 import math
 import pathlib
 import random
-import sys
 import tempfile
 
 import oils
 from pairs import case_text, disc_inertia, logarithmic
-from runs import RunError, attempt
+from runs import attempt, one_line_errors
 
 SEED = 1
 MODULES = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8)     # mm
@@ -116,15 +115,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     add_arguments(parser)
     arguments = parser.parse_args()
-    try:
+    with one_line_errors("catalogue", arguments.folder):
         for number in range(arguments.first, arguments.first + arguments.pairs):
             case, derived = write_pair(arguments.folder, arguments.seed, number)
             print(f"{case}: M {derived['M']:.0f}, L {derived['L']:.1f}, D {derived['D']:.2g}, "
                   f"p_h {1e-9 * derived['p_hertz']:.2f} GPa")
-    except RunError as error:
-        sys.exit(f"catalogue: {error}")
-    except OSError as error:
-        sys.exit(f"catalogue: cannot write to {arguments.folder}: {error}")
 
 
 if __name__ == "__main__":

@@ -15,12 +15,11 @@ be made or a file not be written.
 """
 import argparse
 import collections
-import sys
 
 import h5py
 
 from catalogue import add_arguments, write_pair
-from runs import RunError, attempt
+from runs import attempt, one_line_errors
 from tables import heading, percent, row
 
 PAIR = ("pair", "M", "L", "D", "p_h [GPa]")
@@ -107,15 +106,11 @@ def main():
     parser.add_argument("commands", nargs="+", choices=COMMANDS, metavar="COMMAND", help=" or ".join(COMMANDS))
     parser.add_argument("--time-limit", type=float, default=600.0, help="of a run [s] (%(default)s)")
     arguments = parser.parse_args()
-    try:
+    with one_line_errors("catalogue_runs", arguments.folder):
         pairs = [(number, *write_pair(arguments.folder, arguments.seed, number))
                  for number in range(arguments.first, arguments.first + arguments.pairs)]
         for command in arguments.commands:
             make_table(command, pairs, arguments.folder, arguments.time_limit)
-    except RunError as error:
-        sys.exit(f"catalogue_runs: {error}")
-    except OSError as error:
-        sys.exit(f"catalogue_runs: cannot write to {arguments.folder}: {error}")
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ from contacts import case_text
 from film_laws import Domain
 from oils import pressure_viscosity
 from pairs import logarithmic
-from runs import RunError, attempt
+from runs import RunError, attempt, one_line_errors
 
 AIM = 0.02                     # error of both films on the grid of the laws
 SLENDER, MODERATE = 30, 12     # contacts
@@ -183,7 +183,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="folder of the runs and the table")
     parser.add_argument("--table", type=pathlib.Path, help="the table, in the folder if not given")
     arguments = parser.parse_args()
-    try:
+    with one_line_errors("converged_contacts", arguments.folder):
         solver = Solver(arguments.folder / "runs")
         rows = []
         for contact in contacts(solver):
@@ -191,10 +191,6 @@ def main():
             print(", ".join(f"{name} {cell(rows[-1][name])}" for name in (
                 "M", "L", "D", "H", "nx", "ny", "h_central", "error_central", "error_min")), flush=True)
             write_table(arguments.table or arguments.folder / "converged_contacts.csv", rows)
-    except RunError as error:
-        sys.exit(f"converged_contacts: {error}")
-    except OSError as error:
-        sys.exit(f"converged_contacts: cannot write to {arguments.folder}: {error}")
 
 
 if __name__ == "__main__":

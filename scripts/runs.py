@@ -2,6 +2,7 @@
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it, for example "mpiexec -n 2".
 """
+import contextlib
 import dataclasses
 import json
 import os
@@ -19,6 +20,17 @@ OUT_OF_TIME = "time"           # status of a run that was ended at its time limi
 
 class RunError(Exception):
     """A run that cannot be made; the text is for the user."""
+
+
+@contextlib.contextmanager
+def one_line_errors(script, folder):
+    """Exit status 1 with one line, where a run cannot be made or a file not be written to the folder."""
+    try:
+        yield
+    except RunError as error:
+        sys.exit(f"{script}: {error}")
+    except OSError as error:
+        sys.exit(f"{script}: cannot write to {folder}: {error}")
 
 
 @dataclasses.dataclass

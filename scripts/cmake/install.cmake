@@ -9,7 +9,8 @@ set(GEARFILM_PRIVATE_HEADERS
   lubricant/independent_iterations.hpp
   parallel/agreement.hpp parallel/events.hpp
   ehl/line_smoother.hpp ehl/film_stencil.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
-  input/case_file.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
+  orbits/mode_solver.hpp
+  input/case_file.hpp input/case_numerics.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
   input/text_file.hpp)
 set(exclude "")
 foreach(header ${GEARFILM_PRIVATE_HEADERS})

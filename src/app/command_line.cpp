@@ -1,17 +1,16 @@
 #include "gearfilm/app/command_line.hpp"
 
 #include <cctype>
-#include <cmath>
 
 #include "gearfilm/app/command_docs.hpp"
 #include "gearfilm/app/command_table.hpp"
+#include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/input/memory.hpp"
 #include "gearfilm/input/oddities.hpp"
 #include "gearfilm/input/options.hpp"
-#include "gearfilm/input/plain_text.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 
@@ -22,10 +21,6 @@ namespace {
 bool starts_option(const std::string& word) {
   const std::size_t letter = word.starts_with("--") ? 2 : 1;
   return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
-}
-
-void warn(MPI_Comm comm, const std::string& text) {
-  petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: %s\n", one_line(text).c_str()));
 }
 
 bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }

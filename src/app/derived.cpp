@@ -27,7 +27,7 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
   const double f_m = mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed);
   summary["f_m"] = f_m;
   summary["mesh_period"] = 1.0 / f_m;
-  summary["mesh_period_dimensionless"] = 1.0 / (f_m * problem.scales.time);
+  summary["mesh_period_dimensionless"] = mesh_period(problem);
   if (!problem.pair.equivalent_mass) return;
   const MeshModel mesh = mesh_after_leaving(problem);
   summary["m_ge"] = *problem.pair.equivalent_mass;
@@ -45,9 +45,7 @@ void add_numerics(const Case& problem, Summary& summary) {
   summary["x_min"] = domain.x_min;
   summary["x_max"] = domain.x_max;
   summary["y_half"] = domain.y_half;
-  const FilmErrors errors =
-      expected_errors(ExpectedFilm(problem.scales),
-                      {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)});
+  const FilmErrors errors = expected_errors(ExpectedFilm(problem.scales), steps_of(numerics));
   summary["expected_error_h_central"] = errors.central;
   if (std::isfinite(errors.smallest)) summary["expected_error_h_min"] = errors.smallest;
   if (!problem.pair.line) return;

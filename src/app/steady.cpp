@@ -5,6 +5,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -70,7 +71,7 @@ void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<Grid
     text << "the error of the films is not known, since a grid of half the nodes has no film";
   }
   text << (chosen ? "; lower grid.accuracy" : "; raise grid.nx and grid.ny, or leave them to the program");
-  petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: %s\n", text.str().c_str()));
+  warn(comm, text.str());
 }
 
 Summary film_summary(const Case& problem, const Position& position, const Grid& grid, const StationaryResult& result) {
@@ -163,9 +164,9 @@ struct FilmOnGrid {
   std::optional<GridErrors> errors;
 };
 
-FilmOnGrid solve_on(MPI_Comm comm, const Case& problem, const Position& position, const GridShape& shape) {
+FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& position) {
   FilmOnGrid solved;
-  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(Grid(comm, shape), problem.scales), problem.scales,
+  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem.scales), problem.scales,
                                               problem.numerics.solver.multigrid);
   solved.film->set_conditions(position.contact.conditions);
   const LoadCondition load = LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force);
@@ -205,13 +206,13 @@ void run_steady(MPI_Comm comm, const Case& problem) {
     shape = widened(shape, needed, problem.numerics.room);
     announce_widening(comm, shape, problem.scales, 1);
   }
-  const Grid checked(comm, shape);  // wrong input is said before anything is removed
+  const Grid grid(comm, shape);  // what is wrong with it is said before anything is removed
   const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
-  FilmOnGrid solved = solve_on(comm, problem, position, shape);
+  FilmOnGrid solved = solve_on(grid, problem, position);
   // The chosen grid rests on a fitted law; what its film says of itself counts more.
   if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
-    solved = solve_on(comm, problem, position, refined(shape, factor));
+    solved = solve_on(Grid(comm, refined(shape, factor)), problem, position);
   }
   Summary summary = film_summary(problem, position, solved.film->grid(), solved.result);
   add_errors(problem.scales, solved.errors, summary);

@@ -76,9 +76,10 @@ Room MeshMarch::needed_room(int number, double pressure_integral) const {
   return gearfilm::needed_room(*options_.room, mesh_.scales, conditions, pressure_integral, label(number), growth);
 }
 
-void MeshMarch::widen(const Room& needed) {
+void MeshMarch::make_room(const Room& needed) {
+  if (has_room(needed)) return;
   const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.room);
-  if (options_.on_widening) options_.on_widening(shape);
+  if (options_.on_widening) options_.on_widening(comm(), shape);
   move_to(shape);
 }
 
@@ -88,7 +89,7 @@ void MeshMarch::make_room() {
   for (const LiveContact& contact : contacts_) {
     needed = united(needed, needed_room(contact.number, present_figures(contact).pressure_integral));
   }
-  if (!has_room(needed)) widen(needed);
+  make_room(needed);
 }
 
 LiveContact MeshMarch::enter(int number, const std::optional<PressureGuess>& guess) {
@@ -107,7 +108,7 @@ LiveContact MeshMarch::enter(int number, const std::optional<PressureGuess>& gue
       check_validity(*film, entered.figures, label(number));
       return {number, film, still(std::move(entered.solution.pressure))};
     }
-    widen(needed);
+    make_room(needed);
   }
 }
 
@@ -118,7 +119,7 @@ void MeshMarch::balance_at_rest() {
   // None of them carries more than the whole force.
   Room needed;
   for (int number : numbers) needed = united(needed, needed_room(number, mesh_.scales.static_force));
-  if (!has_room(needed)) widen(needed);
+  make_room(needed);
   ContactFilm* first = free_film();
   first->set_conditions(mesh_.contact(numbers.front(), T_).conditions);
   const auto sharing = mesh_.share_from(T_);

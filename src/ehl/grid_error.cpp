@@ -14,6 +14,15 @@ Estimate estimate(double fine, double coarse) {
   return {fine, std::abs(difference), fine + difference};
 }
 
+FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSolution& solution) {
+  Field<double> fine(grid), coarse(coarse_grid);
+  fine.load(solution.pressure);
+  inject(grid, coarse_grid, fine, coarse);
+  FilmSolution found{std::vector<double>(coarse_grid.local_size()), solution.H0};
+  coarse.store(found.pressure);
+  return found;
+}
+
 }  // namespace
 
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
@@ -23,10 +32,9 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   if (!coarser) return {};
   ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
   coarse.set_conditions(film.conditions());
-  const FilmSolution guess{injected(film.grid(), coarser->grid(), result.solution.pressure), result.solution.H0};
   StationaryResult found;
   try {
-    found = continue_stationary(coarse, load, options, guess);
+    found = continue_stationary(coarse, load, options, on_coarser(film.grid(), coarser->grid(), result.solution));
   } catch (const SolveError&) {
     return {};
   }

@@ -86,26 +86,18 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   }
 }
 
-std::vector<double> injected(const Grid& fine_grid, const Grid& coarse_grid, std::span<const double> fine) {
-  std::vector<double> coarse;
-  coarse.reserve(coarse_grid.local_size());
+void inject(const Grid& fine_grid, const Grid& coarse_grid, const Field<double>& fine, Field<double>& coarse) {
   for (int I = 0; I < coarse_grid.nx(); ++I) {
-    const auto line = fine.subspan(static_cast<std::size_t>(2 * I) * fine_grid.y_count(), fine_grid.y_count());
-    for (int J = 0; J < coarse_grid.y_count(); ++J) coarse.push_back(line[same_row(fine_grid, coarse_grid, J)]);
+    for (int J = 0; J < coarse_grid.y_count(); ++J) {
+      coarse.row(I)[J] = fine.row(2 * I)[same_row(fine_grid, coarse_grid, J)];
+    }
   }
-  return coarse;
 }
 
 FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const Halo& coarse_halo,
                          const FilmState& fine) {
   FilmState coarse(coarse_grid);
-  for (const auto field : state_fields) {
-    for (int I = 0; I < coarse_grid.nx(); ++I) {
-      for (int J = 0; J < coarse_grid.y_count(); ++J) {
-        (coarse.*field).row(I)[J] = (fine.*field).row(2 * I)[same_row(fine_grid, coarse_grid, J)];
-      }
-    }
-  }
+  for (const auto field : state_fields) inject(fine_grid, coarse_grid, fine.*field, coarse.*field);
   exchange_ghosts(coarse_halo, coarse);
   return coarse;
 }

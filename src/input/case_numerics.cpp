@@ -61,8 +61,7 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
 // 0.026, since what they resolve besides stands still before the contact. By the mesh, and by the swing of the gears.
 double time_step(const Case& result) {
-  const Domain& domain = result.numerics.domain;
-  const double cell = (domain.x_max - domain.x_min) / (result.numerics.nx - 1);
+  const double cell = steps_of(result.numerics).x;
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
   double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period);
   if (result.pair.equivalent_mass) step = std::min(step, natural_period(result) / steps_in_swing);
@@ -70,6 +69,11 @@ double time_step(const Case& result) {
 }
 
 }  // namespace
+
+Steps steps_of(const NumericsCase& numerics) {
+  const Domain& domain = numerics.domain;
+  return {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)};
+}
 
 double natural_period(const Case& problem) {
   const double stiffness = contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach);

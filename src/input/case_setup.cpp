@@ -63,9 +63,9 @@ void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scal
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
   MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.room};
-  options.on_widening = [films, scales = problem.scales,
-                         contacts = contacts_at_a_time(problem)](const GridShape& shape) {
-    announce_widening(films->grid().comm(), shape, scales, contacts);
+  options.on_widening = [scales = problem.scales, contacts = contacts_at_a_time(problem)](MPI_Comm comm,
+                                                                                          const GridShape& shape) {
+    announce_widening(comm, shape, scales, contacts);
   };
   options.films.multigrid.levels = problem.numerics.step_levels > 0
                                        ? problem.numerics.step_levels

@@ -134,11 +134,11 @@ void compare_steps(const Case& problem, Oddities& found) {
 }
 
 void compare_grid(const Case& problem, Oddities& found) {
-  const Domain& domain = problem.numerics.domain;
-  compare((problem.numerics.nx - 1) / (domain.x_max - domain.x_min),
+  const Steps steps = steps_of(problem.numerics);
+  compare(1.0 / steps.x,
           {"the number of nodes along the half-axis a", "", 4, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
           found);
-  compare((problem.numerics.ny - 1) / (2 * domain.y_half),
+  compare(1.0 / steps.y,
           {"the number of nodes along the half-axis b", "", 3, HUGE_VAL, "too coarse for a film; raise grid.ny", ""},
           found);
 }

@@ -6,6 +6,7 @@
 
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/orbits/mode_solver.hpp"
 
 namespace gearfilm {
 namespace {
@@ -89,19 +90,8 @@ std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& 
   OwnedVec column, change;
   petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
   response.displacement_column(column);
-  OwnedKSP ksp;
-  petsc_check(KSPCreate(response.comm(), ksp.put()));
-  petsc_check(KSPSetOptionsPrefix(ksp, "modes_"));
-  petsc_check(KSPSetOperators(ksp, matrix, matrix));
-  configure_krylov(ksp, response, options.krylov_tolerance, options.krylov_max_iterations);
-  petsc_check(KSPSetFromOptions(ksp));
-  petsc_check(KSPSolve(ksp, column, change));
-  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-  petsc_check(KSPGetConvergedReason(ksp, &reason));
-  if (reason < 0) {
-    throw SolveError("a linear solution for the films' dynamic stiffness did not converge (" +
-                     std::string(KSPConvergedReasons[reason]) + ")");
-  }
+  ModeSolver(response, matrix, options.krylov_tolerance, options.krylov_max_iterations, "the films' dynamic stiffness")
+      .apply(column, change);
   return response.force(change);
 }
 

@@ -5,38 +5,13 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/orbits/mode_solver.hpp"
 
 namespace gearfilm {
 namespace {
 
-/// Solutions with A by FGMRES and the pair's preconditioner.
-class Inverse {
-public:
-  Inverse(FilmSystem& system, Mat A, const FilmModeOptions& options) {
-    petsc_check(KSPCreate(system.comm(), ksp_.put()));
-    petsc_check(KSPSetOptionsPrefix(ksp_, "modes_"));
-    petsc_check(KSPSetOperators(ksp_, A, A));
-    configure_krylov(ksp_, system, options.krylov_tolerance, options.krylov_max_iterations);
-    petsc_check(KSPSetErrorIfNotConverged(ksp_, PETSC_FALSE));
-    petsc_check(KSPSetFromOptions(ksp_));
-  }
-
-  void apply(Vec rows, Vec change) {
-    petsc_check(KSPSolve(ksp_, rows, change));
-    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-    petsc_check(KSPGetConvergedReason(ksp_, &reason));
-    if (reason < 0) {
-      throw SolveError("a linear solution for the natural modes of the films did not converge (" +
-                       std::string(KSPConvergedReasons[reason]) + ")");
-    }
-  }
-
-private:
-  PetscHandle<KSP, KSPDestroy> ksp_;
-};
-
 /// Makes A^-1 the solver of SLEPc's shift-and-invert at shift zero.
-void use_inverse(EPS eps, Inverse& inverse) {
+void use_inverse(EPS eps, ModeSolver& inverse) {
   ST st = nullptr;
   KSP ksp = nullptr;
   PC pc = nullptr;
@@ -50,7 +25,7 @@ void use_inverse(EPS eps, Inverse& inverse) {
   petsc_check(PCShellSetContext(pc, &inverse));
   petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
     return petsc_callback([&] {
-      Inverse* own = nullptr;
+      ModeSolver* own = nullptr;
       petsc_check(PCShellGetContext(shell, &own));
       own->apply(in, out);
     });
@@ -64,7 +39,8 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
   pair.place(0.0);
   pair.linearise(state, {}, 0.0);
   const OwnedMat A = shell_jacobian(system), B = shell_matrix<&FilmSystem::multiply_transient>(system);
-  Inverse inverse(system, A, options);
+  ModeSolver inverse(system, A, options.krylov_tolerance, options.krylov_max_iterations,
+                     "the natural modes of the films");
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(system.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "modes_"));

@@ -119,7 +119,7 @@ TEST_F(Widening, is_told_of_before) {
   MarchOptions options{narrow.numerics.solver, narrow.numerics.steps, narrow.numerics.room};
   options.films.multigrid.levels = 1;
   GridShape shape = films->grid().shape();
-  options.on_widening = [&](const GridShape& next) {
+  options.on_widening = [&](MPI_Comm, const GridShape& next) {
     ++told;
     EXPECT_GE(next.nx, shape.nx);
     EXPECT_GE(next.ny, shape.ny);

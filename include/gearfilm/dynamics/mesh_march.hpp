@@ -24,8 +24,8 @@ int step_levels(const Grid& grid, double dT);
 struct MarchOptions {
   SolverOptions films;  ///< of the films' own solvers
   StepOptions steps;
-  std::optional<RoomRule> room{};                       ///< by which the grid is widened; none: it stays as it is
-  std::function<void(const GridShape&)> on_widening{};  ///< told before; may throw SolveError
+  std::optional<RoomRule> room{};  ///< by which the grid is widened; none: it stays as it is
+  std::function<void(MPI_Comm, const GridShape&)> on_widening{};  ///< told before; may throw SolveError
 };
 
 class MeshMarch {
@@ -87,7 +87,9 @@ private:
   /// What a contact needs under this pressure integral; nothing where the grid stays as it is.
   Room needed_room(int number, double pressure_integral) const;
   bool has_room(const Room& needed) const { return gearfilm::has_room(discretisation_->grid().shape(), needed); }
-  void widen(const Room& needed);
+  /// Widens the grid where it lacks what is needed.
+  void make_room(const Room& needed);
+  /// For the present contacts.
   void make_room();
   /// resume() with these contacts.
   void take_up(double T, const PairState& state, const std::vector<int>& numbers);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <limits>
-#include <vector>
+#include <string>
 
 #include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/ehl/grid.hpp"

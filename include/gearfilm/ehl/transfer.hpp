@@ -22,8 +22,8 @@ void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Fiel
 void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,
                        Field<double>& fine);
 
-/// The compact values of every second node, of which the coarse ones are those at the same points.
-std::vector<double> injected(const Grid& fine_grid, const Grid& coarse_grid, std::span<const double> fine);
+/// coarse = fine at the same points (own nodes).
+void inject(const Grid& fine_grid, const Grid& coarse_grid, const Field<double>& fine, Field<double>& coarse);
 
 /// A state of which every field is the fine one at the same point; with ghosts.
 FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const Halo& coarse_halo,

@@ -11,6 +11,9 @@ void set_film_numerics(Case& result);
 /// Time steps of a gear pair; its grid is set.
 void set_time_steps(Case& result);
 
+/// Of the grid.
+Steps steps_of(const NumericsCase& numerics);
+
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
 double natural_period(const Case& problem);
 /// The mesh period of a gear pair [T].
