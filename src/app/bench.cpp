@@ -125,7 +125,7 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
   MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
     statistics.add(record, true);
   });
-  march.start(dry_guess(resized, films, find_dry_orbit(mesh, typical_film_damping)).motion);
+  march.start(dry_guess(resized, films, dry_start(mesh)).motion);
   march.run(mesh_period);
   const double before = common_unit(comm, size), start = MPI_Wtime();
   march.run(2.0 * mesh_period);

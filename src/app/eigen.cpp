@@ -73,9 +73,8 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
     if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / mesh.path.mesh_period());
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
-  const PeriodicOrbit orbit =
-      find_periodic_orbit(march, dry_guess(problem, films, find_dry_orbit(mesh, typical_film_damping)),
-                          problem.search.options, [](const SearchPeriod&) {});
+  const PeriodicOrbit orbit = find_periodic_orbit(march, dry_guess(problem, films, dry_start(mesh)),
+                                                  problem.search.options, [](const SearchPeriod&) {});
   const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.modes.orbit_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};
   add_multipliers(mesh, found.gear_pair, summary);

@@ -64,11 +64,15 @@ void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<Live
   }
 }
 
-void MarchOutput::end_search_period(const SearchPeriod& period) {
+std::string text_of(const SearchPeriod& period) {
   std::ostringstream text;
   text << "mesh period " << period.number << " repeats within " << std::scientific << std::setprecision(1)
        << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
-  progress_.note(text.str());
+  return text.str();
+}
+
+void MarchOutput::end_search_period(const SearchPeriod& period) {
+  note(text_of(period));
   if (!snapshots_) return;
   for (const FilmSnapshot& snapshot : held_) {
     if (period.accepted && snapshot.T > period.begin) snapshots_->write(snapshot);

@@ -1,7 +1,12 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
+#include <iomanip>
+#include <sstream>
+
+#include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 
@@ -10,8 +15,11 @@ namespace {
 
 constexpr double typical_periods = 4.0;  // for the time left
 
-/// The undamped dry pair's orbit, for comparison; null where there is none.
+/// The undamped dry pair's orbit, for comparison; null where there is none, or where the pair swings so often in a mesh
+/// period that an orbit without damping says nothing.
 Summary dry_summary(const Case& problem, const MeshModel& mesh) {
+  constexpr double most_oscillations = 10.0;
+  if (mesh.frequency() * mesh.path.mesh_period() > most_oscillations) return nullptr;
   try {
     const DryOrbit dry = find_dry_orbit(mesh, 0.0);
     Summary summary = {{"H0_after_leaving", dry.start.H0},
@@ -25,6 +33,33 @@ Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   }
 }
 
+void print_result(MPI_Comm comm, const Summary& summary, const std::optional<double>& error) {
+  constexpr double tolerable = 0.05;
+  std::ostringstream text;
+  text.precision(4);
+  const auto add = [&](const std::string& what, const char* name, double in_unit, const char* unit) {
+    const Summary& bar = summary[std::string(name) + "_error"];
+    text << what << " " << in_unit * summary[name].get<double>();
+    if (!bar.is_null()) text << " +- " << std::setprecision(1) << in_unit * bar.get<double>() << std::setprecision(4);
+    text << unit;
+  };
+  add("largest force on one contact", "force_ratio_max", 1.0, " of the static force");
+  add("; largest pressure", "p_max", 1e-9, " GPa");
+  add("; smallest film", "h_min", 1e6, " um");
+  if (summary.contains("stable")) {
+    text << (summary["stable"].get<bool>() ? "; stable" : "; unstable") << ", largest multiplier "
+         << summary["floquet_modulus"].get<double>();
+  }
+  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  if (error.value_or(0.0) <= tolerable) return;
+  std::ostringstream warning;
+  warning.precision(2);
+  warning << "some figures have an error of about " << 100.0 * *error
+          << " % (their names and _error in summary.json); lower grid.accuracy, or raise grid.nx and grid.ny and lower "
+             "time.dt";
+  warn(comm, warning.str());
+}
+
 }  // namespace
 
 void run_periodic(MPI_Comm comm, const Case& problem) {
@@ -34,14 +69,18 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   const Grid& grid = films->grid();
   ResumableRun run(problem, grid, "periodic");
   const MeshModel mesh = mesh_after_leaving(problem);
-  const OrbitGuess guess = dry_guess(problem, films, find_dry_orbit(mesh, typical_film_damping));
+  const DryOrbit dry = dry_start(mesh);
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods);
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
-      [&](const SearchPeriod& period) { output.end_search_period(period); }, run.checkpoint(), run.stop()};
+      [&](const SearchPeriod& period) { output.end_search_period(period); },
+      [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); }, run.checkpoint(),
+      run.stop()};
+  OrbitStart start;
   OrbitRun found;
   try {
-    found = run_orbit(problem, films, mesh, guess, observers);
+    start = orbit_start(problem, films, mesh, dry, observers);
+    found = run_orbit(problem, films, mesh, start.guess, observers);
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = false;
@@ -59,12 +98,14 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
   summary.update(orbit_summary(mesh, found));
+  const std::optional<double> error = add_errors(mesh.scales, found, start.coarse, summary);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, mesh);
   summary["completed"] = true;
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
+  print_result(comm, summary, error);
 }
 
 }  // namespace gearfilm

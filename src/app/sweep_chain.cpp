@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/state_file.hpp"
@@ -155,6 +155,9 @@ private:
                                       [&](const SearchPeriod& period) {
                                         result["search"].push_back({period.defect, period.film_defect});
                                       },
+                                      [&](const SearchPeriod& period) {
+                                        result["coarse_search"].push_back({period.defect, period.film_defect});
+                                      },
                                       checkpoint, stop_};
     if (last_) {
       result["start"] = "neighbour";
@@ -167,8 +170,9 @@ private:
       }
     }
     result["start"] = "dry orbit";
-    dry = find_dry_orbit(at.mesh, typical_film_damping);
-    return run_orbit(at.problem, at.films, at.mesh, dry_guess(at.problem, at.films, *dry), observers);
+    dry = dry_start(at.mesh);
+    const OrbitStart start = orbit_start(at.problem, at.films, at.mesh, *dry, observers);
+    return run_orbit(at.problem, at.films, at.mesh, start.guess, observers);
   }
 
   /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit

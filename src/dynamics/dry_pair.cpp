@@ -14,17 +14,17 @@ constexpr double integration_tolerance = 1e-10;
 
 }  // namespace
 
-double dry_force(const Scales& scales, const ContactConditions& conditions, double H0) {
-  const double load = hertz_load(solids_of(scales, conditions), -scales.thickness * (H0 + conditions.gap_offset));
-  return load / scales.operation.load * scales.static_force;
-}
-
 DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
-    : mesh_(std::move(mesh)), damping_(damping), dT_(dT), observer_(std::move(observer)), keeper_(keeper) {}
+    : mesh_(std::move(mesh)),
+      force_(mesh_),
+      damping_(damping),
+      dT_(dT),
+      observer_(std::move(observer)),
+      keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
   double sum = 0.0;
-  for (int contact : contacts) sum += dry_force(mesh_.scales, mesh_.contact(contact, T).conditions, H0);
+  for (int contact : contacts) sum += force_(mesh_.contact(contact, T).conditions, H0);
   return sum;
 }
 
@@ -38,7 +38,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   for (int contact : mesh_.path.contacts_after(T_)) {
     const ContactConditions conditions = mesh_.contact(contact, T_).conditions;
     FilmFigures figures;
-    figures.pressure_integral = dry_force(mesh_.scales, conditions, motion_.H0);
+    figures.pressure_integral = force_(conditions, motion_.H0);
     if (figures.pressure_integral > 0.0) {
       figures.largest_pressure =
           dry_contact(mesh_.scales, conditions, figures.pressure_integral).pressure / mesh_.scales.pressure;

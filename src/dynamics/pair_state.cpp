@@ -1,6 +1,9 @@
 #include "gearfilm/dynamics/pair_state.hpp"
 
+#include <algorithm>
+
 #include "gearfilm/ehl/refit.hpp"
+#include "gearfilm/ehl/transfer.hpp"
 
 namespace gearfilm {
 
@@ -11,6 +14,27 @@ PairState refitted(const PairState& state, MPI_Comm comm, const GridShape& shape
   for (const ContactFields& film : state.films) {
     result.films.emplace_back();
     for (const auto& [name, values] : film) result.films.back()[name] = refitted(values, from, to);
+  }
+  return result;
+}
+
+PairState refined(const PairState& state, MPI_Comm comm) {
+  PairState result{state.motion, {}, state.shape};
+  result.shape.nx = 2 * state.shape.nx - 1;
+  result.shape.ny = 2 * state.shape.ny - 1;
+  const Grid from(comm, state.shape), to(comm, result.shape), every_second = to.coarsened();
+  Field<double> coarse(every_second), fine(to);
+  for (const ContactFields& film : state.films) {
+    result.films.emplace_back();
+    for (const auto& [name, values] : film) {
+      coarse.load(refitted(values, from, every_second));
+      interpolate_cubic(every_second, to, coarse, fine);
+      std::vector<double>& own = result.films.back()[name];
+      own.resize(to.local_size());
+      fine.store(own);
+      const double smallest = field_named(name).smallest;
+      for (double& value : own) value = std::max(smallest, value);
+    }
   }
   return result;
 }

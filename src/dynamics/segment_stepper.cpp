@@ -118,6 +118,9 @@ void SegmentStepper::configure_solvers() {
           petsc_check(TSGetSolution(own->ts_, &last));
           if (own->at_start_) own->pair_.follow_share(state, own->last_time_, own->state_time_);
           own->pair_.system().restrain(state, last);
+          if (!own->last_contacts_.empty()) {
+            own->pair_.follow_motion(state, last, own->last_time_, own->last_contacts_);
+          }
         });
       },
       this));
@@ -146,6 +149,7 @@ void SegmentStepper::finish_step() {
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = now - wall_start_;
+  last_contacts_ = record.contacts;
   on_step_(record);
   last_time_ = T;
   newton_so_far_ = newton;

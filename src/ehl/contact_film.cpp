@@ -19,7 +19,8 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       state_(grid_),
       options_(options),
       as_ordered_(make_linearised_film(*discretisation_, options)),
-      displacement_column_(grid_.local_size()) {}
+      displacement_column_(grid_.local_size()),
+      weights_(displacement_column_.size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
   if (conditions == conditions_) return;
@@ -98,6 +99,12 @@ void ContactFilm::linearise(std::span<const double> pressure, double H0, const S
   linearised_->update(state_, conditions_.entrainment, shift);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
+  const double smallest = ReynoldsWeights(grid_, conditions_.entrainment, shift).row_scale(0.0);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* scale = state_.row_scale.row(i);
+    float* line = weights_.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) line[j] = static_cast<float>(smallest / std::max(scale[j], smallest));
+  }
 }
 
 void ContactFilm::multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
@@ -122,6 +129,15 @@ void ContactFilm::multiply_mass(std::span<const double> change, double change_H0
       line[j] = state_.wet.row(i)[j] * mass;
     }
   }
+}
+
+double ContactFilm::merit(std::span<const double> rows) const {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const double row = rows[n] * weights_[n];
+    sum += row * row;
+  }
+  return sum;
 }
 
 void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {

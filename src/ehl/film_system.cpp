@@ -125,6 +125,15 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   border_factors_.factor(border_, shift, force_sum(responses_));
 }
 
+double FilmSystem::merit(Vec rows) {
+  const VecReading in(rows);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < films(); ++k) sum += films_[k]->merit(part(in.values(), k));
+  for (std::size_t n = border_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
+  return std::sqrt(sum);
+}
+
 void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);

@@ -1,18 +1,11 @@
 #include "gearfilm/ehl/grid_error.hpp"
 
-#include <cmath>
-
 #include "gearfilm/ehl/transfer.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
-
-Estimate estimate(double fine, double coarse) {
-  const double difference = (fine - coarse) / 3.0;
-  return {fine, std::abs(difference), fine + difference};
-}
 
 FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSolution& solution) {
   Field<double> fine(grid), coarse(coarse_grid);

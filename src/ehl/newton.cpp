@@ -8,7 +8,8 @@ namespace {
 
 constexpr double largest_fall = 0.5;  // of a pressure, relative
 constexpr double largest_rise = 0.2;  // absolute
-constexpr double free_below = 0.01;   // pressures that may vanish at once
+constexpr double free_below = 0.03;   // pressures that may vanish at once
+constexpr double patience = 10.0;     // growth of the merit that limited changes may bring
 constexpr double shortest_step = 1e-3;
 
 constexpr PetscInt full_restart = 60;
@@ -32,7 +33,9 @@ void step_to(Vec trial, Vec state, double length, Vec change, PetscInt pressures
 }
 
 // Newton's direction would give d|F|^2/2 = -|F|^2 along it: no product with the Jacobian is needed to know the slope.
-void search(SNESLineSearch line_search, PetscInt pressures) {
+// The merit may come to this many times what it was.
+void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed) {
+  const PetscInt pressures = system.pressure_count();
   SNES snes = nullptr;
   Vec state = nullptr, residual = nullptr, change = nullptr, trial = nullptr, trial_residual = nullptr;
   petsc_check(SNESLineSearchGetSNES(line_search, &snes));
@@ -40,12 +43,12 @@ void search(SNESLineSearch line_search, PetscInt pressures) {
   PetscReal norm = 0.0, trial_norm = 0.0;
   PetscBool changed = PETSC_FALSE;
   petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
-  petsc_check(VecNorm(residual, NORM_2, &norm));
+  norm = system.merit(residual);
   for (double length = 1.0;;) {
     step_to(trial, state, length, change, pressures);
     petsc_check(SNESComputeFunction(snes, trial, trial_residual));
-    petsc_check(VecNorm(trial_residual, NORM_2, &trial_norm));
-    if (trial_norm < norm) break;
+    trial_norm = system.merit(trial_residual);
+    if (trial_norm < allowed * norm) break;
     if (length < shortest_step || !std::isfinite(trial_norm)) {
       petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_FAILED_REDUCT));
       return;
@@ -60,6 +63,12 @@ void search(SNESLineSearch line_search, PetscInt pressures) {
 }
 
 }  // namespace
+
+double LinearisedSystem::merit(Vec rows) {
+  PetscReal norm = 0.0;
+  petsc_check(VecNorm(rows, NORM_2, &norm));
+  return norm;
+}
 
 OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&LinearisedSystem::multiply>(system); }
 
@@ -105,10 +114,16 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   petsc_check(SNESLineSearchShellSetApply(
       line_search,
       [](SNESLineSearch own, void* context) -> PetscErrorCode {
-        return petsc_callback([&] { search(own, static_cast<LinearisedSystem*>(context)->pressure_count()); });
+        return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), 1.0); });
       },
       &system));
   if (options.limit_changes) {
+    petsc_check(SNESLineSearchShellSetApply(
+        line_search,
+        [](SNESLineSearch own, void* context) -> PetscErrorCode {
+          return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), patience); });
+        },
+        &system));
     petsc_check(SNESLineSearchSetPreCheck(
         line_search,
         [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {

@@ -37,6 +37,28 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   }
 }
 
+/// Where oil is pushed over the front of a wet region, it goes as far as what it meets has room for: nodes there, wet
+/// or not by themselves, are wet. By itself the front would come forward by one node an iteration.
+void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residual, int rows_inside) {
+  const auto sweep = [&](int first, int last, int way) {
+    std::vector<double> pushed(rows_inside, 0.0);
+    for (int i = first; i != last; i += way) {
+      const double *pressure = state.pressure.row(i), *behind = state.pressure.row(i - way);
+      double* wet = state.wet.row(i);
+      const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
+      for (int j = 0; j < rows_inside; ++j) {
+        const bool empty = pressure[j] <= 0.0;
+        const bool front = empty && line[j] < 0.0 && behind[j] > 0.0;
+        const bool filled = empty && line[j] >= 0.0 && line[j] <= pushed[j];
+        if (filled) wet[j] = 1.0;
+        pushed[j] = front ? -line[j] : filled ? pushed[j] - line[j] : 0.0;
+      }
+    }
+  };
+  sweep(1, grid.nx() - 1, 1);
+  sweep(grid.nx() - 2, 0, -1);
+}
+
 }  // namespace
 
 void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
@@ -63,13 +85,16 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
     }
     for (int j = 0; j < rows; ++j) {
       scale[j] = weights.row_scale(conductance[j]);
-      const double cavitated = scale[j] * pressure[j];
-      wet[j] = interior && line[j] < cavitated ? 1.0 : 0.0;
-      out[j] = wet[j] != 0.0 ? line[j] : cavitated;
+      wet[j] = interior && line[j] < scale[j] * pressure[j] ? 1.0 : 0.0;
+      out[j] = line[j];
     }
-    if (edge < 0) continue;
-    wet[edge] = 0.0;
-    out[edge] = scale[edge] * pressure[edge];
+    if (edge >= 0) wet[edge] = 0.0;
+  }
+  advance_fronts(grid, state, residual, edge >= 0 ? edge : rows);
+  for (int i = 0; i < grid.nx(); ++i) {
+    const double *pressure = state.pressure.row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
+    double* out = residual.data() + static_cast<std::size_t>(i) * rows;
+    for (int j = 0; j < rows; ++j) out[j] = wet[j] != 0.0 ? out[j] : scale[j] * pressure[j];
   }
 }
 

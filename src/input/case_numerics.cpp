@@ -75,6 +75,16 @@ Steps steps_of(const NumericsCase& numerics) {
   return {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)};
 }
 
+std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
+  constexpr int fewest_x = 33, fewest_y = 17;
+  NumericsCase coarse = numerics;
+  coarse.nx = (numerics.nx - 1) / 2 + 1;
+  coarse.ny = (numerics.ny - 1) / 2 + 1;
+  coarse.steps.dT = 2.0 * numerics.steps.dT;
+  const bool halved = numerics.nx % 2 == 1 && numerics.ny % 4 == 1;
+  return halved && coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
+}
+
 double natural_period(const Case& problem) {
   const double stiffness = contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach);
   return 1.0 / (natural_frequency(stiffness, *problem.pair.equivalent_mass) * problem.scales.time);

@@ -10,15 +10,16 @@
 namespace gearfilm {
 namespace {
 
-constexpr double difference = 1e-5;  // of the motion, for derivatives of the map
-constexpr double shooting_tolerance = 1e-9;
+constexpr double difference = 1e-5;          // of the motion, for derivatives of the map
+constexpr double shooting_tolerance = 1e-9;  // a free oscillation in the mesh period
 constexpr double strong_damping = 0.3;
 constexpr double weak_damping = 0.002;  // from here to none at once
 constexpr double widest_ratio = 0.5;    // of one damping to the last
 constexpr double narrowest_ratio = 0.97;
 
-/// Mesh periods in which a damped pair settles on its orbit.
-double settling_periods(double damping_ratio) { return std::ceil(10.0 + 2.0 / damping_ratio); }
+// What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
+// its start within a few mesh periods.
+constexpr double forgetful = 0.1;
 
 /// The map of the motion over one mesh period.
 class DryMap {
@@ -27,6 +28,8 @@ public:
 
   const MeshModel& mesh() const { return mesh_; }
   void set_damping_ratio(double zeta) { damping_ = 4.0 * std::numbers::pi * zeta * mesh_.frequency(); }
+  /// Free oscillations in a mesh period, but no less than one.
+  double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.path.mesh_period()); }
 
   Motion march(const std::optional<Motion>& start, double periods, double record_step,
                const StepObserver& observer) const {
@@ -90,7 +93,7 @@ bool shoot(const DryMap& map, Motion& motion) {
         });
       },
       const_cast<DryMap*>(&map)));
-  petsc_check(SNESSetTolerances(snes, shooting_tolerance, 1e-30, 1e-14, 30, 1000));
+  petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
   petsc_check(SNESSetFromOptions(snes));
   {
     const VecWriting x(state);
@@ -119,20 +122,20 @@ DryOrbit describe(const DryMap& map, const Motion& start) {
   return orbit;
 }
 
-}  // namespace
+/// What the pair comes to from there, or from rest, when it is left to itself.
+Motion settle(DryMap& map, double damping_ratio, const std::optional<Motion>& from) {
+  map.set_damping_ratio(damping_ratio);
+  const double periods = std::ceil(10.0 + 2.0 / (damping_ratio * map.oscillations()));
+  return map.march(from, periods, std::numeric_limits<double>::max(),
+                   [](const StepRecord&, const std::vector<LiveContact>&) {});
+}
 
-DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
-  DryMap map(mesh);
-  const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>&) {};
-  const auto settle = [&](double zeta, const std::optional<Motion>& from) {
-    map.set_damping_ratio(zeta);
-    return map.march(from, settling_periods(zeta), std::numeric_limits<double>::max(), nobody);
-  };
-  Motion start;
+/// The orbit of a strongly damped pair, followed to less damping. Returns the damping reached.
+double follow_from_strong_damping(DryMap& map, double damping_ratio, Motion& start) {
   double damping = std::max(strong_damping, damping_ratio), ratio = widest_ratio;
-  start = settle(damping, {});
-  bool found = shoot(map, start);
-  while (found && damping > damping_ratio) {
+  start = settle(map, damping, {});
+  if (!shoot(map, start)) return HUGE_VAL;
+  while (damping > damping_ratio) {
     const double next = ratio * damping < std::max(weak_damping, damping_ratio) ? damping_ratio : ratio * damping;
     Motion trial = start;
     map.set_damping_ratio(next);
@@ -140,25 +143,47 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
       start = trial;
       damping = next;
       ratio = std::max(widest_ratio, ratio * ratio);
-    } else {
-      ratio = std::sqrt(ratio);
+      continue;
     }
-    if (ratio > narrowest_ratio) {
-      // The branch ends: what the pair settles on with less damping is another one.
-      const double less = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
-      found = less < damping;
-      if (!found) break;
-      damping = less;
-      start = settle(damping, start);
-      found = shoot(map, start);
-      ratio = widest_ratio;
-    }
+    ratio = std::sqrt(ratio);
+    if (ratio <= narrowest_ratio) continue;
+    // The branch ends: what the pair settles on with less damping is another one.
+    const double less = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
+    if (less >= damping) return damping;
+    start = settle(map, less, start);
+    if (!shoot(map, start)) return damping;
+    damping = less;
+    ratio = widest_ratio;
   }
-  if (!found) {
+  return damping;
+}
+
+}  // namespace
+
+DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
+  DryMap map(mesh);
+  Motion start;
+  if (damping_ratio * map.oscillations() > forgetful) {
+    start = settle(map, damping_ratio, {});
+    if (shoot(map, start)) return describe(map, start);
+    throw SolveError("the dry pair does not settle on a periodic orbit at damping ratio " +
+                     std::to_string(damping_ratio));
+  }
+  const double reached = follow_from_strong_damping(map, damping_ratio, start);
+  if (reached > damping_ratio) {
     throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
-                     ": continued from higher damping down to " + std::to_string(damping));
+                     ": continued from higher damping down to " + std::to_string(reached));
   }
   return describe(map, start);
+}
+
+DryOrbit dry_start(const MeshModel& mesh) {
+  try {
+    return find_dry_orbit(mesh, typical_film_damping);
+  } catch (const SolveError&) {
+    DryMap map(mesh);
+    return {.start = settle(map, typical_film_damping, {})};
+  }
 }
 
 std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {

@@ -188,7 +188,7 @@ private:
     }
     if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
     message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
-    throw SolveError(message.str());
+    throw NoPeriodicState(message.str());
   }
 
   MeshMarch& march_;

@@ -65,7 +65,7 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
 }  // namespace
 
 Checkpoint::Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin)
-    : grid_(grid), folder_(std::move(folder)), journal_(grid.comm(), folder_ / "steps") {
+    : grid_(grid), folder_(std::move(folder)), begin_(begin), journal_(grid.comm(), folder_ / "steps") {
   write_together(grid_.comm(), folder_, [&] {
     if (grid_.rank() != 0) return;
     if (begin == Begin::anew) std::filesystem::remove_all(folder_);

@@ -6,6 +6,7 @@
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/input/case.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
 #include "gearfilm/orbits/spectrum.hpp"
 #include "gearfilm/output/history.hpp"
 #include "gearfilm/output/progress.hpp"
@@ -29,6 +30,8 @@ public:
 
   /// A period of a search is over: its fields are written where it is the wanted one, else dropped.
   void end_search_period(const SearchPeriod& period);
+  /// A line on the screen.
+  void note(const std::string& text) { progress_.note(text); }
   /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
   Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
 
@@ -59,6 +62,8 @@ private:
   double next_snapshot_ = 0.0;
 };
 
+/// How far a period of a search was from repeating, in a line.
+std::string text_of(const SearchPeriod& period);
 /// Figures of one mesh period, in SI.
 Summary period_summary(const Scales& scales, const PeriodFigures& period);
 /// All of a march: its periods, their extremes, events and losses of contact.

@@ -23,11 +23,12 @@ struct OrbitRun {
   std::optional<std::array<std::complex<double>, 2>> multipliers;
 };
 
-/// Watches a search: every accepted step, and every marched period. Nothing is reported once the orbit is found. The
+/// Watches a search: every accepted step, and every period marched. Nothing is reported once the orbit is found. The
 /// checkpoint keeps all of it, and may know a part.
 struct OrbitObservers {
   StepObserver on_step;
   SearchObserver on_period;
+  SearchObserver on_coarse_period;  ///< of a search on a coarser grid, before
   Checkpoint& checkpoint;
   const StopRequest& stop;
 };

@@ -7,13 +7,10 @@
 
 #include <optional>
 
+#include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
-#include "gearfilm/dynamics/mesh_model.hpp"
 
 namespace gearfilm {
-
-/// Force of one dry contact as a pressure integral [-]; zero for H_0 >= 0.
-double dry_force(const Scales& scales, const ContactConditions& conditions, double H0);
 
 class DryMarch {
 public:
@@ -36,6 +33,7 @@ private:
   void observe(double dT, double wall_seconds) const;
 
   MeshModel mesh_;
+  DryForce force_;
   double damping_;  ///< c
   double dT_;
   StepObserver observer_;

@@ -28,6 +28,10 @@ public:
   /// share.
   void follow_share(Vec state, double T0, double T1) const;
 
+  /// Where the bodies of a guess have parted by much of a film since the last state, at T0: pressures of the guess as
+  /// those of Hertz contacts that shrink so far. figures: of the last state.
+  void follow_motion(Vec guess, Vec last, double T0, const std::vector<ContactRecord>& figures) const;
+
   /// Puts every contact where it is at time T.
   void place(double T);
   /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step.

@@ -17,4 +17,8 @@ struct PairState {
 /// The same on a grid of the same lattice that reaches farther, or less far (refit.hpp). Collective.
 PairState refitted(const PairState& state, MPI_Comm comm, const GridShape& shape);
 
+/// The same on the grid of which the state's has every second node: fields in between by cubic interpolation.
+/// Collective.
+PairState refined(const PairState& state, MPI_Comm comm);
+
 }  // namespace gearfilm

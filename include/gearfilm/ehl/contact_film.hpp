@@ -58,6 +58,9 @@ public:
   void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
   /// change = approximately (dG/dP)^-1 rows.
   void precondition(std::span<const double> rows, std::span<double> change);
+  /// Sum of the squares of own rows, each relative to the scale of its node where that is large: in thick film, whose
+  /// pressures follow all others, tiny changes of pressure make huge rows.
+  double merit(std::span<const double> rows) const;
   /// dG/dH_0.
   std::span<const double> displacement_column() const { return displacement_column_; }
 
@@ -85,6 +88,7 @@ private:
   LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
   bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
   std::vector<double> displacement_column_;     ///< dG/dH_0
+  std::vector<float> weights_;                  ///< of rows in the merit
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
   long convolutions_ = 0;

@@ -54,6 +54,7 @@ public:
   enum class Elimination { border_first, exact };
   /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below.
   void linearise(Vec state, const Rate& rate, double shift, Elimination elimination);
+  double merit(Vec rows) override;
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
   void multiply_transient(Vec change, Vec rows);

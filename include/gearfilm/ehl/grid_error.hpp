@@ -22,6 +22,12 @@ struct Estimate {
   double relative_error() const { return error / std::abs(extrapolated); }
 };
 
+/// Of a figure on a grid, and on one of twice the steps.
+inline Estimate estimate(double fine, double coarse) {
+  const double difference = (fine - coarse) / 3.0;
+  return {fine, std::abs(difference), fine + difference};
+}
+
 struct GridErrors {
   Estimate central_film;
   Estimate smallest_film;

@@ -1,11 +1,12 @@
 // Newton's method as all film problems use it: SNES with a shell Jacobian, FGMRES, and a shell preconditioner.
 //
-// Globalised by backtracking on the residual norm, along which no pressure becomes negative: in thick film the row of
-// such a node is d P with a huge d, and one of them would shorten the whole step. In a time step the first guess is
-// near, except at the few nodes which the edge of the contact crosses: there the conductance varies exponentially with
-// pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole step
-// for their sake crawls. Each node's change can therefore be limited by itself first: no pressure falls by more than
-// half, or rises by more than 0.2 p_h, in one step.
+// Globalised by backtracking on the merit of the residual, along which no pressure becomes negative: in thick film the
+// row of such a node is d P with a huge d, and one of them would shorten the whole step. In a time step the first guess
+// is near, except at the few nodes which the edge of the contact crosses: there the conductance varies exponentially
+// with pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole
+// step for their sake crawls. Each node's change can therefore be limited by itself first: no pressure falls by more
+// than half, or rises by more than 0.2 p_h, in one step. A direction so limited is not Newton's, and need not lead down
+// at once: the residual may grow tenfold.
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
@@ -28,6 +29,8 @@ public:
   virtual PetscInt local_size() const = 0;
   /// How many entries of the local array, from its beginning, are pressures.
   virtual PetscInt pressure_count() const = 0;
+  /// How far rows are from zero, as a line search compares it: their norm, where nothing else is better.
+  virtual double merit(Vec rows);
   virtual void multiply(Vec change, Vec rows) = 0;
   virtual void precondition(Vec rows, Vec change) = 0;
 };

@@ -14,6 +14,9 @@ void set_time_steps(Case& result);
 /// Of the grid.
 Steps steps_of(const NumericsCase& numerics);
 
+/// Every second node, and twice the time step; nothing where there are too few nodes for that.
+std::optional<NumericsCase> coarser(const NumericsCase& numerics);
+
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
 double natural_period(const Case& problem);
 /// The mesh period of a gear pair [T].

@@ -20,9 +20,14 @@ struct DryOrbit {
 };
 
 /// The mesh starts (T = 0) just after a contact has left; damping_ratio: of a viscous damper beside the contacts,
-/// relative to the linear natural frequency. Begins with a strongly damped pair, whose march finds its orbit by itself,
-/// and lowers the damping, each orbit starting from the last. Throws SolveError where no orbit is found.
+/// relative to the linear natural frequency. A pair that forgets its start within a few mesh periods finds its orbit by
+/// itself. For others it begins with a strongly damped pair, which does so too, and lowers the damping, each orbit
+/// starting from the last. Throws SolveError where no orbit is found.
 DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio);
+
+/// Where a search for the lubricated pair's orbit begins: the dry pair's at a typical damping. Where it has none, what
+/// it has come to after a time, with a map that forgets its start: the search then marches on at first.
+DryOrbit dry_start(const MeshModel& mesh);
 
 /// The orbit next to a motion near it (that of a neighbouring speed, say). Nothing where the shooting does not
 /// converge.

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "gearfilm/dynamics/mesh_march.hpp"
+#include "gearfilm/error.hpp"
 #include "gearfilm/orbits/dry_orbit.hpp"
 
 namespace gearfilm {
@@ -17,6 +18,12 @@ struct PeriodicOptions {
   double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period, largest of both [-]
   double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
   int max_periods = 40;          ///< marched before the search fails
+};
+
+/// The marches went through, but did not come to repeat.
+class NoPeriodicState : public SolveError {
+public:
+  using SolveError::SolveError;
 };
 
 /// Where a search begins, and its Jacobian. With a neighbour, films and all, the films follow from there to the motion;

@@ -35,6 +35,9 @@ public:
   /// The snapshots of this run are not wanted.
   void drop_snapshots();
 
+  /// Of another march that the run makes on the way, on a grid of its own: a folder within, begun as this one was.
+  Checkpoint within(const std::string& name, const Grid& grid) const { return {grid, folder_ / name, begin_}; }
+
   /// The whole folder goes.
   void remove();
 
@@ -63,6 +66,7 @@ private:
 
   Grid grid_;
   std::filesystem::path folder_;
+  Begin begin_;
   RecordJournal journal_;
   std::vector<KeptState> kept_;
   int run_ = -1;
