@@ -1,9 +1,7 @@
 #include "gearfilm/app/coarse_orbit.hpp"
 
 #include <algorithm>
-#include <sstream>
 
-#include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_numerics.hpp"
@@ -25,22 +23,13 @@ std::optional<Case> coarser_case(const Case& problem, const Grid& grid) {
   return coarse;
 }
 
-std::optional<OrbitRun> find_coarse(const Case& problem, const MeshModel& mesh, const DryOrbit& dry,
-                                    const OrbitObservers& observers, MPI_Comm comm) {
+OrbitRun find_coarse(const Case& problem, const MeshModel& mesh, const DryOrbit& dry, const OrbitObservers& observers,
+                     MPI_Comm comm) {
   const SharedDiscretisation films = discretise(comm, problem);
   Checkpoint checkpoint = observers.checkpoint.within("coarse", films->grid());
-  std::ostringstream where;
-  where << "on " << problem.numerics.nx << " x " << problem.numerics.ny << " nodes: ";
   const OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {}, observers.on_coarse_period,
                               observers.on_coarse_period, checkpoint, observers.stop};
-  try {
-    return run_orbit(problem, films, mesh, dry_guess(problem, films, dry), own);
-  } catch (const NoPeriodicState& error) {
-    throw NoPeriodicState(where.str() + error.what());
-  } catch (const SolveError& error) {
-    warn(comm, where.str() + error.what() + "; the search begins on the finer grid");
-    return {};
-  }
+  return run_orbit(problem, films, mesh, dry_guess(problem, films, dry), own);
 }
 
 /// What depends on films, pressures or forces.
@@ -54,13 +43,23 @@ bool has_error(const PeriodFigure& figure) {
 OrbitStart orbit_start(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                        const DryOrbit& dry, const OrbitObservers& observers) {
   const Grid& grid = films->grid();
+  std::string trouble;
   if (const std::optional<Case> coarse = coarser_case(problem, grid)) {
-    if (std::optional<OrbitRun> found = find_coarse(*coarse, mesh, dry, observers, grid.comm())) {
-      const PeriodicOrbit& orbit = found->orbit;
-      return {{orbit.end.motion, orbit.monodromy, refined(orbit.end, grid.comm())}, std::move(found)};
+    const auto on_grid = [&](const std::string& what) {
+      return "on " + std::to_string(coarse->numerics.nx) + " x " + std::to_string(coarse->numerics.ny) +
+             " nodes: " + what;
+    };
+    try {
+      OrbitRun found = find_coarse(*coarse, mesh, dry, observers, grid.comm());
+      const PeriodicOrbit& orbit = found.orbit;
+      return {{orbit.end.motion, orbit.monodromy, refined(orbit.end, grid.comm())}, std::move(found), {}};
+    } catch (const NoPeriodicState& error) {
+      throw NoPeriodicState(on_grid(error.what()));
+    } catch (const SolveError& error) {
+      trouble = on_grid(error.what());
     }
   }
-  return {dry_guess(problem, films, dry), {}};
+  return {dry_guess(problem, films, dry), {}, trouble};
 }
 
 std::optional<double> add_errors(const Scales& scales, const OrbitRun& run, const std::optional<OrbitRun>& coarse,

@@ -80,6 +80,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   OrbitRun found;
   try {
     start = orbit_start(problem, films, mesh, dry, observers);
+    if (!start.trouble.empty()) output.note(start.trouble + "; the search begins on the grid itself");
     found = run_orbit(problem, films, mesh, start.guess, observers);
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());

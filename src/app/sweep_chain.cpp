@@ -172,6 +172,7 @@ private:
     result["start"] = "dry orbit";
     dry = dry_start(at.mesh);
     const OrbitStart start = orbit_start(at.problem, at.films, at.mesh, *dry, observers);
+    if (!start.trouble.empty()) result["coarse_error"] = start.trouble;
     return run_orbit(at.problem, at.films, at.mesh, start.guess, observers);
   }
 

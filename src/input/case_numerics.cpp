@@ -76,7 +76,7 @@ Steps steps_of(const NumericsCase& numerics) {
 }
 
 std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
-  constexpr int fewest_x = 33, fewest_y = 17;
+  constexpr int fewest_x = 65, fewest_y = 17;
   NumericsCase coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
   coarse.ny = (numerics.ny - 1) / 2 + 1;

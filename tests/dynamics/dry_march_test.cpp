@@ -88,6 +88,22 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
 }
 
 // The record's step is an output interval only.
+TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
+  for (const char* file : {"barbieri2013.yaml", "high_contact_ratio.yaml"}) {
+    const Case problem = input_case(file);
+    const MeshModel mesh = mesh_of(problem);
+    const DryForce force(mesh);
+    const LineOfAction& line = mesh.path.line();
+    for (int n = 0; n <= 100; ++n) {
+      const double xi = line.entry() + 0.01 * n * (line.exit() - line.entry());
+      const ContactConditions conditions = meshed_contact(line, mesh.scales, mesh.path.pinion_speed(), xi).conditions;
+      const double load = hertz_load(solids_of(mesh.scales, conditions), 0.8 * mesh.scales.thickness);
+      EXPECT_NEAR(mesh.scales.force(force(conditions, -0.8)) / load, 1.0, 1e-12) << file << " at " << xi;
+      EXPECT_EQ(force(conditions, 0.1), 0.0);
+    }
+  }
+}
+
 TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
   const Case problem = table3_case();
   const MeshModel mesh = mesh_of(problem);

@@ -133,5 +133,29 @@ TEST_F(Widening, is_told_of_before) {
   EXPECT_EQ(march.discretisation()->grid().shape(), shape);
 }
 
+TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
+  const GridShape coarse{17, 13, -2.0, 1.2, 1.5};
+  const auto bump = [](double x, double y) { return 1.0 + 0.3 * x - 0.2 * y * y + 0.1 * x * x * y * y; };
+  const auto on = [&](const Grid& grid) {
+    Field<double> field(grid);
+    fill(grid, field, bump);
+    std::vector<double> compact(grid.local_size());
+    field.store(compact);
+    return compact;
+  };
+  PairState state{{-1.0, 0.2}, {{}}, coarse};
+  state.films[0].emplace(field::pressure.name, on(Grid(PETSC_COMM_WORLD, coarse)));
+  const PairState fine = refined(state, PETSC_COMM_WORLD);
+  EXPECT_EQ(fine.shape, (GridShape{33, 25, -2.0, 1.2, 1.5}));
+  EXPECT_EQ(fine.motion.H0, -1.0);
+  const Grid grid(PETSC_COMM_WORLD, fine.shape);
+  const std::vector<double>& values = values_of(fine.films[0], field::pressure);
+  for (int i = 2; i < grid.nx() - 2; ++i) {
+    for (int j = 0; j < grid.y_count() && grid.y_begin() + j < grid.rows() - 2; ++j) {
+      EXPECT_NEAR(values[i * grid.y_count() + j], bump(grid.x(i), grid.y(j)), 1e-12) << i << " " << j;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gearfilm

@@ -127,6 +127,28 @@ TEST_F(Reynolds, squeeze_term_is_added_to_the_residual) {
   }
 }
 
+// Pressure p up to x_front and none behind, in a uniform film that opens: the node behind the front takes in xi
+// p/h_x^2, of which every node has room for its squeeze rate.
+TEST_F(Reynolds, oil_pushed_over_a_front_fills_what_has_room_for_it) {
+  constexpr int front = 6;
+  constexpr double room = 0.3, pressure = 0.03;
+  const double pushed = 1.0 / lambda * pressure / (grid_.h_x() * grid_.h_x());
+  const int filled = static_cast<int>(std::floor(pushed / room)) - 1;  // besides the node behind the front
+  ASSERT_GE(filled, 1);
+  const std::vector<double> rate(grid_.local_size(), room);
+  const auto residual = residual_of(
+      grid_, state_, [&](double x, double) { return x < grid_.x(front) + 1e-9 ? pressure : 0.0; },
+      [](double, double) { return 1.0; }, rate);
+  for (int i = 1; i < grid_.nx() - 1; ++i) {
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      if (grid_.is_boundary(i, j)) continue;
+      EXPECT_EQ(state_.wet.row(i)[j], i <= front + 1 + filled ? 1.0 : 0.0) << i;
+      if (i <= front + 1) continue;
+      EXPECT_NEAR(residual[i * grid_.y_count() + j], i <= front + 1 + filled ? room : 0.0, 1e-12) << i;
+    }
+  }
+}
+
 // With P = 0 everywhere R = U dH/dX: cavitated where the gap opens, a defect of pressure where it closes.
 TEST_F(Reynolds, opening_gap_without_pressure_is_cavitated) {
   const auto parabola = [](double x, double) { return 0.5 + 0.5 * x * x; };

@@ -10,6 +10,7 @@ namespace gearfilm {
 struct OrbitStart {
   OrbitGuess guess;
   std::optional<OrbitRun> coarse;  ///< absent where the grid has too few nodes for a coarser one, or that no films
+  std::string trouble;             ///< why the coarser grid has none; empty where nothing went wrong
 };
 
 /// From the periodic state on the coarser grid, which is searched for from the dry pair's; where there is none, from
