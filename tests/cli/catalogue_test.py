@@ -8,12 +8,16 @@ import sys
 import tempfile
 import unittest
 
+import h5py
+
 from program import SOURCE
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 import catalogue  # noqa: E402
+import catalogue_runs  # noqa: E402
 import film_laws  # noqa: E402
 import oils  # noqa: E402
+from runs import attempt  # noqa: E402
 
 PAIRS = 3
 
@@ -41,6 +45,52 @@ class Pairs(unittest.TestCase):
             case, derived = catalogue.write_pair(pathlib.Path(folder) / "new", 3, 1)
             self.assertEqual(case.name, "3-1.yaml")
             self.assertEqual(derived["p_hertz"], pair_of(1)[1]["p_hertz"])
+
+
+class Runs(unittest.TestCase):
+    """Some of the forty pairs of docs/verification.md on defaults."""
+    QUICK = (0, 7, 13, 23, 29, 32)
+    SLOW_GEAR = 3          # 23 free oscillations in a mesh period, films of 0.05 um
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def test_film_of_a_finer_grid_is_within_the_error_of_the_chosen_one(self):
+        for number in self.QUICK:
+            with self.subTest(pair=number):
+                case, _ = catalogue.write_pair(self.folder, catalogue.SEED, number)
+                cells, word = catalogue_runs.steady_cells(case, self.folder / f"{number}", 300)
+                self.assertEqual(word, "inside", cells)
+
+    def test_periodic_states_are_found_with_their_errors(self):
+        steps = iterations = 0
+        for number in self.QUICK:
+            with self.subTest(pair=number):
+                case, _ = catalogue.write_pair(self.folder, catalogue.SEED, number)
+                run = attempt("periodic", case, self.folder / f"{number}", "-periodic_multipliers", "no", time_limit=600)
+                self.assertEqual(run.status, 0, run.message)
+                found = run.summary
+                steps += found["steps"]
+                iterations += found["newton_iterations"]
+                self.assertGreater(found["h_min_error"], 0)
+                self.assertLess(found["force_ratio_max_error"], 0.05 * found["force_ratio_max"])
+        self.assertLess(iterations, 5 * steps)
+
+    # A tooth enters with a blow on a thin film: fronts cross many nodes a step.
+    def test_march_of_a_slow_gear_takes_few_iterations_and_whole_steps(self):
+        case, _ = catalogue.write_pair(self.folder, catalogue.SEED, self.SLOW_GEAR)
+        run = attempt("transient", case, self.folder / "march", "-grid_nx", 169, "-grid_ny", 33, "-time_dt", 0.036,
+                      "-mesh_periods", 0.2, time_limit=300)
+        self.assertEqual(run.status, 0, run.message)
+        with h5py.File(self.folder / "march/results.h5") as results:
+            steps = results["history/steps"][:]
+        steps = steps[steps["dT"] > 0]
+        # The first of a segment are a half and an infinitesimal one, the scheme's own.
+        short = [step["dT"] for step in steps if 1e-6 < step["dT"] < 0.036 / 16]
+        self.assertEqual(short, [])
+        self.assertLess(steps["newton"].mean(), 8)
 
 
 class Oils(unittest.TestCase):
