@@ -76,7 +76,6 @@ def march_lines(folder, mesh_periods):
             steps = steps[steps["dT"] > SHORTEST * steps["dT"].max()]
             newton = steps["newton"].mean()
             worst = max(worst, newton)
-            # The time scheme begins every segment with a half step.
             cut = steps["dT"].min() / steps["dT"].max()
             cells = (len(steps), f"{newton:.2f}", f"{steps['krylov'].mean():.1f}", f"{cut:.3f}", "")
         swings = derived["f_n"] / derived["f_m"]

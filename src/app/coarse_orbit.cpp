@@ -10,10 +10,10 @@
 namespace gearfilm {
 namespace {
 
-/// The case on the coarser grid, of which every process has some rows.
-std::optional<Case> coarser_case(const Case& problem, const Grid& grid) {
+/// The case on the coarser grid, where its films have one.
+std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
   const std::optional<NumericsCase> numerics = coarser(problem.numerics);
-  if (!numerics || grid.fewest_coarse_rows() < 2) return {};
+  if (!numerics || !films.coarser()) return {};
   Case coarse = problem;
   coarse.numerics = *numerics;
   // A start and an estimate of errors: both far coarser than that.
@@ -42,17 +42,17 @@ bool has_error(const PeriodFigure& figure) {
 
 OrbitStart orbit_start(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                        const DryOrbit& dry, const OrbitObservers& observers) {
-  const Grid& grid = films->grid();
+  MPI_Comm comm = films->grid().comm();
   std::string trouble;
-  if (const std::optional<Case> coarse = coarser_case(problem, grid)) {
+  if (const std::optional<Case> coarse = coarser_case(problem, *films)) {
     const auto on_grid = [&](const std::string& what) {
       return "on " + std::to_string(coarse->numerics.nx) + " x " + std::to_string(coarse->numerics.ny) +
              " nodes: " + what;
     };
     try {
-      OrbitRun found = find_coarse(*coarse, mesh, dry, observers, grid.comm());
+      OrbitRun found = find_coarse(*coarse, mesh, dry, observers, comm);
       const PeriodicOrbit& orbit = found.orbit;
-      return {{orbit.end.motion, orbit.monodromy, refined(orbit.end, grid.comm())}, std::move(found), {}};
+      return {{orbit.end.motion, orbit.monodromy, refined(orbit.end, comm)}, std::move(found), {}};
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(on_grid(error.what()));
     } catch (const SolveError& error) {

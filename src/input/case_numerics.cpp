@@ -81,8 +81,7 @@ std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
   coarse.nx = (numerics.nx - 1) / 2 + 1;
   coarse.ny = (numerics.ny - 1) / 2 + 1;
   coarse.steps.dT = 2.0 * numerics.steps.dT;
-  const bool halved = numerics.nx % 2 == 1 && numerics.ny % 4 == 1;
-  return halved && coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
+  return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
 }
 
 double natural_period(const Case& problem) {

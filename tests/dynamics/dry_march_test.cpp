@@ -87,7 +87,6 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
   EXPECT_NEAR(march.motion().V0, expected.V0, 1e-6);
 }
 
-// The record's step is an output interval only.
 TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
   for (const char* file : {"barbieri2013.yaml", "high_contact_ratio.yaml"}) {
     const Case problem = input_case(file);
@@ -104,6 +103,7 @@ TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
   }
 }
 
+// The record's step is an output interval only.
 TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
   const Case problem = table3_case();
   const MeshModel mesh = mesh_of(problem);

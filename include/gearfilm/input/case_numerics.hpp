@@ -14,7 +14,7 @@ void set_time_steps(Case& result);
 /// Of the grid.
 Steps steps_of(const NumericsCase& numerics);
 
-/// Every second node, and twice the time step; nothing where there are too few nodes for that.
+/// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
 std::optional<NumericsCase> coarser(const NumericsCase& numerics);
 
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
