@@ -25,7 +25,7 @@ RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static fo
              Quantity("transmission_error_peak_to_peak", "transmission error,\npeak to peak [µm]", 1e6),
              Quantity("h_min", "smallest film [µm]", 1e6),
              Quantity("floquet_modulus", "modulus of the Floquet\nmultipliers [-]")]
-USED = {"up", "found", "f_m", "f_n", "contact_lost", "stable", *(quantity.column for quantity in RESPONSES)}
+USED = {"up", "found", "f_m", "f_n", "contact_lost", "stable", "floquet_modulus_error", *(quantity.column for quantity in RESPONSES)}
 
 
 class Branch(NamedTuple):
@@ -62,9 +62,11 @@ def read_sweep(path):
 
 
 def draw_points(axes, branch, varied, response):
-    """One response, with a gap where no periodic state was found."""
-    axes.plot(branch.rows[varied.column], response.scale * branch.rows[response.column], color=branch.colour,
-              marker=branch.marker, markerfacecolor=branch.filling, markersize=5, linewidth=1.2, label=branch.label)
+    """One response, with a gap where no periodic state was found, and with the errors that the sweep gives."""
+    errors = branch.rows["floquet_modulus_error"] if response.column == "floquet_modulus" else None
+    axes.errorbar(branch.rows[varied.column], response.scale * branch.rows[response.column], yerr=errors,
+                  color=branch.colour, marker=branch.marker, markerfacecolor=branch.filling, markersize=5,
+                  linewidth=1.2, elinewidth=0.8, label=branch.label)
 
 
 def draw_marks(axes, branch, varied, response):

@@ -19,17 +19,83 @@ std::optional<Case> coarser_case(const Case& problem, const Discretisation& film
   // A start and an estimate of errors: both far coarser than that.
   coarse.search.options.tolerance *= 10.0;
   coarse.search.options.film_tolerance *= 10.0;
+  coarse.numerics.steps.newton.tolerance *= 10.0;
   coarse.search.with_multipliers = false;
   return coarse;
 }
 
-OrbitRun find_coarse(const Case& problem, const MeshModel& mesh, const DryOrbit& dry, const OrbitObservers& observers,
+/// The orbits on the coarser grid, one from the other.
+class CoarseSearch {
+public:
+  CoarseSearch(const Case& coarse, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm)
+      : mesh_(mesh),
+        observers_(observers),
+        films_(discretise(comm, coarse)),
+        on_grid_("on " + std::to_string(coarse.numerics.nx) + " x " + std::to_string(coarse.numerics.ny) + " nodes") {}
+
+  const SharedDiscretisation& films() const { return films_; }
+
+  /// Nothing, and the reason to the observers, where its films cannot be solved. Throws NoPeriodicState.
+  std::optional<OrbitRun> run(const std::string& name, const Case& coarse, const std::function<OrbitGuess()>& guess) {
+    const std::string place = on_grid_ + " with dT = " + format_value(coarse.numerics.steps.dT) + ": ";
+    Checkpoint checkpoint = observers_.checkpoint.within(name, films_->grid());
+    OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {},
+                          observers_.on_coarse_period,
+                          observers_.on_coarse_period,
+                          observers_.on_trouble,
+                          checkpoint,
+                          observers_.stop};
+    try {
+      return run_orbit(coarse, films_, mesh_, guess(), own);
+    } catch (const NoPeriodicState& error) {
+      throw NoPeriodicState(place + error.what());
+    } catch (const SolveError& error) {
+      observers_.on_trouble(place + error.what());
+      return {};
+    }
+  }
+
+private:
+  const MeshModel& mesh_;
+  const OrbitObservers& observers_;
+  SharedDiscretisation films_;
+  std::string on_grid_;
+};
+
+OrbitGuess guess_from(const OrbitRun& run) {
+  const PeriodicOrbit& orbit = run.orbit;
+  return {orbit.end.motion, run.decay ? run.decay->map : orbit.monodromy, orbit.end};
+}
+
+/// With stationary films at this motion.
+PairState still_pair(const Case& problem, const GridShape& shape, const MeshModel& mesh, const Motion& motion,
                      MPI_Comm comm) {
-  const SharedDiscretisation films = discretise(comm, problem);
-  Checkpoint checkpoint = observers.checkpoint.within("coarse", films->grid());
-  const OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {}, observers.on_coarse_period,
-                              observers.on_coarse_period, checkpoint, observers.stop};
-  return run_orbit(problem, films, mesh, dry_guess(problem, films, dry), own);
+  const SharedDiscretisation films = discretise(Grid(comm, shape), mesh.scales);
+  MeshMarch march = make_march(
+      problem, films, mesh, [](const StepRecord&, const std::vector<LiveContact>&) {}, nullptr);
+  march.start(motion);
+  return march.state();
+}
+
+/// A state of the coarser grid on the grid itself: interpolated, and corrected by what stationary films at the same
+/// motion differ by.
+PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, const PairState& from, MPI_Comm comm) {
+  PairState result = refined(from, comm);
+  PairState before, after;
+  try {
+    before = refined(still_pair(coarse, from.shape, mesh, from.motion, comm), comm);
+    after = still_pair(fine, result.shape, mesh, from.motion, comm);
+  } catch (const SolveError&) {
+    return result;
+  }
+  if (before.shape != result.shape || after.shape != result.shape) return result;
+  for (std::size_t k = 0; k < result.films.size(); ++k) {
+    const auto pressure = [k](const PairState& of) { return values_of(of.films[k], field::pressure); };
+    const std::vector<double> coarsely = pressure(before), finely = pressure(after);
+    std::vector<double>& values = values_of(result.films[k], field::pressure);
+    for (std::size_t n = 0; n < values.size(); ++n) values[n] = std::max(0.0, values[n] + finely[n] - coarsely[n]);
+  }
+  return result;
 }
 
 /// What depends on films, pressures or forces.
@@ -40,38 +106,42 @@ bool has_error(const PeriodFigure& figure) {
 
 }  // namespace
 
-OrbitStart orbit_start(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                       const DryOrbit& dry, const OrbitObservers& observers) {
+FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                      const DryOrbit& dry, const OrbitObservers& observers) {
   MPI_Comm comm = films->grid().comm();
-  std::string trouble;
-  if (const std::optional<Case> coarse = coarser_case(problem, *films)) {
-    const auto on_grid = [&](const std::string& what) {
-      return "on " + std::to_string(coarse->numerics.nx) + " x " + std::to_string(coarse->numerics.ny) +
-             " nodes: " + what;
-    };
-    try {
-      OrbitRun found = find_coarse(*coarse, mesh, dry, observers, comm);
-      const PeriodicOrbit& orbit = found.orbit;
-      return {{orbit.end.motion, orbit.monodromy, refined(orbit.end, comm)}, std::move(found), {}};
-    } catch (const NoPeriodicState& error) {
-      throw NoPeriodicState(on_grid(error.what()));
-    } catch (const SolveError& error) {
-      trouble = on_grid(error.what());
+  const std::optional<Case> coarse = coarser_case(problem, *films);
+  FoundOrbit found;
+  std::optional<OrbitRun> nearest;
+  if (coarse) {
+    CoarseSearch search(*coarse, mesh, observers, comm);
+    found.coarse = search.run("coarse", *coarse, [&] { return dry_guess(*coarse, search.films(), dry); });
+    if (found.coarse) {
+      Case own_step = *coarse;
+      own_step.numerics.steps = problem.numerics.steps;
+      own_step.search.with_multipliers = problem.search.with_multipliers;
+      nearest = search.run("coarse_grid", own_step, [&] { return guess_from(*found.coarse); });
     }
   }
-  return {dry_guess(problem, films, dry), {}, trouble};
+  Case last = problem;
+  if (nearest && nearest->decay) last.search.with_multipliers = false;
+  if (!nearest) nearest = found.coarse;
+  OrbitGuess guess = nearest ? guess_from(*nearest) : dry_guess(problem, films, dry);
+  if (guess.neighbour) guess.neighbour = carried(*coarse, problem, mesh, *guess.neighbour, comm);
+  found.run = run_orbit(last, films, mesh, guess, observers);
+  if (!found.run.decay && nearest) found.run.decay = nearest->decay;
+  return found;
 }
 
-std::optional<double> add_errors(const Scales& scales, const OrbitRun& run, const std::optional<OrbitRun>& coarse,
-                                 Summary& summary) {
+std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
+  const auto& [run, coarse] = found;
   std::optional<double> largest;
   const auto add = [&](const std::string& name, double fine, std::optional<double> half) {
     Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
     if (!half) return;  // null
-    const Estimate found = estimate(fine, *half);
-    error = found.error;
-    extrapolated = found.extrapolated;
-    largest = std::max(largest.value_or(0.0), found.relative_error());
+    const Estimate estimated = estimate(fine, *half);
+    error = estimated.error;
+    extrapolated = estimated.extrapolated;
+    largest = std::max(largest.value_or(0.0), estimated.relative_error());
   };
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];

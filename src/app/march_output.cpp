@@ -157,6 +157,14 @@ Summary period_summary(const Scales& scales, const PeriodFigures& period) {
   return summary;
 }
 
+Summary grid_summary(const Scales& scales, const GridShape& shape) {
+  return {{"nx", shape.nx},
+          {"ny", shape.ny},
+          {"x_min", shape.x_min},
+          {"x_max", shape.x_max},
+          {"y_half", scales.hertz.ellipticity * shape.y_half}};
+}
+
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};

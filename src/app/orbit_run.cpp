@@ -5,7 +5,6 @@
 
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/orbits/floquet.hpp"
 
 namespace gearfilm {
 
@@ -32,7 +31,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / mesh_period)));
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
-  if (problem.search.with_multipliers) run.multipliers = floquet_multipliers(march, run.orbit, {}).gear_pair;
+  if (problem.search.with_multipliers) run.decay = free_decay(march, run.orbit, {});
   return run;
 }
 
@@ -54,6 +53,7 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   const Scales& scales = mesh.scales;
   Summary summary;
   summary["periods_used"] = run.orbit.periods_used;
+  summary["final_grid"] = grid_summary(scales, run.orbit.end.shape);
   summary["defect"] = run.orbit.defect;
   summary["film_defect"] = run.orbit.film_defect;
   summary["H0_after_leaving"] = run.orbit.start.motion.H0;
@@ -62,7 +62,10 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   summary["contact_lost"] = run.contact_lost;
   summary["transmission_error_peak_to_peak"] = scales.thickness * run.transmission_error.peak_to_peak;
   summary["transmission_error_rms"] = scales.thickness * run.transmission_error.root_mean_square;
-  if (run.multipliers) add_multipliers(mesh, *run.multipliers, summary);
+  if (run.decay) {
+    add_multipliers(mesh, run.decay->multipliers, summary);
+    summary["floquet_modulus_error"] = run.decay->modulus_error;
+  }
   return summary;
 }
 

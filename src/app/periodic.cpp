@@ -48,7 +48,8 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
   add("; smallest film", "h_min", 1e6, " um");
   if (summary.contains("stable")) {
     text << (summary["stable"].get<bool>() ? "; stable" : "; unstable") << ", largest multiplier "
-         << summary["floquet_modulus"].get<double>();
+         << summary["floquet_modulus"].get<double>() << std::setprecision(1) << " +- "
+         << summary["floquet_modulus_error"].get<double>();
   }
   petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
   if (error.value_or(0.0) <= tolerable) return;
@@ -74,14 +75,13 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
       [&](const SearchPeriod& period) { output.end_search_period(period); },
-      [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); }, run.checkpoint(),
+      [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
+      [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
+      run.checkpoint(),
       run.stop()};
-  OrbitStart start;
-  OrbitRun found;
+  FoundOrbit found;
   try {
-    start = orbit_start(problem, films, mesh, dry, observers);
-    if (!start.trouble.empty()) output.note(start.trouble + "; the search begins on the grid itself");
-    found = run_orbit(problem, films, mesh, start.guess, observers);
+    found = find_orbit(problem, films, mesh, dry, observers);
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = false;
@@ -89,7 +89,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
     write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
-  const double begin = found.orbit.begin, end = begin + mesh.path.mesh_period();
+  const double begin = found.run.orbit.begin, end = begin + mesh.path.mesh_period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name},
@@ -98,8 +98,8 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
                      {"dT", problem.numerics.steps.dT}};
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
-  summary.update(orbit_summary(mesh, found));
-  const std::optional<double> error = add_errors(mesh.scales, found, start.coarse, summary);
+  summary.update(orbit_summary(mesh, found.run));
+  const std::optional<double> error = add_errors(mesh.scales, found, summary);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, mesh);
   summary["completed"] = true;

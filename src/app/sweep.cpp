@@ -103,6 +103,7 @@ std::vector<TableColumn> point_columns() {
                                  {"V0_after_leaving", "-"},
                                  {"contact_lost", "-"},
                                  {"floquet_modulus", "-"},
+                                 {"floquet_modulus_error", "-"},
                                  {"stable", "-"},
                                  {"free_frequency", "Hz"},
                                  {"damping_ratio", "-"},

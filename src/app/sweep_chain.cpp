@@ -158,7 +158,9 @@ private:
                                       [&](const SearchPeriod& period) {
                                         result["coarse_search"].push_back({period.defect, period.film_defect});
                                       },
-                                      checkpoint, stop_};
+                                      [&](const std::string& trouble) { result["coarse_error"] = trouble; },
+                                      checkpoint,
+                                      stop_};
     if (last_) {
       result["start"] = "neighbour";
       Case brief = at.problem;
@@ -171,9 +173,7 @@ private:
     }
     result["start"] = "dry orbit";
     dry = dry_start(at.mesh);
-    const OrbitStart start = orbit_start(at.problem, at.films, at.mesh, *dry, observers);
-    if (!start.trouble.empty()) result["coarse_error"] = start.trouble;
-    return run_orbit(at.problem, at.films, at.mesh, start.guess, observers);
+    return find_orbit(at.problem, at.films, at.mesh, *dry, observers).run;
   }
 
   /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit

@@ -44,8 +44,10 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     output.step(record, contacts);
     if (run.checkpoint().is_new(record)) run.stop().check(comm, record.T / mesh.path.mesh_period());
   };
+  std::optional<MeshMarch> march;
   const auto write = [&](bool completed) {
     Summary summary = march_summary(problem, mesh, output.statistics());
+    if (march) summary["final_grid"] = grid_summary(mesh.scales, march->discretisation()->grid().shape());
     summary["completed"] = completed;
     if (completed && problem.march.spectrum_periods) {
       const double end = end_of(problem, mesh);
@@ -57,7 +59,8 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   };
   try {
     if (lubricated) {
-      drive(make_march(problem, films, mesh, observer, &run.checkpoint()), problem);
+      march = make_march(problem, films, mesh, observer, &run.checkpoint());
+      drive(*march, problem);
     } else {
       drive(DryMarch(mesh, problem.numerics.steps.dT, observer, 0.0, &run.checkpoint()), problem);
     }

@@ -269,7 +269,7 @@ Records periodic_records() {
                                                          "on the largest change of any pressure, in units of p_h")),
                   preset(standard.max_periods,
                          whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
-                  choice("multipliers", {"yes", "no"}, "Floquet multipliers, by two more mesh periods")});
+                  choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more mesh periods")});
 }
 
 Records eigen_records() {

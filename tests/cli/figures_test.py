@@ -125,12 +125,13 @@ class Figures(ProgramTest):
     def write_sweep(self, over="speed", multipliers=True):
         absent = math.nan
         columns = ["up", "found", "speed_rpm", "torque", "I_n", "f_m", "f_n", "force_ratio_max", "h_min",
-                   "transmission_error_peak_to_peak", "contact_lost", "floquet_modulus", "stable"]
+                   "transmission_error_peak_to_peak", "contact_lost", "floquet_modulus", "floquet_modulus_error",
+                   "stable"]
         rows = []
         for up in (1, 0):
             for n in range(5):
                 figures = [1.5 + 0.1 * n + 0.2 * up, 1e-6 * n, 1e-5 * n, 1.0 * (n == 3),
-                           *((0.9 + 0.03 * n, 1.0 * (n < 4)) if multipliers else (absent, absent))]
+                           *((0.9 + 0.03 * n, 0.01, 1.0 * (n < 4)) if multipliers else 3 * [absent])]
                 found = not (up and n == 2)
                 rows.append([up, int(found), 8000.0 + 1000 * n, 400.0 + n, 20.0 + n, 4e3 + 500.0 * n, 5200.0,
                              *(figures if found else len(figures) * [absent])])

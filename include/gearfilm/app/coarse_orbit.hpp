@@ -1,27 +1,26 @@
-// The periodic state on every second node with twice the time step: most of a search at an eighth of its cost, and what
-// the error of the case's own grid and step is estimated from.
+// The periodic state without a neighbour to come from: most of the search on every second node, at first with twice the
+// time step. What a mesh period costs there is an eighth and a quarter. The step matters more than the grid for where
+// in its swing the pair is when a period ends, and there lies what a search has to find. From the orbit with half of
+// both the error of the case's own grid and step is estimated.
 #pragma once
 
 #include "gearfilm/app/orbit_run.hpp"
 
 namespace gearfilm {
 
-/// Where a search without a neighbour begins, and what it came from.
-struct OrbitStart {
-  OrbitGuess guess;
-  std::optional<OrbitRun> coarse;  ///< absent where the grid has too few nodes for a coarser one, or that no films
-  std::string trouble;             ///< why the coarser grid has none; empty where nothing went wrong
+struct FoundOrbit {
+  OrbitRun run;
+  std::optional<OrbitRun> coarse;  ///< half the grid, twice the step; absent where that has too few nodes or no films
 };
 
-/// From the periodic state on the coarser grid, which is searched for from the dry pair's; where there is none, from
-/// the dry pair's itself. The observers see nothing of the coarser grid's marches but its periods. Throws SolveError
-/// where nothing repeats on it. Collective.
-OrbitStart orbit_start(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                       const DryOrbit& dry, const OrbitObservers& observers);
+/// From the dry pair's orbit over those on the coarser grid, where it has any; then the multipliers are those of the
+/// coarser grid with the case's own step. The observers see nothing of the coarser grid's marches but their periods.
+/// Throws SolveError where nothing repeats. Collective.
+FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                      const DryOrbit& dry, const OrbitObservers& observers);
 
 /// Adds error bars to the figures of an orbit's summary, and where they point to: `_error` and `_extrapolated`, null
 /// without a coarser orbit. Returns the largest relative one.
-std::optional<double> add_errors(const Scales& scales, const OrbitRun& run, const std::optional<OrbitRun>& coarse,
-                                 Summary& summary);
+std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary);
 
 }  // namespace gearfilm

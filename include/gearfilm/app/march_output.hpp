@@ -66,6 +66,8 @@ private:
 std::string text_of(const SearchPeriod& period);
 /// Figures of one mesh period, in SI.
 Summary period_summary(const Scales& scales, const PeriodFigures& period);
+/// The grid that a run ended on, widened or not, in the units of the case's parameters.
+Summary grid_summary(const Scales& scales, const GridShape& shape);
 /// All of a march: its periods, their extremes, events and losses of contact.
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics);
 

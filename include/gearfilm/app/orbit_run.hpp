@@ -7,6 +7,7 @@
 
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/input/case.hpp"
+#include "gearfilm/orbits/free_decay.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
 #include "gearfilm/orbits/spectrum.hpp"
 #include "gearfilm/output/checkpoint.hpp"
@@ -20,7 +21,7 @@ struct OrbitRun {
   PeriodFigures figures;               ///< of the periodic period
   bool contact_lost = false;           ///< in it
   SignalDeviation transmission_error;  ///< of H_0 over it
-  std::optional<std::array<std::complex<double>, 2>> multipliers;
+  std::optional<FreeDecay> decay;      ///< with the multipliers
 };
 
 /// Watches a search: every accepted step, and every period marched. Nothing is reported once the orbit is found. The
@@ -28,7 +29,8 @@ struct OrbitRun {
 struct OrbitObservers {
   StepObserver on_step;
   SearchObserver on_period;
-  SearchObserver on_coarse_period;  ///< of a search on a coarser grid, before
+  SearchObserver on_coarse_period;                     ///< of a search on a coarser grid, before
+  std::function<void(const std::string&)> on_trouble;  ///< why there is none on it: the search goes on without
   Checkpoint& checkpoint;
   const StopRequest& stop;
 };

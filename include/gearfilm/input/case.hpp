@@ -65,7 +65,7 @@ struct MarchCase {
 /// The search for a periodic state.
 struct SearchCase {
   PeriodicOptions options;
-  bool with_multipliers = true;  ///< Floquet multipliers with it, by two more mesh periods
+  bool with_multipliers = true;  ///< Floquet multipliers with it, by up to four more mesh periods
 };
 
 /// Natural modes.

@@ -1,0 +1,37 @@
+// How a pushed pair returns to its periodic orbit: the map of the motion over one mesh period, its multipliers, and how
+// well they are known.
+//
+// The pair is pushed off the orbit and marched; H_0 and V_0 are taken once a mesh period. From the first return on the
+// films have followed the motion, and each motion follows from the one before by an affine map, of which the orbit is
+// the fixed point: least squares over all returns give its six numbers, and what is left over gives their errors. Where
+// contact is lost that is also what bends of the map contribute.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "gearfilm/orbits/periodic_orbit.hpp"
+
+namespace gearfilm {
+
+struct DecayOptions {
+  int periods = 4;     ///< marched at most; at least 3
+  double push = 5e-3;  ///< of H_0 [-]: well above the noise of a march, within its linear range
+};
+
+struct FreeDecay {
+  Monodromy map{};
+  std::array<std::complex<double>, 2> multipliers{};
+  double modulus_error = 0.0;  ///< of the larger modulus: twice its standard deviation; the modulus itself, where the
+                               ///< push was gone before there was more to fit than unknowns
+};
+
+/// motions: of the pushed pair after 0, 1, 2, ... mesh periods, at least three; begin and end: of the orbit's period,
+/// nearly the same.
+FreeDecay fit_decay(const std::vector<Motion>& motions, const Motion& begin, const Motion& end);
+
+/// The march goes on from the orbit's start. Throws SolveError where it cannot be marched.
+FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options);
+
+}  // namespace gearfilm
