@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_numerics.hpp"
@@ -24,6 +25,15 @@ std::optional<Case> coarser_case(const Case& problem, const Discretisation& film
   return coarse;
 }
 
+/// What the coarser grid has wrong is added to the error of the larger multiplier: films damp, and their damping is
+/// taken to be off by as much as their thickness.
+void add_grid_error(const Case& coarse, FreeDecay& decay) {
+  const auto& mu = decay.multipliers;
+  const double modulus = std::max(std::abs(mu[0]), std::abs(mu[1]));
+  const FilmErrors films = expected_errors(ExpectedFilm(coarse.scales), steps_of(coarse.numerics));
+  decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
+}
+
 /// The orbits on the coarser grid, one from the other.
 class CoarseSearch {
 public:
@@ -36,17 +46,28 @@ public:
   const SharedDiscretisation& films() const { return films_; }
 
   /// Nothing, and the reason to the observers, where its films cannot be solved. Throws NoPeriodicState.
-  std::optional<OrbitRun> run(const std::string& name, const Case& coarse, const std::function<OrbitGuess()>& guess) {
+  std::optional<OrbitRun> orbit(const std::string& name, const Case& coarse, const std::function<OrbitGuess()>& guess) {
+    return attempt<OrbitRun>(name, coarse,
+                             [&](const OrbitObservers& own) { return run_orbit(coarse, films_, mesh_, guess(), own); });
+  }
+  std::optional<FreeDecay> decay(const std::string& name, const Case& coarse, const PeriodicOrbit& orbit) {
+    return attempt<FreeDecay>(name, coarse,
+                              [&](const OrbitObservers& own) { return decay_from(coarse, films_, mesh_, orbit, own); });
+  }
+
+private:
+  template <class Result, class March>
+  std::optional<Result> attempt(const std::string& name, const Case& coarse, March march) {
     const std::string place = on_grid_ + " with dT = " + format_value(coarse.numerics.steps.dT) + ": ";
     Checkpoint checkpoint = observers_.checkpoint.within(name, films_->grid());
-    OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                          observers_.on_coarse_period,
-                          observers_.on_coarse_period,
-                          observers_.on_trouble,
-                          checkpoint,
-                          observers_.stop};
+    const OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {},
+                                observers_.on_coarse_period,
+                                observers_.on_coarse_period,
+                                observers_.on_trouble,
+                                checkpoint,
+                                observers_.stop};
     try {
-      return run_orbit(coarse, films_, mesh_, guess(), own);
+      return march(own);
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(place + error.what());
     } catch (const SolveError& error) {
@@ -55,7 +76,6 @@ public:
     }
   }
 
-private:
   const MeshModel& mesh_;
   const OrbitObservers& observers_;
   SharedDiscretisation films_;
@@ -114,12 +134,16 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
   std::optional<OrbitRun> nearest;
   if (coarse) {
     CoarseSearch search(*coarse, mesh, observers, comm);
-    found.coarse = search.run("coarse", *coarse, [&] { return dry_guess(*coarse, search.films(), dry); });
+    found.coarse = search.orbit("coarse", *coarse, [&] { return dry_guess(*coarse, search.films(), dry); });
     if (found.coarse) {
       Case own_step = *coarse;
-      own_step.numerics.steps = problem.numerics.steps;
-      own_step.search.with_multipliers = problem.search.with_multipliers;
-      nearest = search.run("coarse_grid", own_step, [&] { return guess_from(*found.coarse); });
+      own_step.numerics.steps.dT = problem.numerics.steps.dT;
+      nearest = search.orbit("coarse_grid", own_step, [&] { return guess_from(*found.coarse); });
+      own_step.numerics.steps.newton = problem.numerics.steps.newton;
+      if (nearest && problem.search.with_multipliers) {
+        nearest->decay = search.decay("coarse_decay", own_step, nearest->orbit);
+        if (nearest->decay) add_grid_error(own_step, *nearest->decay);
+      }
     }
   }
   Case last = problem;

@@ -35,6 +35,17 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   return run;
 }
 
+FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                     const PeriodicOrbit& orbit, const OrbitObservers& observers) {
+  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    if (observers.checkpoint.is_new(record)) {
+      observers.stop.check(films->grid().comm(), record.T / mesh.path.mesh_period());
+    }
+  };
+  MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
+  return free_decay(march, orbit, {});
+}
+
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
   const std::optional<FreeOscillation> oscillation =
       free_oscillation(pair, mesh.mesh_frequency_si(), mesh.frequency_si());

@@ -39,6 +39,10 @@ struct OrbitObservers {
 OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers);
 
+/// The return of the pair pushed off an orbit that was found with other tolerances.
+FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                     const PeriodicOrbit& orbit, const OrbitObservers& observers);
+
 /// Its figures in SI.
 Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run);
 
