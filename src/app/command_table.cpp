@@ -10,9 +10,10 @@
 namespace gearfilm {
 namespace {
 
-constexpr std::array<Command, 7> case_commands = {{
+constexpr std::array<Command, 8> case_commands = {{
     {"info", run_info, false, "derived quantities of a case, no field solve"},
     {"steady", run_steady, false, "stationary film of one contact"},
+    {"static", run_static, false, "transmission error, load shares and mesh stiffness of the dry pair turned slowly"},
     {"transient", run_transient, true, "the gear pair marched in time"},
     {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
     {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},

@@ -144,6 +144,8 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
 void run_sweep(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   require_moving_films(problem, "sweep");
+  require_rigid_teeth(problem, "sweep");
+  require_one_pattern(problem, "sweep");
   if (problem.sweep.values.empty()) {
     throw InputError("the case '" + problem.name +
                      "' says nothing about its sweep; give sweep.from and sweep.to, or sweep.values");

@@ -23,9 +23,7 @@ DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damp
       keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
-  double sum = 0.0;
-  for (int contact : contacts) sum += force_(mesh_.contact(contact, T).conditions, H0);
-  return sum;
+  return DryContacts(force_, mesh_, contacts, T).total_force(H0);
 }
 
 void DryMarch::observe(double dT, double wall_seconds) const {
@@ -35,10 +33,13 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.motion = motion_;
   record.wall_seconds = wall_seconds;
   std::vector<LiveContact> live;
-  for (int contact : mesh_.path.contacts_after(T_)) {
+  const std::vector<int> numbers = mesh_.path.contacts_after(T_);
+  const std::vector<double> forces = DryContacts(force_, mesh_, numbers, T_).forces(motion_.H0);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const int contact = numbers[k];
     const ContactConditions conditions = mesh_.contact(contact, T_).conditions;
     FilmFigures figures;
-    figures.pressure_integral = force_(conditions, motion_.H0);
+    figures.pressure_integral = forces[k];
     if (figures.pressure_integral > 0.0) {
       figures.largest_pressure =
           dry_contact(mesh_.scales, conditions, figures.pressure_integral).pressure / mesh_.scales.pressure;
@@ -56,14 +57,8 @@ void DryMarch::start(const std::optional<Motion>& motion) {
   if (motion) {
     motion_ = *motion;
   } else {
-    // Bisection: the total force falls monotonically from above F* to zero at H_0 = 0.
-    const std::vector<int> contacts = mesh_.path.contacts_after(T_);
-    double low = -2.0 * mesh_.scales.approach, high = 0.0;
-    for (int iteration = 0; iteration < 200 && high - low > 1e-15; ++iteration) {
-      const double middle = 0.5 * (low + high);
-      (total_force(contacts, T_, middle) > mesh_.scales.static_force ? low : high) = middle;
-    }
-    motion_ = {0.5 * (low + high), 0.0};
+    const DryContacts contacts(force_, mesh_, mesh_.path.contacts_after(T_), T_);
+    motion_ = {contacts.balance(mesh_.scales.static_force), 0.0};
   }
   observe(0.0, 0.0);
 }

@@ -13,6 +13,13 @@ MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, dou
           .sliding = line.sliding_velocity(xi, pinion_speed) / u_m};
 }
 
+MeshedContact MeshModel::contact(int number, double T) const {
+  const double xi = path.position(number, T);
+  MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
+  contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;
+  return contact;
+}
+
 std::optional<LoadSharing::Piece> MeshModel::share_from(double T) const {
   if (!load) return {};
   return load->sharing.piece_at(path.position(0, T));

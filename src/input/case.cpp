@@ -10,6 +10,8 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_file.hpp"
 #include "gearfilm/input/case_numerics.hpp"
+#include "gearfilm/input/case_teeth.hpp"
+#include "gearfilm/input/point_table.hpp"
 
 namespace gearfilm {
 namespace {
@@ -28,10 +30,21 @@ auto in_file_of(const ParameterValues& values, Make make) {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
+std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
+  if (!values.has(name)) return {};
+  return values.real(name);
+}
+
 SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
   return {.teeth = values.integer(gear + ".teeth"),
           .outer_radius = values.real(gear + ".outer_radius"),
-          .crowning = values.real(gear + ".crowning")};
+          .crowning = values.real(gear + ".crowning"),
+          .youngs_modulus = values.real(gear + ".youngs_modulus"),
+          .poisson_ratio = values.real(gear + ".poisson_ratio"),
+          .profile_shift = optional_real(values, gear + ".profile_shift"),
+          .root_radius = optional_real(values, gear + ".root_radius"),
+          .hob_tip_radius = optional_real(values, gear + ".hob_tip_radius"),
+          .bore_radius = optional_real(values, gear + ".bore_radius")};
 }
 
 SpurGearPair read_gear_pair(const ParameterValues& values) {
@@ -40,7 +53,8 @@ SpurGearPair read_gear_pair(const ParameterValues& values) {
           .module_length = values.real("gear.module"),
           .pressure_angle = values.real("gear.pressure_angle_deg") * pi / 180.0,
           .centre_distance = values.real("gear.centre_distance"),
-          .face_width = values.real("gear.face_width")};
+          .face_width = values.real("gear.face_width"),
+          .backlash = values.real("gear.backlash")};
 }
 
 // Either both inertias or the mass itself; none for a pair that does not vibrate.
@@ -92,6 +106,7 @@ ReferenceContact set_gear_pair(Case& result) {
   const ParameterValues& values = result.parameters;
   result.pair.gears = read_gear_pair(values);
   result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
+  result.pair.teeth = in_file_of(values, [&] { return read_teeth(values, *result.pair.gears, *result.pair.line); });
   result.pair.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
   result.pair.torque = values.real("pinion.torque");
   result.pair.equivalent_mass = read_equivalent_mass(values, *result.pair.line);
@@ -210,18 +225,12 @@ void check_snapshot_interval(const Case& result) {
                    format_value(shortest));
 }
 
-std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
-  if (!values.has(name)) return {};
-  return values.real(name);
-}
-
 MarchModel read_model(const std::string& name) {
   if (name == "simplified") return MarchModel::simplified;
   if (name == "quasistatic") return MarchModel::quasistatic;
   return name == "dry" ? MarchModel::dry : MarchModel::dynamic;
 }
 
-/// Position and share, one point a line.
 std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
   const std::string name = "load_sharing.file";
   if (!values.has(name)) {
@@ -229,25 +238,7 @@ std::vector<std::pair<double, double>> read_share_table(const ParameterValues& v
                      ": 'load_sharing.kind' is table, but 'load_sharing.file' is "
                      "missing; give the file of the table");
   }
-  const std::string& file = values.text(name);
-  std::istringstream stream(values.attached(name));
-  std::vector<std::pair<double, double>> points;
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream words(line);
-    double position = 0.0, share = 0.0;
-    std::string more;
-    if (!(words >> position >> share) || words >> more) {
-      throw InputError(file + ":" + std::to_string(number) +
-                       ": is not a point of the load sharing; give two numbers, position [m] and share");
-    }
-    points.emplace_back(position, share);
-  }
-  return points;
+  return read_points(values, name, "a point of the load sharing; give two numbers, position [m] and share");
 }
 
 LoadSharing read_load_sharing(const Case& result) {
@@ -324,7 +315,11 @@ Case make_case(const ParameterValues& values) {
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");
-  if (result.kind == CaseKind::gear_pair) set_march(result);
+  if (result.kind == CaseKind::gear_pair) {
+    result.statics = {read_numbers(values, "static.load_ratios", 1e-3, 1e3, "ratio of loads"),
+                      values.integer("static.positions")};
+    set_march(result);
+  }
   result.run.directory = values.text("output.dir");
   return result;
 }

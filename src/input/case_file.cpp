@@ -138,10 +138,14 @@ std::string named_file(const ParameterValues& values, const std::string& name) {
 }
 
 // The processes make their cases from the same text, read once.
-void attach_share_table(MPI_Comm comm, ParameterValues& values) {
-  const std::string name = "load_sharing.file";
-  if (!values.has(name) || values.text("load_sharing.kind") != "table") return;
-  values.attach(name, read_text(comm, named_file(values, name), values.origin(name) + ": table"));
+void attach_tables(MPI_Comm comm, ParameterValues& values) {
+  const auto attach = [&](const std::string& name, const std::string& kind) {
+    if (!values.has(name) || (!kind.empty() && values.text(kind) != "table")) return;
+    values.attach(name, read_text(comm, named_file(values, name), values.origin(name) + ": table"));
+  };
+  attach("load_sharing.file", "load_sharing.kind");
+  attach("gear.compliance_file", "gear.tooth_compliance");
+  for (const char* gear : {"pinion", "wheel"}) attach(std::string(gear) + ".profile_file", "");
 }
 
 }  // namespace
@@ -178,7 +182,7 @@ ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
   const std::vector<CaseFileEntry> entries = parse_case_text(file, read_text(comm, file, "case file"));
   ParameterValues values = merge_with_options(file, entries);
   values.complete();
-  attach_share_table(comm, values);
+  attach_tables(comm, values);
   return values;
 }
 

@@ -85,7 +85,8 @@ std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
 }
 
 double natural_period(const Case& problem) {
-  const double stiffness = contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach);
+  const double stiffness = in_series(contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach),
+                                     problem.pair.teeth.compliance(0.0));
   return 1.0 / (natural_frequency(stiffness, *problem.pair.equivalent_mass) * problem.scales.time);
 }
 

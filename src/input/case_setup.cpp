@@ -33,12 +33,30 @@ void require_moving_films(const Case& problem, const std::string& command) {
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 
+void require_rigid_teeth(const Case& problem, const std::string& command) {
+  if (problem.pair.teeth.rigid()) return;
+  const bool bent = problem.parameters.text("gear.tooth_compliance") != "none";
+  const std::string name = bent ? "gear.tooth_compliance" : "gear.mesh_compliance";
+  throw InputError(problem.parameters.origin(name) + ": '" + name + "' makes the teeth give way, which " + command +
+                   " cannot yet do on films; delete it, or use static, or transient with the model dry");
+}
+
+void require_one_pattern(const Case& problem, const std::string& command) {
+  const long pattern = problem.pair.teeth.pattern();
+  if (pattern == 1) return;
+  const std::string name = problem.parameters.has("pinion.pitch_errors") ? "pinion.pitch_errors" : "wheel.pitch_errors";
+  throw InputError(problem.parameters.origin(name) + ": with '" + name + "' the same teeth meet again after " +
+                   std::to_string(pattern) + " mesh periods, and " + command +
+                   " looks for states that repeat after one; delete it, or march that long (transient)");
+}
+
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
   const bool inert = problem.march.model != MarchModel::quasistatic && problem.pair.equivalent_mass;
   return {.scales = problem.scales,
           .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry),
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
-          .load = problem.march.load};
+          .load = problem.march.load,
+          .teeth = problem.pair.teeth};
 }
 
 MeshModel mesh_after_leaving(const Case& problem) {

@@ -7,122 +7,18 @@
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
-#include "gearfilm/input/parameter.hpp"
+#include "gearfilm/input/parameter_records.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
 
 namespace gearfilm {
 namespace {
 
-using Records = std::vector<Parameter>;
-using Words = std::vector<std::string>;
-
-Range at_least(double lower) { return {.lower = lower}; }
-Range closed(double lower, double upper) { return {.lower = lower, .upper = upper}; }
-Range left_open(double lower, double upper) { return {.lower = lower, .upper = upper, .lower_open = true}; }
-Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
-Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
-
-// One record; section() puts the section before the name.
-Parameter number(std::string name, std::string symbol, std::string unit, const Range& range, std::string meaning) {
-  return {.name = std::move(name),
-          .symbol = std::move(symbol),
-          .unit = std::move(unit),
-          .range = range,
-          .meaning = std::move(meaning)};
-}
-
-Parameter whole(std::string name, std::string symbol, const Range& range, std::string meaning) {
-  Parameter parameter = number(std::move(name), std::move(symbol), "-", range, std::move(meaning));
-  parameter.type = ParameterType::integer;
-  return parameter;
-}
-
-Parameter word(std::string name, std::string meaning) {
-  return {.name = std::move(name), .type = ParameterType::text, .meaning = std::move(meaning)};
-}
-
-// The first choice is the default.
-Parameter choice(std::string name, Words choices, std::string meaning) {
-  Parameter parameter = word(std::move(name), std::move(meaning));
-  parameter.type = ParameterType::choice;
-  parameter.presence = Presence::preset;
-  parameter.fallback = choices.front();
-  parameter.choices = std::move(choices);
-  return parameter;
-}
-
-Parameter preset(const ParameterValue& value, Parameter parameter) {
-  parameter.presence = Presence::preset;
-  parameter.fallback = format_value(value);
-  return parameter;
-}
-
-Parameter optional(std::string when_absent, Parameter parameter) {
-  parameter.presence = Presence::optional;
-  parameter.fallback = std::move(when_absent);
-  return parameter;
-}
-
-// Words of which an option alone, without a value, means the second.
-Parameter flag(std::string name, std::string meaning) {
-  Parameter parameter = choice(std::move(name), {"no", "yes"}, std::move(meaning));
-  parameter.implied = "yes";
-  return parameter;
-}
-
-// Keys of the top level have no section: name is empty.
-Records section(const std::string& name, Scope scope, Records records) {
-  for (Parameter& parameter : records) {
-    if (!name.empty()) parameter.name = name + "." + parameter.name;
-    parameter.scope = scope;
-  }
-  return records;
-}
-
 Records case_records() {
   return section("case", Scope::any,
                  {optional("name of the case file", word("name", "name of the case in its results")),
                   choice("kind", {"gear_pair", "contact"},
                          "a pair of spur gears, or one bare contact given by its radii and load")});
-}
-
-// What both gears have; subscript 1 is the pinion, 2 the wheel.
-Records one_gear_records(const std::string& subscript) {
-  const std::string without_inertia = "none; give both inertias, gear.equivalent_mass, or neither";
-  return {
-      whole("teeth", "Z_" + subscript, closed(3, 10000), "number of teeth"),
-      number("outer_radius", "R_a" + subscript, "m", closed(1e-4, 10), "radius of the tip circle"),
-      number("crowning", "mag_" + subscript, "m", closed(0, 0.01), "lead crowning over half the face width"),
-      number("youngs_modulus", "E_" + subscript, "Pa", left_open(1e5, 1e13), "Young's modulus"),
-      number("poisson_ratio", "nu_" + subscript, "-", right_open(0, 0.5), "Poisson's ratio"),
-      optional(without_inertia,
-               number("inertia", "I_g" + subscript, "kg m^2", closed(1e-15, 1e9), "moment of inertia about its axis")),
-  };
-}
-
-Records pinion_records() {
-  Records records = one_gear_records("1");
-  records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
-  records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
-  return section("pinion", Scope::gear_pair, std::move(records));
-}
-
-Records wheel_records() { return section("wheel", Scope::gear_pair, one_gear_records("2")); }
-
-Records gear_records() {
-  return section(
-      "gear", Scope::gear_pair,
-      {number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
-       number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
-       number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
-       number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
-       optional(
-           "from both inertias; without them no vibration",
-           number("equivalent_mass", "m_ge", "kg", closed(1e-9, 1e9), "mass of both gears along the line of action")),
-       choice("load_model", {"point", "line_equivalent"},
-              "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
-              "half-axis a of the line contact under that force")});
 }
 
 Records contact_records() {
@@ -186,6 +82,12 @@ Records steady_records() {
       {preset(0.0, number("position", "xi", "m", {}, "position on the path of contact, zero at the pitch point")),
        preset(1.0,
               number("load_ratio", "F/F*", "-", closed(1e-6, 1e6), "force on the contact over its reference load"))});
+}
+
+Records static_records() {
+  return section("static", Scope::gear_pair,
+                 {preset("0.25, 0.5, 0.75, 1, 1.25", word("load_ratios", "loads over the static force, a list")),
+                  preset(400, whole("positions", "", closed(40, 100000), "of the gears in a mesh period"))});
 }
 
 Records march_records() {
@@ -339,10 +241,11 @@ Records output_records() {
 const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
-    for (Records& records : std::vector<Records>{
-             case_records(), pinion_records(), wheel_records(), gear_records(), contact_records(), lubricant_records(),
-             grid_records(), steady_records(), march_records(), run_records(), load_sharing_records(), start_records(),
-             time_records(), periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
+    for (Records& records :
+         std::vector<Records>{case_records(), gear_pair_records(), contact_records(), lubricant_records(),
+                              grid_records(), steady_records(), static_records(), march_records(), run_records(),
+                              load_sharing_records(), start_records(), time_records(), periodic_records(),
+                              eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

@@ -10,6 +10,8 @@ namespace gearfilm {
 void run_info(MPI_Comm comm, const Case& problem);
 /// Stationary film at one position.
 void run_steady(MPI_Comm comm, const Case& problem);
+/// The dry pair turned slowly through one mesh period.
+void run_static(MPI_Comm comm, const Case& problem);
 /// The gear pair marched in time.
 void run_transient(MPI_Comm comm, const Case& problem);
 /// The periodic state of the lubricated pair.

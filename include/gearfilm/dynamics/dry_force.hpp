@@ -1,12 +1,13 @@
-// The force of a dry contact of a mesh (Hertz), at the cost of an interpolation.
+// The forces of dry contacts of a mesh: Hertz contacts on teeth that bend.
 //
-//   F = k(R_x) (-H_0)^(3/2),   k the force at H_0 = -1
-// ln k is a smooth function of ln R_x: a Chebyshev series has it to round-off over the radii of a path of contact.
+//   q_k F_k^(2/3) + c_kk F_k = -H_0 - e_k - sum_{j != k} c_kj F_j ,   q_k = k(R_x)^(-2/3), k the force at unit approach
+// ln k is a smooth function of ln R_x: a series has it to round-off over the radii of a path of contact.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "gearfilm/dynamics/mesh_model.hpp"
+#include "gearfilm/gear/chebyshev.hpp"
 
 namespace gearfilm {
 
@@ -14,15 +15,40 @@ class DryForce {
 public:
   explicit DryForce(const MeshModel& mesh);
 
-  /// Pressure integral of one contact [-]; zero where the bodies are apart. Relative error below 1e-12.
-  double operator()(const ContactConditions& conditions, double H0) const;
+  /// k of a contact [-]. Relative error below 1e-12.
+  double at_unit_approach(const ContactConditions& conditions) const;
 
 private:
-  static constexpr int terms = 20;
+  Chebyshev<20> logarithm_;  ///< of k over ln Rbar
+};
 
-  double middle_ = 0.0;      ///< of ln Rbar
-  double half_range_ = 1.0;  ///< of ln Rbar
-  std::array<double, terms> coefficients_{};
+/// The dry contacts present at one time, and what they do together at any H_0.
+class DryContacts {
+public:
+  DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T);
+
+  /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
+  std::vector<double> forces(double H0) const;
+  double total_force(double H0) const;
+  /// d(total force)/d(-H_0) at these forces [-].
+  double stiffness(const std::vector<double>& forces) const;
+  /// H_0 at which they carry a load [-] together.
+  double balance(double load) const;
+
+private:
+  struct Contact {
+    double gap = 0.0;         ///< e_k [-]
+    double unit_force = 0.0;  ///< k [-]
+    double compliance = 0.0;  ///< c_kk [-]
+  };
+
+  double coupling(std::size_t k, std::size_t j) const {
+    return k == j ? contacts_[k].compliance : coupling_[k > j ? k - j : j - k];
+  }
+  bool coupled() const;
+
+  std::vector<Contact> contacts_;
+  std::vector<double> coupling_;  ///< c_kj by |k - j| [-]
 };
 
 }  // namespace gearfilm

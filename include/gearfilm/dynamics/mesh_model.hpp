@@ -8,6 +8,7 @@
 #include "gearfilm/dynamics/meshed_contact.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
+#include "gearfilm/gear/teeth.hpp"
 
 namespace gearfilm {
 
@@ -16,24 +17,36 @@ struct MeshModel {
   ContactPath path;
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
+  Teeth teeth{};
 
   /// A contact at time T.
-  MeshedContact contact(int number, double T) const {
-    return meshed_contact(path.line(), scales, path.pinion_speed(), path.position(number, T));
+  MeshedContact contact(int number, double T) const;
+  /// c_kk of a contact at time T, and c_kj of two so many pitches apart: of H by the force F [-].
+  double compliance(int number, double T) const {
+    return teeth.compliance(path.position(number, T)) * compliance_scale();
   }
+  double coupling(int pitches) const { return teeth.coupling(pitches) * compliance_scale(); }
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
 
-  /// dF/d(-H_0) of the contact at the pitch point under the static force [-].
-  double stiffness() const { return contact_stiffness(scales.static_force, scales.approach); }
+  /// dF/d(-H_0) of the contact at the pitch point under the static force, teeth included [-].
+  double stiffness() const {
+    return in_series(contact_stiffness(scales.static_force, scales.approach),
+                     teeth.compliance(0.0) * compliance_scale());
+  }
   /// The same, k_el [N/m].
-  double stiffness_si() const { return contact_stiffness(scales.operation.load, scales.hertz.approach); }
+  double stiffness_si() const {
+    return in_series(contact_stiffness(scales.operation.load, scales.hertz.approach), teeth.compliance(0.0));
+  }
   /// f_n of the pair on that stiffness [1/t*].
   double frequency() const { return natural_frequency(stiffness(), inertia); }
   /// The same [Hz].
   double frequency_si() const { return frequency() / scales.time; }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
+
+  /// [N/m]: c[-] = c[m/N] p_h R_x*.
+  double compliance_scale() const { return scales.pressure * scales.solids.radius_x; }
 };
 
 }  // namespace gearfilm

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearfilm/contact/scales.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
@@ -13,6 +14,7 @@
 #include "gearfilm/ehl/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
+#include "gearfilm/gear/teeth.hpp"
 #include "gearfilm/input/parameter_values.hpp"
 #include "gearfilm/input/sweep_options.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
@@ -27,6 +29,7 @@ enum class MarchModel { dynamic, simplified, quasistatic, dry };
 struct PairCase {
   std::optional<SpurGearPair> gears;  ///< absent for a bare contact
   std::optional<LineOfAction> line;
+  Teeth teeth;
   double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
   double torque = 0.0;                    ///< T_g1 on the pinion [N m]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
@@ -48,6 +51,12 @@ struct NumericsCase {
 struct SteadyCase {
   double position = 0.0;    ///< xi [m]; zero for a bare contact
   double load_ratio = 1.0;  ///< its force over w* [-]
+};
+
+/// The dry pair turned slowly.
+struct StaticCase {
+  std::vector<double> load_ratios;  ///< over the static force
+  int positions = 0;                ///< in a mesh period
 };
 
 /// A march in time; of a gear pair only.
@@ -90,6 +99,7 @@ struct Case {
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   NumericsCase numerics;
   SteadyCase steady;
+  StaticCase statics;
   MarchCase march;
   SearchCase search;
   SweepOptions sweep;

@@ -1,0 +1,70 @@
+// The outline of a spur-gear tooth: involute above, fillet of the generating rack below.
+//
+// y runs along the tooth's centre line from the gear's centre, x(y) is half the thickness there. The rack has a tip of
+// radius rho_f; h_f = r - r_f + x m is how deep it reaches below its reference line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearfilm/gear/gear_pair.hpp"
+
+namespace gearfilm {
+
+/// A point of the outline [m].
+struct OutlinePoint {
+  double y = 0.0;
+  double x = 0.0;
+};
+
+/// Where a contact presses on a tooth, and how.
+struct ToothLoad {
+  double y = 0.0;               ///< y_c of the contact [m]
+  double half_thickness = 0.0;  ///< x_c there [m]
+  double angle = 0.0;           ///< alpha_F, between the load line and the normal of the centre line [rad]
+  double y_axis = 0.0;          ///< y_p, where the load line meets the centre line [m]
+};
+
+class ToothProfile {
+public:
+  /// Of a gear of the pair, with the profile shift x and the thinning of the tooth for backlash on the reference circle
+  /// [m]. Throws InputError, naming the gear, where rack and root radius do not go together or the tooth is undercut.
+  ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning,
+               const std::string& name);
+
+  double base_radius() const { return base_radius_; }          ///< R_b [m]
+  double root_radius() const { return root_radius_; }          ///< r_f [m]
+  double root_half_angle() const { return root_half_angle_; }  ///< theta_f [rad]
+  double form_radius() const { return form_radius_; }          ///< where fillet and involute meet [m]
+  double hob_tip_radius() const {
+    return hob_tip_radius_;
+  }                                                ///< rho_f [m]; smaller than asked for, where that does not fit
+  double thickness() const { return thickness_; }  ///< s on the reference circle [m]
+
+  /// The contact on the flank with the radius of curvature rho [m]. Throws InputError where rho lies on the fillet.
+  ToothLoad load_at(double rho) const;
+  /// The outline from the root circle, y0 = r_f cos theta_f, up to the contact at rho.
+  std::vector<OutlinePoint> outline_to(double rho) const;
+
+private:
+  double half_angle(double radius) const;
+  void generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius, double thinning);
+
+  std::string name_;
+  int teeth_;
+  double base_radius_;
+  double reference_radius_;
+  double reference_angle_;  ///< inv alpha + s/(2 r)
+  double thickness_ = 0.0;
+  double root_radius_ = 0.0;
+  double root_half_angle_ = 0.0;
+  double form_radius_ = 0.0;
+  double hob_tip_radius_ = 0.0;
+  std::vector<OutlinePoint> fillet_;
+};
+
+/// x_1 and x_2: those given, and for the others the ones that leave no backlash at the centre distance, both tips cut
+/// by the same length.
+std::vector<double> profile_shifts(const SpurGearPair& pair);
+
+}  // namespace gearfilm

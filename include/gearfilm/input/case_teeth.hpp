@@ -1,0 +1,12 @@
+// The teeth of a case: reliefs, errors and compliance from its parameters.
+#pragma once
+
+#include "gearfilm/gear/teeth.hpp"
+#include "gearfilm/input/parameter_values.hpp"
+
+namespace gearfilm {
+
+/// Throws InputError for reliefs given twice or by half, and for teeth that cannot be.
+Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const LineOfAction& line);
+
+}  // namespace gearfilm

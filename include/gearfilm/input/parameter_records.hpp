@@ -1,0 +1,82 @@
+// How the records of the parameter table are written: one record a line, sections around them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gearfilm/input/parameter.hpp"
+
+namespace gearfilm {
+
+using Records = std::vector<Parameter>;
+using Words = std::vector<std::string>;
+
+inline Range at_least(double lower) { return {.lower = lower}; }
+inline Range closed(double lower, double upper) { return {.lower = lower, .upper = upper}; }
+inline Range left_open(double lower, double upper) { return {.lower = lower, .upper = upper, .lower_open = true}; }
+inline Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
+inline Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
+
+// One record; section() puts the section before the name.
+inline Parameter number(std::string name, std::string symbol, std::string unit, const Range& range,
+                        std::string meaning) {
+  return {.name = std::move(name),
+          .symbol = std::move(symbol),
+          .unit = std::move(unit),
+          .range = range,
+          .meaning = std::move(meaning)};
+}
+
+inline Parameter whole(std::string name, std::string symbol, const Range& range, std::string meaning) {
+  Parameter parameter = number(std::move(name), std::move(symbol), "-", range, std::move(meaning));
+  parameter.type = ParameterType::integer;
+  return parameter;
+}
+
+inline Parameter word(std::string name, std::string meaning) {
+  return {.name = std::move(name), .type = ParameterType::text, .meaning = std::move(meaning)};
+}
+
+// The first choice is the default.
+inline Parameter choice(std::string name, Words choices, std::string meaning) {
+  Parameter parameter = word(std::move(name), std::move(meaning));
+  parameter.type = ParameterType::choice;
+  parameter.presence = Presence::preset;
+  parameter.fallback = choices.front();
+  parameter.choices = std::move(choices);
+  return parameter;
+}
+
+inline Parameter preset(const ParameterValue& value, Parameter parameter) {
+  parameter.presence = Presence::preset;
+  parameter.fallback = format_value(value);
+  return parameter;
+}
+
+inline Parameter optional(std::string when_absent, Parameter parameter) {
+  parameter.presence = Presence::optional;
+  parameter.fallback = std::move(when_absent);
+  return parameter;
+}
+
+// Words of which an option alone, without a value, means the second.
+inline Parameter flag(std::string name, std::string meaning) {
+  Parameter parameter = choice(std::move(name), {"no", "yes"}, std::move(meaning));
+  parameter.implied = "yes";
+  return parameter;
+}
+
+// Keys of the top level have no section: name is empty.
+inline Records section(const std::string& name, Scope scope, Records records) {
+  for (Parameter& parameter : records) {
+    if (!name.empty()) parameter.name = name + "." + parameter.name;
+    parameter.scope = scope;
+  }
+  return records;
+}
+
+/// Sections pinion, wheel and gear.
+std::vector<Parameter> gear_pair_records();
+
+}  // namespace gearfilm

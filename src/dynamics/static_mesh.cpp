@@ -1,0 +1,74 @@
+#include "gearfilm/dynamics/static_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gearfilm {
+namespace {
+
+constexpr double carrying = 1e-3;  // of the load
+
+StaticPosition balanced(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T,
+                        double load) {
+  const DryContacts contacts(force, mesh, numbers, T);
+  StaticPosition position{T, numbers, contacts.balance(load), {}, 0.0};
+  position.forces = contacts.forces(position.H0);
+  position.stiffness = contacts.stiffness(position.forces);
+  return position;
+}
+
+/// -H_0 - e - sum_j c_kj F_j of the contact that enters at the position's time, which it is not yet part of.
+double penetration_met(const MeshModel& mesh, const StaticPosition& before, int entering) {
+  double penetration = -before.H0 - mesh.contact(entering, before.T).conditions.gap_offset;
+  for (std::size_t k = 0; k < before.contacts.size(); ++k) {
+    penetration -= mesh.coupling(entering - before.contacts[k]) * before.forces[k];
+  }
+  return penetration;
+}
+
+}  // namespace
+
+StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions) {
+  const DryForce force(mesh);
+  const ContactPath& path = mesh.path;
+  const double period = path.mesh_period();
+  StaticMesh result;
+  std::array<double, 5> cosine{}, sine{};
+  double largest = -HUGE_VAL, smallest = HUGE_VAL;
+  for (double begin = 0.0; begin < period * (1.0 - 1e-9);) {
+    const std::vector<int> numbers = path.contacts_after(begin);
+    const double end = std::min(period, path.next_event(begin));
+    const int steps = std::max(2, static_cast<int>(std::ceil(positions * (end - begin) / period)));
+    for (int n = 0; n <= steps; ++n) {
+      const StaticPosition here = balanced(force, mesh, numbers, begin + (end - begin) * n / steps, load);
+      // Trapezoids between events.
+      const double weight = (n == 0 || n == steps ? 0.5 : 1.0) * (end - begin) / steps / period;
+      result.mean -= weight * here.H0;
+      result.mean_stiffness += weight * here.stiffness;
+      for (std::size_t k = 0; k < cosine.size(); ++k) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(k + 1) * here.T / period;
+        cosine[k] += 2.0 * weight * here.H0 * std::cos(angle);
+        sine[k] += 2.0 * weight * here.H0 * std::sin(angle);
+      }
+      const auto carry = [&](double F) { return F > carrying * load; };
+      result.effective_contact_ratio += weight * static_cast<double>(std::ranges::count_if(here.forces, carry));
+      largest = std::max(largest, here.H0);
+      smallest = std::min(smallest, here.H0);
+      result.positions.push_back(here);
+    }
+    const int next = numbers.back() + 1;
+    if (end < period && std::abs(path.entry_time(next) - end) < 1e-6 * period) {
+      result.entry_penetration = penetration_met(mesh, result.positions.back(), next);
+    }
+    begin = end;
+  }
+  result.peak_to_peak = largest - smallest;
+  for (std::size_t k = 0; k < cosine.size(); ++k) result.harmonics[k] = std::hypot(cosine[k], sine[k]);
+  double at_pitch = path.time_at(0.0);
+  while (at_pitch < 0.0) at_pitch += period;
+  result.at_pitch = balanced(force, mesh, path.contacts_after(at_pitch), at_pitch, load);
+  return result;
+}
+
+}  // namespace gearfilm

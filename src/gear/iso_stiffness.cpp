@@ -1,0 +1,15 @@
+#include "gearfilm/gear/iso_stiffness.hpp"
+
+namespace gearfilm {
+
+IsoStiffness iso_stiffness(const SpurGearPair& pair, double contact_ratio) {
+  const std::vector<double> x = profile_shifts(pair);
+  const double Z1 = pair.pinion.teeth, Z2 = pair.wheel.teeth;
+  // [mm um/N]
+  const double q = 0.04723 + 0.15551 / Z1 + 0.25791 / Z2 - 0.00635 * x[0] - 0.11654 * x[0] / Z1 - 0.00193 * x[1] -
+                   0.24188 * x[1] / Z2 + 0.00529 * x[0] * x[0] + 0.00182 * x[1] * x[1];
+  const double single = 0.8 / q * 1e9 * pair.face_width;
+  return {single, single * (0.75 * contact_ratio + 0.25)};
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,125 @@
+#include "gearfilm/gear/teeth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr std::array<const char*, 2> names = {"pinion", "wheel"};
+
+void check_relief(const Relief& relief, double active, const std::string& name) {
+  if (relief.amount == 0.0 || (relief.length > 0.0 && relief.length < active)) return;
+  std::ostringstream message;
+  message << name << "_length = " << relief.length << " m of roll is not between zero and the active flank's " << active
+          << " m: shorten it";
+  throw InputError(message.str());
+}
+
+void check_errors(const std::vector<double>& errors, int teeth, const std::string& name) {
+  if (errors.empty() || static_cast<int>(errors.size()) == teeth) return;
+  throw InputError(name + "_pitch_errors has " + std::to_string(errors.size()) + " numbers for " +
+                   std::to_string(teeth) + " teeth: give one a tooth");
+}
+
+/// Linear between points, constant beyond.
+double interpolate(const std::vector<std::pair<double, double>>& points, double at) {
+  if (at <= points.front().first) return points.front().second;
+  if (at >= points.back().first) return points.back().second;
+  const auto above = std::ranges::upper_bound(points, at, {}, &std::pair<double, double>::first);
+  const auto below = std::prev(above);
+  const double part = (at - below->first) / (above->first - below->first);
+  return below->second + part * (above->second - below->second);
+}
+
+}  // namespace
+
+Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<GearFlanks, 2> flanks,
+             const ComplianceOptions& compliance)
+    : at_pitch_pinion_(line.radius_pinion(0.0)),
+      at_pitch_wheel_(line.radius_wheel(0.0)),
+      low_(line.entry()),
+      high_(line.exit()) {
+  const std::array<int, 2> teeth = {pair.pinion.teeth, pair.wheel.teeth};
+  const std::array<double, 2> start = {line.radius_pinion(low_), line.radius_wheel(high_)};
+  const std::array<double, 2> tip = {line.radius_pinion(high_), line.radius_wheel(low_)};
+  for (int gear = 0; gear < 2; ++gear) {
+    const FlankModification& modification = flanks[gear].modification;
+    check_relief(modification.tip, tip[gear] - start[gear], std::string(names[gear]) + "_tip_relief");
+    check_relief(modification.root, tip[gear] - start[gear], std::string(names[gear]) + "_root_relief");
+    check_errors(flanks[gear].pitch_errors, teeth[gear], names[gear]);
+    flanks_[gear] = Flank(modification, start[gear], tip[gear]);
+    errors_[gear] = std::move(flanks[gear].pitch_errors);
+    if (!errors_[gear].empty()) pattern_ = std::lcm(pattern_, static_cast<long>(teeth[gear]));
+    perfect_ = perfect_ && flanks_[gear].perfect() && errors_[gear].empty();
+  }
+  set_compliance(pair, line, compliance);
+}
+
+void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, const ComplianceOptions& options) {
+  coupling_.fill(options.mesh);
+  double body = options.mesh;
+  std::vector<GearCompliance> gears;
+  if (options.teeth) {
+    const std::vector<double> shifts = profile_shifts(pair);
+    // Half of the backlash each, from the line of action to the reference circle.
+    const double thinning = 0.5 * pair.backlash / std::cos(pair.pressure_angle);
+    const auto add = [&](const SpurGear& gear, double shift, const char* name) {
+      gears.emplace_back(gear, pair, ToothProfile(gear, pair, shift, thinning, name), *options.teeth, name);
+    };
+    add(pair.pinion, shifts[0], names[0]);
+    add(pair.wheel, shifts[1], names[1]);
+    for (const GearCompliance& gear : gears) {
+      // The ring's foundation has its torsion already.
+      if (*options.teeth == FoundationModel::weber) body += gear.body().torsion;
+      if (!options.body_coupling) continue;
+      coupling_[0] += gear.body().neighbour;
+      coupling_[1] += gear.body().neighbour2;
+    }
+  } else if (options.table.empty() && options.mesh == 0.0) {
+    return;
+  }
+  rigid_ = false;
+  table_ = options.table;
+  mesh_ = options.mesh;
+  own_ = Chebyshev<32>(low_, high_, [&](double xi) {
+    double sum = body;
+    if (gears.empty()) return sum;
+    sum += options.factor * gears[0].tooth(line.radius_pinion(xi)).sum();
+    return sum + options.factor * gears[1].tooth(line.radius_wheel(xi)).sum();
+  });
+  double softest = compliance(low_);
+  for (int n = 0; n <= 100; ++n) softest = std::min(softest, compliance(low_ + (high_ - low_) * n / 100));
+  if (coupling_[0] < softest || coupling_[0] == options.mesh) return;
+  std::ostringstream message;
+  message << "a neighbour's force would bend a tooth by " << coupling_[0] << " m/N, its own by " << softest
+          << " m/N: check pinion_bore_radius and wheel_bore_radius, or set gear_body_coupling to no";
+  throw InputError(message.str());
+}
+
+double Teeth::gap(int contact, double xi) const {
+  if (perfect_) return 0.0;
+  double gap = flanks_[0].removed(at_pitch_pinion_ + xi) + flanks_[1].removed(at_pitch_wheel_ - xi);
+  for (const std::vector<double>& errors : errors_) {
+    if (errors.empty()) continue;
+    const int teeth = static_cast<int>(errors.size());
+    gap -= errors[((contact % teeth) + teeth) % teeth];
+  }
+  return gap;
+}
+
+double Teeth::compliance(double xi) const {
+  if (rigid_) return 0.0;
+  return table_.empty() ? own_(std::clamp(xi, low_, high_)) : interpolate(table_, xi) + mesh_;
+}
+
+double Teeth::coupling(int pitches) const {
+  if (rigid_) return 0.0;
+  return coupling_[std::min(pitches, 2) - 1];
+}
+
+}  // namespace gearfilm

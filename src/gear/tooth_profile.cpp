@@ -1,0 +1,126 @@
+// Generation by a rack: with the rack rolled by u from where its tip stands lowest, the centre of the tip's rounding is
+// C = (u, r - D), the point of the fillet Q = C + rho_f n on the line from the pitch point through C, turned back by
+// (u - e_c)/r. n points away from the rack's centre: with D > 0 outwards to the root.
+#include "gearfilm/gear/tooth_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int points = 600;  // on the fillet, and on the involute
+
+double involute(double angle) { return std::tan(angle) - angle; }
+
+}  // namespace
+
+ToothProfile::ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning,
+                           const std::string& name)
+    : name_(name),
+      teeth_(gear.teeth),
+      base_radius_(0.5 * gear.teeth * pair.module_length * std::cos(pair.pressure_angle)),
+      reference_radius_(0.5 * gear.teeth * pair.module_length) {
+  const double m = pair.module_length;
+  thickness_ = 0.5 * pi * m + 2.0 * profile_shift * m * std::tan(pair.pressure_angle) - thinning;
+  reference_angle_ = involute(pair.pressure_angle) + 0.5 * thickness_ / reference_radius_;
+  hob_tip_radius_ = gear.hob_tip_radius.value_or(0.38 * m);
+  const double standard = reference_radius_ - (1.25 - profile_shift) * m;
+  generate_fillet(pair, profile_shift, gear.root_radius.value_or(standard), thinning);
+}
+
+double ToothProfile::half_angle(double radius) const {
+  return reference_angle_ - involute(std::acos(std::min(1.0, base_radius_ / radius)));
+}
+
+void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius,
+                                   double thinning) {
+  const double m = pair.module_length, r = reference_radius_, tan = std::tan(pair.pressure_angle);
+  const double dedendum = r - root_radius + profile_shift * m;
+  const auto fail = [&](const std::string& why) {
+    throw InputError(name_ + "_root_radius = " + std::to_string(root_radius) + " m " + why);
+  };
+  if (!(root_radius > 0.0) || dedendum <= 0.0) fail("is not below the reference line of the rack: give a smaller one");
+  // What a rounding of the rack's tip takes of its flat top.
+  const double top = 0.25 * pi * m - dedendum * tan;
+  const double taken = (1.0 - std::sin(pair.pressure_angle)) / std::cos(pair.pressure_angle);
+  if (top < 0.0) fail("needs a rack that is pointed before it reaches it: give a larger one");
+  hob_tip_radius_ = std::min(hob_tip_radius_, top / taken);
+  double depth = dedendum - profile_shift * m - hob_tip_radius_;  // D
+  if (std::abs(depth) < 1e-9) {
+    hob_tip_radius_ -= 2e-9;
+    depth = dedendum - profile_shift * m - hob_tip_radius_;
+  }
+  const double offset = top - hob_tip_radius_ * taken;  // e_c
+  root_radius_ = root_radius;
+  const double slack = 0.5 * thinning / r;
+  double angle = 0.0, radius = 0.0;
+  for (int n = 0; n <= points; ++n) {
+    const double u = depth / tan * n / points;
+    const double size = std::hypot(u, depth), sign = depth > 0.0 ? 1.0 : -1.0;
+    const double qx = u + hob_tip_radius_ * sign * u / size, qy = r - depth - hob_tip_radius_ * sign * depth / size;
+    const double turn = (u - offset) / r;
+    const double x = qx * std::cos(turn) - qy * std::sin(turn), y = qx * std::sin(turn) + qy * std::cos(turn);
+    angle = pi / teeth_ - std::atan2(x, y) - slack;
+    radius = std::hypot(x, y);
+    if (n == 0) root_half_angle_ = angle;
+    fillet_.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  form_radius_ = radius;
+  // A rack that cuts below the involute's foot takes some of the involute away.
+  if (form_radius_ < base_radius_ || std::abs(angle - half_angle(form_radius_)) > 1e-9) {
+    throw InputError(name_ + ": the rack undercuts the tooth (its fillet ends at the radius " +
+                     std::to_string(form_radius_) + " m, the base circle has " + std::to_string(base_radius_) +
+                     " m): raise " + name_ + "_root_radius or " + name_ + "_profile_shift");
+  }
+}
+
+ToothLoad ToothProfile::load_at(double rho) const {
+  const double radius = std::hypot(base_radius_, rho);
+  if (radius < form_radius_ * (1.0 - 1e-9)) {
+    std::ostringstream message;
+    message << name_ << "_root_radius: the flank is used down to the radius " << radius << " m, but ends at "
+            << form_radius_ << " m, where the fillet begins: reduce " << name_ << "_root_radius or " << name_
+            << "_hob_tip_radius";
+    throw InputError(message.str());
+  }
+  const double gamma = half_angle(radius);
+  const double angle = std::acos(base_radius_ / radius) - gamma;
+  return {radius * std::cos(gamma), radius * std::sin(gamma), angle, base_radius_ / std::cos(angle)};
+}
+
+std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
+  std::vector<OutlinePoint> outline = fillet_;
+  const double end = std::hypot(base_radius_, rho);
+  // Equal steps in rho, in which the involute is smooth down to its foot.
+  const double begin = std::sqrt(std::max(0.0, form_radius_ * form_radius_ - base_radius_ * base_radius_));
+  if (end <= form_radius_) return outline;
+  for (int n = 1; n <= points; ++n) {
+    const double radius = std::hypot(base_radius_, begin + (rho - begin) * n / points), gamma = half_angle(radius);
+    outline.push_back({radius * std::cos(gamma), radius * std::sin(gamma)});
+  }
+  return outline;
+}
+
+std::vector<double> profile_shifts(const SpurGearPair& pair) {
+  const SpurGear& pinion = pair.pinion;
+  const SpurGear& wheel = pair.wheel;
+  const double m = pair.module_length, tan = std::tan(pair.pressure_angle);
+  const int teeth = pinion.teeth + wheel.teeth;
+  const double working = std::acos(0.5 * teeth * m * std::cos(pair.pressure_angle) / pair.centre_distance);
+  const double sum = teeth * (involute(working) - involute(pair.pressure_angle)) / (2.0 * tan);
+  if (pinion.profile_shift && wheel.profile_shift) return {*pinion.profile_shift, *wheel.profile_shift};
+  if (pinion.profile_shift) return {*pinion.profile_shift, sum - *pinion.profile_shift};
+  if (wheel.profile_shift) return {sum - *wheel.profile_shift, *wheel.profile_shift};
+  const auto addendum = [m](const SpurGear& gear) { return (gear.outer_radius - 0.5 * gear.teeth * m) / m - 1.0; };
+  const double cut = 0.5 * (sum - addendum(pinion) - addendum(wheel));
+  return {addendum(pinion) + cut, addendum(wheel) + cut};
+}
+
+}  // namespace gearfilm

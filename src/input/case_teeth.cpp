@@ -1,0 +1,104 @@
+#include "gearfilm/input/case_teeth.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/input/point_table.hpp"
+
+namespace gearfilm {
+namespace {
+
+ReliefShape shape_named(const std::string& name) {
+  if (name == "linear") return ReliefShape::linear;
+  return name == "smooth" ? ReliefShape::smooth : ReliefShape::parabolic;
+}
+
+/// L, given as it is, or by the radius or the roll angle at which the relief begins; tip: radius of curvature there.
+double tip_relief_length(const ParameterValues& values, const std::string& gear, double tip, double base_radius) {
+  const std::string relief = gear + ".tip_relief", length = relief + "_length";
+  const std::string radius = relief + "_start_radius", roll = relief + "_start_roll_deg";
+  std::vector<std::string> given;
+  for (const std::string& name : {length, radius, roll}) {
+    if (values.has(name)) given.push_back(name);
+  }
+  if (given.size() > 1) {
+    throw InputError(values.origin(given[1]) + ": both '" + given[0] + "' and '" + given[1] +
+                     "' are given, and each says where the relief begins; delete one");
+  }
+  if (values.real(relief) == 0.0) return 0.0;
+  if (given.empty()) {
+    throw InputError(values.origin(relief) + ": '" + relief + "' is given without its length; give '" + length +
+                     "', '" + radius + "' or '" + roll + "'");
+  }
+  if (given[0] == length) return values.real(length);
+  if (given[0] == roll) return tip - values.real(roll) * std::numbers::pi / 180.0 * base_radius;
+  const double start = values.real(radius);
+  return tip - std::sqrt(std::max(0.0, start * start - base_radius * base_radius));
+}
+
+double root_relief_length(const ParameterValues& values, const std::string& gear) {
+  const std::string relief = gear + ".root_relief", length = relief + "_length";
+  if (values.real(relief) == 0.0) return 0.0;
+  if (values.has(length)) return values.real(length);
+  throw InputError(values.origin(relief) + ": '" + relief + "' is given without its length; give '" + length + "'");
+}
+
+std::vector<double> read_pitch_errors(const ParameterValues& values, const std::string& gear) {
+  const std::string name = gear + ".pitch_errors";
+  if (!values.has(name)) return {};
+  return read_numbers(values, name, -0.01, 0.01, "error of a pitch in m");
+}
+
+GearFlanks read_flanks(const ParameterValues& values, const std::string& gear, double tip, double base_radius) {
+  GearFlanks flanks;
+  flanks.modification = {.tip = {values.real(gear + ".tip_relief"), tip_relief_length(values, gear, tip, base_radius),
+                                 shape_named(values.text(gear + ".tip_relief_shape"))},
+                         .root = {values.real(gear + ".root_relief"), root_relief_length(values, gear),
+                                  shape_named(values.text(gear + ".root_relief_shape"))},
+                         .slope = values.real(gear + ".profile_slope"),
+                         .crowning = values.real(gear + ".profile_crowning"),
+                         .table = {}};
+  if (values.has(gear + ".profile_file")) {
+    flanks.modification.table = read_ascending_points(
+        values, gear + ".profile_file",
+        "a point of the profile; give two numbers, radius of curvature [m] and material removed [m]");
+  }
+  flanks.pitch_errors = read_pitch_errors(values, gear);
+  return flanks;
+}
+
+ComplianceOptions read_compliance(const ParameterValues& values) {
+  const std::string kind = "gear.tooth_compliance", file = "gear.compliance_file";
+  ComplianceOptions options{.teeth = {},
+                            .table = {},
+                            .factor = values.real("gear.compliance_factor"),
+                            .mesh = values.real("gear.mesh_compliance"),
+                            .body_coupling = values.text("gear.body_coupling") == "yes"};
+  if (values.text(kind) == "weber") options.teeth = FoundationModel::weber;
+  if (values.text(kind) == "sainsot") options.teeth = FoundationModel::sainsot;
+  if (values.text(kind) != "table") return options;
+  if (!values.has(file)) {
+    throw InputError(values.origin(kind) + ": '" + kind + "' is table, but '" + file + "' is missing; give the file");
+  }
+  options.table = read_ascending_points(
+      values, file,
+      "a point of the compliance; give two numbers, position [m] and compliance of a pair of teeth [m/N]");
+  for (const auto& [position, compliance] : options.table) {
+    if (compliance > 0.0) continue;
+    throw InputError(values.text(file) + ": the compliance at " + format_value(position) + " m is " +
+                     format_value(compliance) + " m/N; give positive ones");
+  }
+  return options;
+}
+
+}  // namespace
+
+Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const LineOfAction& line) {
+  std::array<GearFlanks, 2> flanks = {
+      read_flanks(values, "pinion", line.radius_pinion(line.exit()), line.base_radius_pinion()),
+      read_flanks(values, "wheel", line.radius_wheel(line.entry()), line.base_radius_wheel())};
+  return {pair, line, std::move(flanks), read_compliance(values)};
+}
+
+}  // namespace gearfilm
