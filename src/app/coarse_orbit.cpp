@@ -11,6 +11,8 @@
 namespace gearfilm {
 namespace {
 
+constexpr double well_known = 0.1;  // error of a multiplier whose map serves a search
+
 /// The case on the coarser grid, where its films have one.
 std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
   const std::optional<NumericsCase> numerics = coarser(problem.numerics);
@@ -84,7 +86,8 @@ private:
 
 OrbitGuess guess_from(const OrbitRun& run) {
   const PeriodicOrbit& orbit = run.orbit;
-  return {orbit.end.motion, run.decay ? run.decay->map : orbit.monodromy, orbit.end};
+  const bool told = run.decay && run.decay->modulus_error < well_known;
+  return {orbit.end.motion, told ? run.decay->map : orbit.monodromy, orbit.end};
 }
 
 /// With stationary films at this motion.

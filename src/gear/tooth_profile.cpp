@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include "gearfilm/error.hpp"
 
@@ -22,8 +23,8 @@ double involute(double angle) { return std::tan(angle) - angle; }
 }  // namespace
 
 ToothProfile::ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning,
-                           const std::string& name)
-    : name_(name),
+                           std::string name)
+    : name_(std::move(name)),
       teeth_(gear.teeth),
       base_radius_(0.5 * gear.teeth * pair.module_length * std::cos(pair.pressure_angle)),
       reference_radius_(0.5 * gear.teeth * pair.module_length) {

@@ -11,6 +11,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
+constexpr double telling_step = 1e-3;     // of the motion between two periods, from which the map's Jacobian can be told
 constexpr double worth_keeping = 5e-3;    // defect of a period whose end serves as a disturbance of the orbit
 constexpr double largest_change = 0.5;    // of H_0 or V_0 in one Newton step
 constexpr double shortest_step = 0.2;     // of a Newton step, before the Jacobian is doubted
@@ -117,9 +118,9 @@ private:
     trial.film_defect = film_change(trial.start, trial.end, march_.comm());
     // The films of the first period were not made by a march: it says little about the map of the motion alone.
     const bool first_true = ++trials_ == 2;
-    if (trials_ > 2) {
-      jacobian_.update(difference(trial.start.motion, last_.start.motion),
-                       difference(trial.end.motion, last_.end.motion));
+    const Motion step = difference(trial.start.motion, last_.start.motion);
+    if (trials_ > 2 && length(step) > telling_step) {
+      jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
     const double size = length(trial.defect);
     better_ = !best_ || first_true || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);

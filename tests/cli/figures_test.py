@@ -12,6 +12,7 @@ from program import SECONDS, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from plot_orbit import read_orbit  # noqa: E402
+from plot_static import read_static, shares_of_contact  # noqa: E402
 
 MESH_PERIOD = 7.5      # dimensionless
 TIME_SCALE = 2e-5      # s
@@ -21,6 +22,7 @@ STATIC_FORCE = 1000.0  # N
 COMMANDS_OF = {"film": ["steady"],
                "march": ["transient", "periodic"],
                "orbit": ["transient", "periodic"],
+               "static": ["static"],
                "sweep": ["sweep"]}
 
 
@@ -138,16 +140,34 @@ class Figures(ProgramTest):
         with self.new_results("sweep", sweep__over=over) as results:
             results["sweep"] = table(columns, rows)
 
+    def write_static(self, load_ratios=(0.5, 1.25)):
+        columns = ["load_ratio", "mesh_period", "xi", "te", "stiffness", "p_max_dry", "force_0", "force_1", "force_2",
+                   "gap_0", "compliance_0", "gap_1", "compliance_1", "gap_2", "compliance_2"]
+        absent = [math.nan, math.nan]
+        rows = []
+        for ratio in load_ratios:
+            # A second contact enters after 0.75 of the mesh period, and has a quarter of the load at once.
+            for part, second in ((0.0, False), (0.25, False), (0.75, False), (0.75, True), (1.0, True)):
+                load = ratio * STATIC_FORCE
+                share = part - 0.5 if second else 0.0
+                rows.append([ratio, part, 6e-3 * (part - 0.25), 1e-5 * ratio * (2 - share), 2e8 * (1 + share), 1e9,
+                             (1 - share) * load, share * load, 0.0, 1e-6, 1e-9,
+                             *([1e-6, 1e-9] if second else absent), *absent])
+        with self.new_results("static") as results:
+            results["static"] = table(columns, rows)
+
     def write_results(self, command):
         if command == "steady":
             self.write_film()
+        elif command == "static":
+            self.write_static()
         elif command == "sweep":
             self.write_sweep()
         else:
             self.write_history(command)
 
     def test_every_script_draws_the_results_of_its_commands_and_refuses_others(self):
-        for command in ("steady", "transient", "periodic", "sweep"):
+        for command in ("steady", "transient", "periodic", "static", "sweep"):
             self.write_results(command)
             for name, own in COMMANDS_OF.items():
                 with self.subTest(command=command, script=name):
@@ -226,6 +246,31 @@ class Figures(ProgramTest):
         self.assert_refused("orbit", "summary.json")
         (self.folder / "summary.json").unlink()
         self.assert_refused("orbit", "summary.json")
+
+    def test_static_of_one_load(self):
+        self.write_static(load_ratios=[1.0])
+        self.assert_drawn("static")
+
+    def test_shares_of_a_contact_go_from_its_entry_to_its_exit(self):
+        self.write_static()
+        loads = read_static(self.folder / "results.h5")
+        self.assertEqual([load.ratio for load in loads], [0.5, 1.25])
+        for load in loads:
+            places, shares = shares_of_contact(load.rows)
+            numpy.testing.assert_allclose(places, [-3e-3, -1.5e-3, -1.5e-3, 0, 3e-3, 3e-3, 4.5e-3], atol=1e-15)
+            numpy.testing.assert_allclose(shares, [0.25, 0.5, 1, 1, 1, 0.75, 0.5], atol=1e-15)
+
+    def test_static_without_transmission_error(self):
+        self.write_static()
+        with h5py.File(self.folder / "results.h5", "a") as results:
+            rows = results["static"][:]
+            del results["static"]
+            results["static"] = rows[[column for column in rows.dtype.names if column != "te"]]
+        self.assert_refused("static", "columns of the static are missing")
+
+    def test_static_without_positions(self):
+        self.write_static(load_ratios=[])
+        self.assert_refused("static", "no rows")
 
     def test_sweeps_over_all_quantities(self):
         for over in ("speed", "torque", "equivalent_mass"):

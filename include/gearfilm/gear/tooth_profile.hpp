@@ -29,8 +29,7 @@ class ToothProfile {
 public:
   /// Of a gear of the pair, with the profile shift x and the thinning of the tooth for backlash on the reference circle
   /// [m]. Throws InputError, naming the gear, where rack and root radius do not go together or the tooth is undercut.
-  ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning,
-               const std::string& name);
+  ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning, std::string name);
 
   double base_radius() const { return base_radius_; }          ///< R_b [m]
   double root_radius() const { return root_radius_; }          ///< r_f [m]
