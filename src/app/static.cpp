@@ -135,7 +135,11 @@ void write_table(MPI_Comm comm, const Case& problem, const std::vector<double>& 
   }
   ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "static");
-  ResultsTable(file, "/static", columns).append(rows);
+  {
+    ResultsTable table(file, "/static", columns);
+    table.append(rows);
+    table.write();
+  }
   file.finish();
 }
 

@@ -103,6 +103,66 @@ class OneContact(VibrationTest):
         self.assertAlmostEqual(numpy.interp(0, rows["xi"], rows["h_central"]) / film, 1, delta=0.0125)
 
 
+class RealTeeth(VibrationTest):
+    """The case study on bending teeth with tip relief, dry."""
+
+    CASE = INPUT / "barbieri2013_relief.yaml"
+
+    def test_pair_turned_slowly(self):
+        self.run_well("static", self.CASE, "-output_dir", "static")
+        summary, rows = summary_in(self.folder / "static"), table_in(self.folder / "static", "static")
+        self.assertEqual([load["load_ratio"] for load in summary["loads"]], [0.25, 0.5, 0.75, 1, 1.25])
+        nominal = rows[rows["load_ratio"] == 1]
+        self.assertGreater(len(nominal), 400)
+        self.assertAlmostEqual(1e6 * (nominal["te"].max() - nominal["te"].min()), 4.717, delta=0.05)
+        self.assertAlmostEqual(numpy.ptp(nominal["te"]), summary["te_peak_to_peak"], delta=1e-12)
+        forces = sum(nominal[f"force_{k}"] for k in range(3))
+        self.assertLess(abs(forces / summary["static_force"] - 1).max(), 1e-9)
+        self.assertLess(summary["entry_penetration"], 0)
+        self.assertIsNone(summary["corner_contact_distance"])
+
+    def test_rigid_tips_meet_before_their_time(self):
+        run = self.run_program("static", self.CASE, "-pinion_tip_relief", 0, "-wheel_tip_relief", 0, "-output_dir", "hard")
+        self.assertEqual(run.status, 0, run)
+        self.assertIn("before the path of contact begins", run.stderr)
+        self.assertAlmostEqual(1e3 * summary_in(self.folder / "hard")["corner_contact_distance"], 1.9, delta=0.05)
+
+    def test_shares_serve_the_simplified_models(self):
+        self.run_program("static", BARBIERI, "-gear_tooth_compliance", "weber", "-output_dir", "static")
+        rows = self.march("quasistatic")
+        summary = summary_in(self.folder / "march")
+        entering = rows["force"][0] / summary["static_force"]
+        self.assertAlmostEqual(entering, 0.4642, delta=0.005)  # teeth.json
+
+    def march(self, model):
+        self.run_well("transient", BARBIERI, *MARCH, *WIDE, "-model", model, "-load_sharing_kind", "table",
+                      "-load_sharing_file", "static/shares.txt", "-output_dir", "march")
+        return table_in(self.folder / "march", "history/contacts")
+
+    def test_wrong_teeth(self):
+        bend = ["-gear_tooth_compliance", "weber"]
+        relief = ["-pinion_tip_relief", 4e-5]
+        (self.folder / "few.txt").write_text("0 1e-9\n", encoding="utf-8")
+        for words, options in (
+                (["tip_relief_length"], relief),
+                (["tip_relief_length", "start_radius"],
+                 [*relief, "-pinion_tip_relief_length", 2e-3, "-pinion_tip_relief_start_radius", 0.045]),
+                (["active flank"], [*relief, "-pinion_tip_relief_length", 0.05]),
+                (["2 numbers", "28 teeth"], ["-pinion_pitch_errors", "1e-6,2e-6"]),
+                (["abc", "error of a pitch"], ["-pinion_pitch_errors", "1e-6,abc"]),
+                (["bore_radius", "below"], [*bend, "-pinion_bore_radius", 0.05]),
+                (["root_radius", "fillet"], [*bend, "-pinion_root_radius", 0.043]),
+                (["bore_radius", "ring"], ["-gear_tooth_compliance", "sainsot"]),
+                (["compliance_file", "missing"], ["-gear_tooth_compliance", "table"]),
+                (["few.txt", "two"], ["-gear_tooth_compliance", "table", "-gear_compliance_file", "few.txt"]),
+                (["load_ratios", "x"], ["-static_load_ratios", "1 x"])):
+            with self.subTest(options=options):
+                self.assert_wrong(words, "static", BARBIERI, *options)
+        for command in ("transient", "periodic", "sweep", "eigen"):
+            self.assert_wrong(["tooth_compliance", command], command, BARBIERI, *bend)
+        self.assert_wrong(["28 mesh periods"], "periodic", BARBIERI, "-pinion_pitch_errors", ",".join(28 * ["1e-6"]))
+
+
 class WrongLoadSharing(ProgramTest):
     def test_options(self):
         for words, options in (
