@@ -178,11 +178,14 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
 }
 
 DryOrbit dry_start(const MeshModel& mesh) {
+  DryMap map(mesh);
+  // A slow pair swings often in a mesh period, on thin films that damp it more.
+  const bool slow = typical_film_damping * map.oscillations() > forgetful;
+  const double damping = slow ? slow_film_damping : typical_film_damping;
   try {
-    return find_dry_orbit(mesh, typical_film_damping);
+    return find_dry_orbit(mesh, damping);
   } catch (const SolveError&) {
-    DryMap map(mesh);
-    return {.start = settle(map, typical_film_damping, {})};
+    return {.start = settle(map, damping, {})};
   }
 }
 

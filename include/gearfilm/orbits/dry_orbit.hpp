@@ -12,6 +12,8 @@ namespace gearfilm {
 
 /// About the damping ratio that films give a gear pair (0.007 to 0.009 for the case study at 7000 to 20000 rpm).
 constexpr double typical_film_damping = 0.008;
+/// The same of a pair that swings more than 12 times in a mesh period.
+constexpr double slow_film_damping = 0.03;
 
 struct DryOrbit {
   Motion start;  ///< where the mesh begins
