@@ -11,7 +11,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr double well_known = 0.1;  // error of a multiplier whose map serves a search
+constexpr double most_in_phase = 12.0;  // swings in a mesh period after which twice the step is still in phase
+constexpr double well_known = 0.1;     // error of a multiplier whose map serves a search
 
 /// The case on the coarser grid, where its films have one.
 std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
@@ -141,7 +142,12 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
     if (found.coarse) {
       Case own_step = *coarse;
       own_step.numerics.steps.dT = problem.numerics.steps.dT;
-      nearest = search.orbit("coarse_grid", own_step, [&] { return guess_from(*found.coarse); });
+      nearest = search.orbit("coarse_grid", own_step, [&] {
+        OrbitGuess guess = guess_from(*found.coarse);
+        const double swings = mesh.frequency() * mesh.path.mesh_period();
+        if (swings > most_in_phase) guess.monodromy = {};
+        return guess;
+      });
       own_step.numerics.steps.newton = problem.numerics.steps.newton;
       if (nearest && problem.search.with_multipliers) {
         nearest->decay = search.decay("coarse_decay", own_step, nearest->orbit);

@@ -6,6 +6,7 @@
 namespace gearfilm {
 namespace {
 
+constexpr double near_orbit = 0.2;      // of a push, from where it began
 constexpr double gone = 0.02;           // of a push: what is left is noise
 constexpr double far = 4e-2;            // beyond which the map bends
 constexpr double smallest_push = 1e-4;  // noise is a hundredth of it
@@ -92,6 +93,13 @@ private:
   std::array<double, 2> variance_{};
 };
 
+/// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.
+bool forgotten(const std::vector<Motion>& motions, const Motion& orbit) {
+  const double push = length(difference(motions[0], orbit));
+  const double last = length(difference(motions.back(), motions[motions.size() - 2]));
+  return last < gone * push && length(difference(motions.back(), orbit)) < near_orbit * push;
+}
+
 /// The motion after 0, 1, 2, ... mesh periods, until the push is gone, or has grown too far.
 std::vector<Motion> returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, int periods) {
   const ContactPath& path = march.mesh().path;
@@ -102,8 +110,7 @@ std::vector<Motion> returns_of(MeshMarch& march, const PeriodicOrbit& orbit, dou
   for (int n = 1; n <= periods; ++n) {
     march.run(march.T() + path.mesh_period());
     motions.push_back(march.motion());
-    const double left = length(difference(motions.back(), begin));
-    if (n >= 2 && (left < gone * push || left > far)) break;
+    if (n >= 2 && (forgotten(motions, orbit.end.motion) || length(difference(motions.back(), begin)) > far)) break;
   }
   return motions;
 }
@@ -131,6 +138,11 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
   for (double push = options.push; push >= smallest_push && !near; push *= 0.1) {
     motions = returns_of(march, orbit, push, options.periods);
     near = length(difference(motions.back(), begin)) <= far;
+  }
+  if (forgotten(motions, orbit.end.motion)) {
+    // Nothing is left to be fitted; how little, the first two returns say.
+    const double kept = length(difference(motions[2], motions[1])) / length(difference(motions[1], motions[0]));
+    return {{}, {kept, 0.0}, kept};
   }
   return fit_decay(motions, begin, orbit.end.motion);
 }
