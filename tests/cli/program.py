@@ -57,13 +57,17 @@ class Run(Outcome):
         super().__init__(arguments, processes, done.returncode, done.stdout, done.stderr)
 
 
+# What mpiexec and its event library say on their own.
+OF_MPIEXEC = ("mpiexec: Forwarding signal", "[warn] Epoll ")
+
+
 def before_notice_of_mpiexec(text):
     lines = []
     inside_notice = False
     for line in text.splitlines(keepends=True):
         if line.startswith("-----") and line.strip("-\n") == "":
             inside_notice = not inside_notice
-        elif not inside_notice and not line.startswith("mpiexec: Forwarding signal"):
+        elif not inside_notice and not line.startswith(OF_MPIEXEC):
             lines.append(line)
     return "".join(lines)
 
