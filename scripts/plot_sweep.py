@@ -25,7 +25,8 @@ RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static fo
              Quantity("transmission_error_peak_to_peak", "transmission error,\npeak to peak [µm]", 1e6),
              Quantity("h_min", "smallest film [µm]", 1e6),
              Quantity("floquet_modulus", "modulus of the Floquet\nmultipliers [-]")]
-USED = {"up", "found", "f_m", "f_n", "contact_lost", "stable", "floquet_modulus_error", *(quantity.column for quantity in RESPONSES)}
+USED = {"up", "found", "f_m", "f_n", "contact_lost", "stable", "floquet_modulus_error",
+        *(quantity.column for quantity in RESPONSES)}
 
 
 class Branch(NamedTuple):

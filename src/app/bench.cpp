@@ -155,7 +155,6 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
 
 void run_bench(MPI_Comm comm, const Case& problem) {
   require_moving_films(problem, "bench");
-  require_rigid_teeth(problem, "bench");
   const OutputDirectory directory(comm, problem.run.directory);
   Summary summary;
   summary["case"] = problem.name;

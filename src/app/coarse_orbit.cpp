@@ -12,7 +12,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double most_in_phase = 12.0;  // swings in a mesh period after which twice the step is still in phase
-constexpr double well_known = 0.1;     // error of a multiplier whose map serves a search
+constexpr double well_known = 0.1;      // error of a multiplier whose map serves a search
 
 /// The case on the coarser grid, where its films have one.
 std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
@@ -31,8 +31,7 @@ std::optional<Case> coarser_case(const Case& problem, const Discretisation& film
 /// What the coarser grid has wrong is added to the error of the larger multiplier: films damp, and their damping is
 /// taken to be off by as much as their thickness.
 void add_grid_error(const Case& coarse, FreeDecay& decay) {
-  const auto& mu = decay.multipliers;
-  const double modulus = std::max(std::abs(mu[0]), std::abs(mu[1]));
+  const double modulus = largest_modulus(decay.multipliers);
   const FilmErrors films = expected_errors(ExpectedFilm(coarse.scales), steps_of(coarse.numerics));
   decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
 }

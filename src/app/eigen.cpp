@@ -106,7 +106,6 @@ void print_result(MPI_Comm comm, const Summary& summary) {
 void run_eigen(MPI_Comm comm, const Case& given) {
   require_inertia(given);
   require_moving_films(given, "eigen");
-  require_rigid_teeth(given, "eigen");
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");
   Case problem = given;
   problem.numerics.solver.multigrid.precision =

@@ -7,6 +7,14 @@
 #include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
+void check_stop(const OrbitObservers& observers, const StepRecord& record, MPI_Comm comm, double mesh_period) {
+  if (observers.checkpoint.is_new(record)) observers.stop.check(comm, record.T / mesh_period);
+}
+
+}  // namespace
 
 OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers) {
@@ -20,8 +28,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
       signal.add(record);
       observers.on_step(record, live);
     }
-    // What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
-    if (observers.checkpoint.is_new(record)) observers.stop.check(films->grid().comm(), record.T / mesh_period);
+    check_stop(observers, record, films->grid().comm(), mesh_period);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   OrbitRun run;
@@ -38,9 +45,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      const PeriodicOrbit& orbit, const OrbitObservers& observers) {
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    if (observers.checkpoint.is_new(record)) {
-      observers.stop.check(films->grid().comm(), record.T / mesh.path.mesh_period());
-    }
+    check_stop(observers, record, films->grid().comm(), mesh.path.mesh_period());
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   return free_decay(march, orbit, {});
@@ -53,7 +58,7 @@ void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double
   for (const std::complex<double>& multiplier : pair) {
     summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
   }
-  const double modulus = std::max(std::abs(pair[0]), std::abs(pair[1]));
+  const double modulus = largest_modulus(pair);
   summary["floquet_modulus"] = modulus;
   summary["stable"] = modulus < 1.0;
   summary["free_frequency"] = oscillation ? Summary(oscillation->frequency) : Summary();

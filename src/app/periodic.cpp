@@ -66,7 +66,6 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
 void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   require_moving_films(problem, "periodic");
-  require_rigid_teeth(problem, "periodic");
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();

@@ -135,11 +135,7 @@ void write_table(MPI_Comm comm, const Case& problem, const std::vector<double>& 
   }
   ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "static");
-  {
-    ResultsTable table(file, "/static", columns);
-    table.append(rows);
-    table.write();
-  }
+  write_table(file, "/static", columns, rows);
   file.finish();
 }
 

@@ -131,11 +131,7 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
   }
   ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "sweep");
-  {
-    ResultsTable table(file, "/sweep", columns);
-    table.append(rows);
-    table.write();
-  }
+  write_table(file, "/sweep", columns, rows);
   file.finish();
 }
 
@@ -144,7 +140,6 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
 void run_sweep(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
   require_moving_films(problem, "sweep");
-  require_rigid_teeth(problem, "sweep");
   require_one_pattern(problem, "sweep");
   if (problem.sweep.values.empty()) {
     throw InputError("the case '" + problem.name +

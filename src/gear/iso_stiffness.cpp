@@ -3,7 +3,7 @@
 namespace gearfilm {
 
 IsoStiffness iso_stiffness(const SpurGearPair& pair, double contact_ratio) {
-  const std::vector<double> x = profile_shifts(pair);
+  const std::array<double, 2> x = profile_shifts(pair);
   const double Z1 = pair.pinion.teeth, Z2 = pair.wheel.teeth;
   // [mm um/N]
   const double q = 0.04723 + 0.15551 / Z1 + 0.25791 / Z2 - 0.00635 * x[0] - 0.11654 * x[0] / Z1 - 0.00193 * x[1] -

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/gear/involute.hpp"
 
 namespace gearfilm {
 
@@ -85,8 +86,6 @@ void check_flank(double smallest_radius, const std::string& gear, const std::str
           << "contact: below the base circle there is no involute; reduce " << mate << "_outer_radius";
   throw InputError(message.str());
 }
-
-double involute(double angle) { return std::tan(angle) - angle; }
 
 // Towards the tip the flanks of a tooth approach each other: at the angle alpha_a = acos(R_b/R_a) it is thinner than on
 // the working pitch circle R_w by 2 R_w (inv alpha_a - inv alpha'), relative to its radius. Both teeth together have at

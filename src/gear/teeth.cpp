@@ -65,7 +65,7 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   double body = options.mesh;
   std::vector<GearCompliance> gears;
   if (options.teeth) {
-    const std::vector<double> shifts = profile_shifts(pair);
+    const std::array<double, 2> shifts = profile_shifts(pair);
     // Half of the backlash each, from the line of action to the reference circle.
     const double thinning = 0.5 * pair.backlash / std::cos(pair.pressure_angle);
     const auto add = [&](const SpurGear& gear, double shift, const char* name) {
@@ -86,12 +86,14 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   rigid_ = false;
   table_ = options.table;
   mesh_ = options.mesh;
-  own_ = Chebyshev<32>(low_, high_, [&](double xi) {
-    double sum = body;
-    if (gears.empty()) return sum;
-    sum += options.factor * gears[0].tooth(line.radius_pinion(xi)).sum();
-    return sum + options.factor * gears[1].tooth(line.radius_wheel(xi)).sum();
-  });
+  if (table_.empty()) {
+    own_ = Chebyshev<32>(low_, high_, [&](double xi) {
+      double sum = body;
+      if (gears.empty()) return sum;
+      sum += options.factor * gears[0].tooth(line.radius_pinion(xi)).sum();
+      return sum + options.factor * gears[1].tooth(line.radius_wheel(xi)).sum();
+    });
+  }
   double softest = compliance(low_);
   for (int n = 0; n <= 100; ++n) softest = std::min(softest, compliance(low_ + (high_ - low_) * n / 100));
   if (coupling_[0] < softest || coupling_[0] == options.mesh) return;

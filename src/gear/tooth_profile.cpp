@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/gear/involute.hpp"
 
 namespace gearfilm {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr int points = 600;  // on the fillet, and on the involute
-
-double involute(double angle) { return std::tan(angle) - angle; }
 
 }  // namespace
 
@@ -109,7 +108,7 @@ std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
   return outline;
 }
 
-std::vector<double> profile_shifts(const SpurGearPair& pair) {
+std::array<double, 2> profile_shifts(const SpurGearPair& pair) {
   const SpurGear& pinion = pair.pinion;
   const SpurGear& wheel = pair.wheel;
   const double m = pair.module_length, tan = std::tan(pair.pressure_angle);

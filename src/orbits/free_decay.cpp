@@ -11,9 +11,6 @@ constexpr double gone = 0.02;           // of a push: what is left is noise
 constexpr double far = 4e-2;            // beyond which the map bends
 constexpr double smallest_push = 1e-4;  // noise is a hundredth of it
 
-double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
-Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
-
 /// One mesh period, relative to the orbit.
 struct Return {
   Motion from, to;

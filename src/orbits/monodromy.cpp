@@ -1,5 +1,6 @@
 #include "gearfilm/orbits/monodromy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,10 @@ std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy) {
   const double determinant = first[0] * second[1] - first[1] * second[0];
   const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - determinant));
   return {half_trace + root, half_trace - root};
+}
+
+double largest_modulus(const std::array<std::complex<double>, 2>& mu) {
+  return std::max(std::abs(mu[0]), std::abs(mu[1]));
 }
 
 std::optional<FreeOscillation> free_oscillation(const std::array<std::complex<double>, 2>& mu, double mesh_frequency,

@@ -11,14 +11,12 @@ namespace gearfilm {
 namespace {
 
 constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
-constexpr double telling_step = 1e-3;     // of the motion between two periods, from which the map's Jacobian can be told
-constexpr double worth_keeping = 5e-3;    // defect of a period whose end serves as a disturbance of the orbit
-constexpr double largest_change = 0.5;    // of H_0 or V_0 in one Newton step
-constexpr double shortest_step = 0.2;     // of a Newton step, before the Jacobian is doubted
-constexpr int settling_periods = 3;       // marched on before Newton's method is tried again
+constexpr double telling_step = 1e-3;   // of the motion between two periods, from which the map's Jacobian can be told
+constexpr double worth_keeping = 5e-3;  // defect of a period whose end serves as a disturbance of the orbit
+constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
+constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
+constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
 
-double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
-Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
 Motion moved(const Motion& from, double by, const Motion& step) {
   return {from.H0 + by * step.H0, from.V0 + by * step.V0};
 }

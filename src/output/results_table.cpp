@@ -101,4 +101,11 @@ void ResultsTable::put_rows(const std::vector<double>& rows) {
   succeed(H5Fflush(file_.hdf5_file(), H5F_SCOPE_GLOBAL), "flush a table");
 }
 
+void write_table(ResultsFile& file, const std::string& path, const std::vector<TableColumn>& columns,
+                 const std::vector<double>& rows) {
+  ResultsTable table(file, path, columns);
+  table.append(rows);
+  table.write();
+}
+
 }  // namespace gearfilm

@@ -1,19 +1,15 @@
 // The dry pair on teeth that bend: turned slowly and marched, against tests/reference/teeth.json.
 #include "gearfilm/dynamics/static_mesh.hpp"
 
-#include <fstream>
 #include <numeric>
 
 #include "pair_case.hpp"
+#include "teeth_reference.hpp"
 
 namespace gearfilm {
 namespace {
 
-const nlohmann::json& reference() {
-  static const nlohmann::json all =
-      nlohmann::json::parse(std::ifstream(std::string(GEARFILM_REFERENCE_DIR) + "/teeth.json"));
-  return all;
-}
+using teeth_case::reference;
 
 Settings bending(const std::string& body = "yes") {
   return {{"gear.tooth_compliance", "weber"},

@@ -4,21 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
+#include "teeth_reference.hpp"
 
 namespace gearfilm {
 namespace {
 
-const nlohmann::json& reference() {
-  static const nlohmann::json all =
-      nlohmann::json::parse(std::ifstream(std::string(GEARFILM_REFERENCE_DIR) + "/teeth.json"));
-  return all;
-}
+using teeth_case::reference;
 
 SpurGearPair table3_pair() {
   const auto gear = [](int teeth, double outer_radius) {
@@ -36,7 +31,7 @@ SpurGearPair table3_pair() {
 }
 
 std::array<GearCompliance, 2> gears_of(const SpurGearPair& pair, FoundationModel foundation) {
-  const std::vector<double> x = profile_shifts(pair);
+  const std::array<double, 2> x = profile_shifts(pair);
   return {GearCompliance(pair.pinion, pair, ToothProfile(pair.pinion, pair, x[0], 0.0, "pinion"), foundation, "pinion"),
           GearCompliance(pair.wheel, pair, ToothProfile(pair.wheel, pair, x[1], 0.0, "wheel"), foundation, "wheel")};
 }
@@ -53,7 +48,7 @@ Teeth teeth_with(const GearFlanks& pinion, const GearFlanks& wheel, const Compli
 TEST(ToothProfile, is_that_of_the_generating_rack) {
   const auto& geometry = reference().at("geometry");
   const SpurGearPair pair = table3_pair();
-  const std::vector<double> x = profile_shifts(pair);
+  const std::array<double, 2> x = profile_shifts(pair);
   const std::array<GearCompliance, 2> gears = gears_of(pair, FoundationModel::weber);
   for (int gear = 0; gear < 2; ++gear) {
     const ToothProfile& profile = gears[gear].profile();

@@ -4,6 +4,7 @@
 // radius rho_f; h_f = r - r_f + x m is how deep it reaches below its reference line.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,6 @@ private:
 
 /// x_1 and x_2: those given, and for the others the ones that leave no backlash at the centre distance, both tips cut
 /// by the same length.
-std::vector<double> profile_shifts(const SpurGearPair& pair);
+std::array<double, 2> profile_shifts(const SpurGearPair& pair);
 
 }  // namespace gearfilm

@@ -22,6 +22,9 @@ struct FreeOscillation {
 /// The two eigenvalues; of a complex pair the one with positive imaginary part first.
 std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy);
 
+/// Modulus of the larger one: what a disturbance keeps over one mesh period.
+double largest_modulus(const std::array<std::complex<double>, 2>& multipliers);
+
 /// From the multipliers, the mesh frequency f_m and the linear natural frequency f_n [Hz]. Real multipliers do not
 /// oscillate.
 std::optional<FreeOscillation> free_oscillation(const std::array<std::complex<double>, 2>& multipliers,

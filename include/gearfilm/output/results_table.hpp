@@ -46,4 +46,8 @@ private:
   double last_write_ = 0.0;
 };
 
+/// A whole table at once. Collective.
+void write_table(ResultsFile& file, const std::string& path, const std::vector<TableColumn>& columns,
+                 const std::vector<double>& rows);
+
 }  // namespace gearfilm
