@@ -32,7 +32,6 @@ void drive(March&& march, const Case& problem) {
 
 void run_transient(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
-  if (problem.march.model != MarchModel::dry) require_rigid_teeth(problem, "transient");
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.

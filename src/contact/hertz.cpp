@@ -133,6 +133,20 @@ double hertz_load(const ContactSolids& solids, double approach) {
   return ratio * std::sqrt(ratio);
 }
 
+// With y = F^(1/3) convex and increasing, so that Newton's method from above converges monotonically.
+double force_on_spring(double unit_force, double compliance, double approach) {
+  if (approach <= 0.0) return 0.0;
+  if (compliance == 0.0) return unit_force * approach * std::sqrt(approach);
+  const double root = std::cbrt(unit_force), q = 1.0 / (root * root);
+  double y = std::sqrt(approach / q);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const double step = (q * y * y + compliance * y * y * y - approach) / (2.0 * q * y + 3.0 * compliance * y * y);
+    y -= step;
+    if (step <= 1e-15 * y) break;
+  }
+  return y * y * y;
+}
+
 double hertz_line_half_width(double load_per_length, double radius_x, double reduced_modulus) {
   return std::sqrt(8.0 * load_per_length * radius_x / (pi * reduced_modulus));
 }

@@ -49,8 +49,8 @@ double LubricatedPair::share_at(double T) const {
 void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
   if (mesh_.inertia > 0.0 || !share_) return;
   const auto approach_at = [&](double T) {
-    const double share = share_at(T);
-    return mesh_.scales.approach * std::cbrt(share * share);
+    const double share = share_at(T), compliance = mesh_.compliance(numbers_, T)(0, 0);
+    return mesh_.scales.approach * std::cbrt(share * share) + compliance * share * mesh_.scales.static_force;
   };
   const double sinking = approach_at(T1) - approach_at(T0);
   set_motion(state, {motion(state).H0 - sinking, -sinking / (T1 - T0)});
@@ -58,13 +58,15 @@ void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
 // by some nodes in a step. Where it grows, the extrapolated pressures are the better guess.
-void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, const std::vector<ContactRecord>& figures) const {
-  constexpr double crossed = 0.7;  // of a film, by the motion
-  const double rise = motion(guess).H0 - motion(last).H0;
+void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
+                                   const std::vector<ContactRecord>& figures) const {
+  constexpr double crossed = 0.5;  // of a film, by the motion
+  const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
+    const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
+    const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.gap_offset - conditions.gap_offset;
     const FilmFigures film = film_figures(figures[k].figures);
     if (rise < crossed * film.central_film || film.pressure_integral <= 0.0) continue;
-    const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const HertzContact before = dry_contact(mesh_.scales, conditions, film.pressure_integral);
     const double approach = before.approach - rise * mesh_.scales.thickness;
     const double ratio = std::max(smallest_similar, std::sqrt(std::max(0.0, approach) / before.approach));
@@ -75,7 +77,7 @@ void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, const std::ve
 
 void LubricatedPair::place(double T) {
   for (std::size_t k = 0; k < films_.size(); ++k) films_[k]->set_conditions(mesh_.contact(numbers_[k], T).conditions);
-  system_.set_border(border_at(T));
+  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T)), mesh_.compliance(numbers_, T));
 }
 
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gearfilm/dynamics/dry_force.hpp"
+#include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
@@ -86,33 +88,65 @@ void MeshMarch::make_room(const Room& needed) {
 void MeshMarch::make_room() {
   Room needed;
   if (!options_.room) return;
-  for (const LiveContact& contact : contacts_) {
-    needed = united(needed, needed_room(contact.number, present_figures(contact).pressure_integral));
+  const std::vector<double> carried = forces();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    needed = united(needed, needed_room(contacts_[k].number, carried[k]));
   }
   make_room(needed);
 }
 
-LiveContact MeshMarch::enter(int number, const std::optional<PressureGuess>& guess) {
+std::vector<int> MeshMarch::numbers() const {
+  std::vector<int> numbers(contacts_.size());
+  std::ranges::transform(contacts_, numbers.begin(), &LiveContact::number);
+  return numbers;
+}
+
+std::vector<double> MeshMarch::forces() const {
+  std::vector<double> forces;
+  for (const LiveContact& contact : contacts_) {
+    forces.push_back(integral(discretisation_->grid(), values_of(contact.fields, field::pressure)));
+  }
+  return forces;
+}
+
+std::vector<double> MeshMarch::displacements() const {
+  return mesh_.compliance(numbers(), T_).displacements(motion_.H0, forces());
+}
+
+// Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.
+LiveContact MeshMarch::enter(int number) {
   const ScopedStage stage("Entering film");
-  const LoadCondition load = LoadCondition::displacement(motion_.H0);
   for (;;) {
+    std::vector<int> together = numbers();
+    std::vector<double> carried = forces();
+    together.push_back(number);
+    carried.push_back(0.0);
+    const Compliance compliance = mesh_.compliance(together, T_);
+    const double displaced = compliance.displacements(motion_.H0, carried).back();
+    const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(contacts_.size()));
     ContactFilm* film = free_film();
     film->set_conditions(mesh_.contact(number, T_).conditions);
-    StationaryResult entered = located(label(number) + ", entering", [&] {
-      if (!guess) return solve_stationary(*film, load, options_.films);
-      const std::vector<double> pressure = refitted(guess->values, Grid(comm(), guess->shape), film->grid());
-      return continue_stationary(*film, load, options_.films, {pressure, motion_.H0});
+    const StationaryResult entered = located(label(number) + ", entering", [&] {
+      if (contacts_.empty()) return solve_stationary(*film, load, options_.films);
+      return continue_stationary(*film, load, options_.films, {entering_guess(*film, load), displaced});
     });
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));
-      return {number, film, still(std::move(entered.solution.pressure))};
+      return {number, film, still(entered.solution.pressure)};
     }
     make_room(needed);
   }
 }
 
-// A single contact is balanced together with its film; several by the secant method on H_0.
+// The pressure of its neighbour, or none where the teeth are apart.
+std::vector<double> MeshMarch::entering_guess(const ContactFilm& film, const LoadCondition& load) const {
+  std::vector<double> pressure = values_of(contacts_.back().fields, field::pressure);
+  if (load.value + film.conditions().gap_offset >= 0.0) std::ranges::fill(pressure, 0.0);
+  return pressure;
+}
+
+// Each film by itself as a dry contact's, then all of them together.
 void MeshMarch::balance_at_rest() {
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   contacts_.clear();
@@ -120,42 +154,62 @@ void MeshMarch::balance_at_rest() {
   Room needed;
   for (int number : numbers) needed = united(needed, needed_room(number, mesh_.scales.static_force));
   make_room(needed);
-  ContactFilm* first = free_film();
-  first->set_conditions(mesh_.contact(numbers.front(), T_).conditions);
   const auto sharing = mesh_.share_from(T_);
-  const double share = sharing ? (*sharing)(mesh_.path.position(0, T_)) : 1.0 / static_cast<double>(numbers.size());
-  const LoadCondition load = LoadCondition::force(share * mesh_.scales.static_force);
-  StationaryResult leading =
-      located(label(numbers.front()), [&] { return solve_stationary(*first, load, options_.films); });
-  motion_ = {leading.solution.H0, 0.0};
-  contacts_.push_back({numbers.front(), first, still(leading.solution.pressure)});
-  if (numbers.size() == 1) return;
+  const double share = sharing ? (*sharing)(mesh_.path.position(0, T_)) : 1.0;
+  const double force = share * mesh_.scales.static_force;
+  const DryContacts dry(DryForce(mesh_), mesh_, numbers, T_);
+  const double dry_H0 = dry.balance(force);
+  const std::vector<double> dry_forces = dry.forces(dry_H0);
+  const Compliance compliance = mesh_.compliance(numbers, T_);
+  const std::vector<double> displaced = compliance.displacements(dry_H0, dry_forces);
+  motion_ = {};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    ContactFilm* film = free_film();
+    film->set_conditions(mesh_.contact(numbers[k], T_).conditions);
+    const bool carries = dry_forces[k] > 0.01 * force;
+    const LoadCondition load =
+        carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
+    const StationaryResult found =
+        located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
+    if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
+    contacts_.push_back({numbers[k], film, still(found.solution.pressure)});
+  }
+  if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
+}
 
-  const auto excess = [&](double H0) {
-    motion_.H0 = H0;
-    std::map<int, PressureGuess> before;
-    for (const LiveContact& contact : contacts_) before.emplace(contact.number, pressure_of(contact));
-    contacts_.clear();
-    double sum = -mesh_.scales.static_force;
-    for (int number : numbers) {
-      const auto known = before.find(number);
-      contacts_.push_back(enter(number, known != before.end() ? known->second : before.begin()->second));
-      sum += present_figures(contacts_.back()).pressure_integral;
-    }
-    return sum;
-  };
-  double H0 = motion_.H0, residual = excess(H0);
-  double slope = -mesh_.stiffness();
-  for (int iteration = 0; std::abs(residual) > 1e-8 * mesh_.scales.static_force; ++iteration) {
-    if (iteration == 30) throw SolveError("the contacts' forces at rest could not be balanced with the static force");
-    const double next = H0 - residual / slope;
-    const double next_residual = excess(next);
-    // Films known to Newton's tolerance balance no better than that.
-    const bool stalled = std::abs(next_residual) > 0.5 * std::abs(residual);
-    if (stalled && std::abs(next_residual) < 1e-6 * mesh_.scales.static_force) return;
-    slope = (next_residual - residual) / (next - H0);
-    H0 = next;
-    residual = next_residual;
+// From films that are near.
+void MeshMarch::settle(const LoadCondition& load) {
+  const ScopedStage stage("Stationary film");
+  const FilmSolution settled = located(label(contacts_.front().number) + " and its neighbours", [&] {
+    return solve_together(present_films(), load, options_.films, {pressures(), motion_.H0});
+  });
+  set_pressures(settled.pressure);
+  motion_.H0 = settled.H0;
+}
+
+std::vector<ContactFilm*> MeshMarch::present_films() const {
+  std::vector<ContactFilm*> films;
+  for (const LiveContact& contact : contacts_) {
+    contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
+    films.push_back(contact.film);
+  }
+  return films;
+}
+
+std::vector<double> MeshMarch::pressures() const {
+  std::vector<double> all;
+  for (const LiveContact& contact : contacts_) {
+    const std::vector<double>& own = values_of(contact.fields, field::pressure);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+void MeshMarch::set_pressures(std::span<const double> pressures) {
+  for (LiveContact& contact : contacts_) {
+    std::vector<double>& own = values_of(contact.fields, field::pressure);
+    std::ranges::copy(pressures.first(own.size()), own.begin());
+    pressures = pressures.subspan(own.size());
   }
 }
 
@@ -164,15 +218,16 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
   if (motion) {
     motion_ = *motion;
     contacts_.clear();
-    for (int number : mesh_.path.contacts_after(T_)) {
-      contacts_.push_back(enter(number, guess_from_last()));
-    }
+    for (int number : mesh_.path.contacts_after(T_)) contacts_.push_back(enter(number));
+    const Compliance compliance = mesh_.compliance(numbers(), T_);
+    if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0, compliance));
   } else {
     balance_at_rest();
   }
   make_room();
-  for (const LiveContact& contact : contacts_) {
-    check_validity(*contact.film, present_figures(contact), label(contact.number));
+  const std::vector<FilmFigures> figures = present_figures();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    check_validity(*contacts_[k].film, figures[k], label(contacts_[k].number));
   }
   observe_present();
 }
@@ -182,34 +237,42 @@ void MeshMarch::observe(const StepRecord& record) const {
   if (keeper_) keeper_->record(record);
 }
 
-FilmFigures MeshMarch::present_figures(const LiveContact& contact) const {
-  contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
-  return contact.film->figures(values_of(contact.fields, field::pressure), motion_.H0);
+std::vector<FilmFigures> MeshMarch::present_figures() const {
+  const std::vector<double> displaced = displacements();
+  const std::vector<ContactFilm*> films = present_films();
+  std::vector<FilmFigures> figures;
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    figures.push_back(films[k]->figures(values_of(contacts_[k].fields, field::pressure), displaced[k]));
+  }
+  return figures;
 }
 
 void MeshMarch::observe_present() const {
   StepRecord record;
   record.T = T_;
   record.motion = motion_;
-  for (const LiveContact& contact : contacts_) {
-    record.contacts.push_back(contact_record(mesh_, contact.number, T_, present_figures(contact)));
+  const std::vector<FilmFigures> figures = present_figures();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    record.contacts.push_back(contact_record(mesh_, contacts_[k].number, T_, figures[k]));
   }
   observe(record);
 }
 
 void MeshMarch::exchange_contacts() {
-  const std::vector<int> numbers = mesh_.path.contacts_after(T_);
-  const std::size_t present = contacts_.size();
-  std::erase_if(contacts_, [&](const LiveContact& contact) {
-    return std::ranges::find(numbers, contact.number) == numbers.end();
-  });
-  const std::size_t kept = contacts_.size();
-  for (int number : numbers) {
-    if (std::ranges::find(contacts_, number, &LiveContact::number) == contacts_.end()) {
-      contacts_.push_back(enter(number, guess_from_last()));
-    }
+  const std::vector<int> before = numbers(), after = mesh_.path.contacts_after(T_);
+  if (before == after) return;
+  std::map<int, FilmInPlace> films = films_in_place();
+  std::erase_if(contacts_,
+                [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
+  for (int number : after) {
+    if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number));
   }
-  if (kept != present || contacts_.size() != kept) observe_present();
+  // Teeth spring back that a force bent which is gone, and bend under one that is new.
+  if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled()) {
+    films.merge(films_in_place());  // of those that were there before as they were before
+    follow(films);
+  }
+  observe_present();
 }
 
 PairState MeshMarch::state() const {
@@ -236,50 +299,69 @@ void MeshMarch::take_up(double T, const PairState& state, const std::vector<int>
   for (std::size_t k = 0; k < numbers.size(); ++k) contacts_.push_back({numbers[k], free_film(), here.films[k]});
 }
 
-// One implicit step of the change alone: G = 0 at the new H_0 with d(rho H)/dT = rate + (rho H - rho H before)/dT, so
-// that no jump is no change.
-bool MeshMarch::follow(const LiveContact& contact, double H0, ContactFields& after) const {
-  const double shift = 1.0 / options_.steps.dT;
-  contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
-  std::vector<double>& pressure = values_of(after, field::pressure);
-  const std::vector<double>& rate = values_of(after, field::rate);
-  std::vector<double> mass(pressure.size());
-  contact.film->mass(pressure, motion_.H0, mass);
-  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rate[n] / shift;
-  for (const NewtonOptions& options : {options_.steps.newton, options_.films.newton}) {
-    StationaryNewton newton(*contact.film, options);
-    FilmSolution moved{pressure, H0};
-    if (!newton.solve(LoadCondition::displacement(H0), moved, ImplicitStep{shift, mass})) continue;
-    pressure = std::move(moved.pressure);
-    return true;
+std::map<int, MeshMarch::FilmInPlace> MeshMarch::films_in_place() const {
+  const std::vector<double> displaced = displacements();
+  const std::vector<ContactFilm*> films = present_films();
+  std::map<int, FilmInPlace> in_place;
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    const std::vector<double>& pressure = values_of(contacts_[k].fields, field::pressure);
+    std::vector<double> oil(pressure.size());
+    films[k]->mass(pressure, displaced[k], oil);
+    in_place.emplace(contacts_[k].number, FilmInPlace{displaced[k], std::move(oil)});
   }
-  return false;
+  return in_place;
 }
 
-// A film that cannot follow at once does so in smaller jumps.
-void MeshMarch::displace(const Motion& motion) {
-  constexpr double smallest_jump = 1e-3;
-  double jump = motion.H0 - motion_.H0;
-  while (motion_.H0 != motion.H0) {
-    const double left = motion.H0 - motion_.H0;
-    const double H0 = std::abs(left) <= std::abs(jump) * (1.0 + 1e-9) ? motion.H0 : motion_.H0 + jump;
-    std::vector<ContactFields> after;
-    bool all = true;
-    for (const LiveContact& contact : contacts_) {
-      after.push_back(contact.fields);
-      all = all && follow(contact, H0, after.back());
+// One implicit step of the change alone: G = 0 at the new displacements with
+// d(rho H)/dT = rate + (rho H - rho H before)/dT, so that no jump is no change. Where films cannot follow at once, part
+// of the jump is held back as a gap first.
+void MeshMarch::follow(const std::map<int, FilmInPlace>& before) {
+  constexpr double smallest_part = 1e-3;
+  const double shift = 1.0 / options_.steps.dT;
+  const LoadCondition load = LoadCondition::displacement(motion_.H0, mesh_.compliance(numbers(), T_));
+  std::vector<double> held_back = displacements(), mass;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const FilmInPlace& own = before.at(contacts_[k].number);
+    held_back[k] = own.displacement - held_back[k];
+    const std::vector<double>& rate = values_of(contacts_[k].fields, field::rate);
+    for (std::size_t n = 0; n < rate.size(); ++n) mass.push_back(own.oil[n] - rate[n] / shift);
+  }
+  const auto solved = [&](double part, const NewtonOptions& options) {
+    const std::vector<ContactFilm*> films = present_films();
+    for (std::size_t k = 0; k < films.size(); ++k) {
+      ContactConditions conditions = films[k]->conditions();
+      conditions.gap_offset += part * held_back[k];
+      films[k]->set_conditions(conditions);
     }
-    if (all) {
-      for (std::size_t k = 0; k < contacts_.size(); ++k) contacts_[k].fields = std::move(after[k]);
-      motion_.H0 = H0;
-    } else if (std::abs(jump) > smallest_jump) {
-      jump *= 0.5;
+    FilmSolution moved{pressures(), motion_.H0};
+    if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;
+    set_pressures(moved.pressure);
+    return true;
+  };
+  for (double part = 1.0, step = 1.0; part > 0.0;) {
+    const double next = std::max(0.0, part - step);
+    if (solved(next, options_.steps.newton) || solved(next, options_.films.newton)) {
+      part = next;
+    } else if (step > smallest_part) {
+      step *= 0.5;
     } else {
-      throw SolveError(label(contacts_.front().number) + ": the film does not follow a jump of H0 to " +
-                       std::to_string(motion.H0));
+      throw SolveError(label(contacts_.front().number) + ": the films do not follow a jump of H by " +
+                       std::to_string(-*std::ranges::max_element(held_back, {}, [](double x) { return std::abs(x); })));
     }
   }
+  for (const auto& [number, now] : films_in_place()) {
+    std::vector<double>& rate =
+        values_of(std::ranges::find(contacts_, number, &LiveContact::number)->fields, field::rate);
+    const std::vector<double>& oil = before.at(number).oil;
+    for (std::size_t n = 0; n < rate.size(); ++n) rate[n] += shift * (now.oil[n] - oil[n]);
+  }
+}
+
+void MeshMarch::displace(const Motion& motion) {
+  const std::map<int, FilmInPlace> before = films_in_place();
+  const bool jumps = motion.H0 != motion_.H0;
   motion_ = motion;
+  if (jumps) follow(before);
   make_room();
   observe_present();
 }

@@ -1,6 +1,7 @@
 #include "gearfilm/dynamics/mesh_model.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gearfilm {
 
@@ -18,6 +19,18 @@ MeshedContact MeshModel::contact(int number, double T) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;
   return contact;
+}
+
+Compliance MeshModel::compliance(std::span<const int> numbers, double T) const {
+  if (teeth.rigid()) return {};
+  std::vector<double> matrix;
+  for (const int k : numbers) {
+    for (const int j : numbers) {
+      const double c = k == j ? teeth.compliance(path.position(k, T)) : teeth.coupling(std::abs(k - j));
+      matrix.push_back(c * compliance_scale());
+    }
+  }
+  return Compliance(std::move(matrix));
 }
 
 std::optional<LoadSharing::Piece> MeshModel::share_from(double T) const {

@@ -119,7 +119,7 @@ void SegmentStepper::configure_solvers() {
           if (own->at_start_) own->pair_.follow_share(state, own->last_time_, own->state_time_);
           own->pair_.system().restrain(state, last);
           if (!own->last_contacts_.empty()) {
-            own->pair_.follow_motion(state, last, own->last_time_, own->last_contacts_);
+            own->pair_.follow_motion(state, last, own->last_time_, own->state_time_, own->last_contacts_);
           }
         });
       },

@@ -18,13 +18,14 @@ StaticPosition balanced(const DryForce& force, const MeshModel& mesh, const std:
   return position;
 }
 
-/// -H_0 - e - sum_j c_kj F_j of the contact that enters at the position's time, which it is not yet part of.
+/// By which a contact that enters at the position's time, which it is not yet part of, meets its mate.
 double penetration_met(const MeshModel& mesh, const StaticPosition& before, int entering) {
-  double penetration = -before.H0 - mesh.contact(entering, before.T).conditions.gap_offset;
-  for (std::size_t k = 0; k < before.contacts.size(); ++k) {
-    penetration -= mesh.coupling(entering - before.contacts[k]) * before.forces[k];
-  }
-  return penetration;
+  std::vector<int> numbers = before.contacts;
+  std::vector<double> forces = before.forces;
+  numbers.push_back(entering);
+  forces.push_back(0.0);
+  const double displaced = mesh.compliance(numbers, before.T).displacements(before.H0, forces).back();
+  return -displaced - mesh.contact(entering, before.T).conditions.gap_offset;
 }
 
 }  // namespace

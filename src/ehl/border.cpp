@@ -1,6 +1,5 @@
 #include "gearfilm/ehl/border.hpp"
 
-#include <algorithm>
 #include <numeric>
 
 namespace gearfilm {
@@ -20,32 +19,16 @@ std::vector<double> Border::rows(std::span<const double> scalars, std::span<cons
   return rows;
 }
 
-BorderFactors::BorderFactors(std::size_t scalars) {
-  const auto m = static_cast<PetscInt>(scalars);
-  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, m, m, nullptr, factors_.put()));
-  petsc_check(MatCreateVecs(factors_, solution_.put(), right_side_.put()));
-}
-
-void BorderFactors::factor(const Border& border, double shift, double film_stiffness) {
-  const auto m = static_cast<PetscInt>(border.size());
-  petsc_check(MatSetUnfactored(factors_));
-  for (PetscInt i = 0; i < m; ++i) {
-    for (PetscInt j = 0; j < m; ++j) {
-      const double entry = shift * border.mass[i * m + j] + border.stiffness[i * m + j] +
-                           film_stiffness * border.force[i] * border.displacement[j];
-      petsc_check(MatSetValue(factors_, i, j, entry, INSERT_VALUES));
+std::vector<double> border_matrix(const Border& border, double shift, double film_stiffness) {
+  const std::size_t m = border.size();
+  std::vector<double> matrix(m * m);
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < m; ++j) {
+      matrix[i * m + j] = shift * border.mass[i * m + j] + border.stiffness[i * m + j] +
+                          film_stiffness * border.force[i] * border.displacement[j];
     }
   }
-  petsc_check(MatAssemblyBegin(factors_, MAT_FINAL_ASSEMBLY));
-  petsc_check(MatAssemblyEnd(factors_, MAT_FINAL_ASSEMBLY));
-  petsc_check(MatLUFactor(factors_, nullptr, nullptr, nullptr));
-}
-
-std::vector<double> BorderFactors::solve(std::vector<double> rows) const {
-  std::ranges::copy(rows, VecWriting(right_side_).values().begin());
-  petsc_check(MatSolve(factors_, right_side_, solution_));
-  std::ranges::copy(VecReading(solution_).values(), rows.begin());
-  return rows;
+  return matrix;
 }
 
 Border given_displacement(double H0) {

@@ -12,4 +12,8 @@ HertzContact dry_contact(const Scales& scales, const ContactConditions& conditio
   return hertz_contact(solids_of(scales, conditions), scales.force(pressure_integral));
 }
 
+double force_at_unit_approach(const Scales& scales, const ContactConditions& conditions) {
+  return hertz_load(solids_of(scales, conditions), scales.thickness) / scales.operation.load * scales.static_force;
+}
+
 }  // namespace gearfilm

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace gearfilm {
 namespace {
+
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// The local part of a rate, empty where nothing moves.
 class RateReading {
@@ -25,8 +28,12 @@ FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
     : films_(std::move(films)),
       border_(std::move(border)),
       grid_(films_.front()->grid()),
-      weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())),
-      border_factors_(border_.size()) {}
+      weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {}
+
+void FilmSystem::set_border(Border border, Compliance compliance) {
+  border_ = std::move(border);
+  compliance_ = std::move(compliance);
+}
 
 PetscInt FilmSystem::local_size() const {
   return static_cast<PetscInt>(border_at() + (has_border() ? border_.size() : 0));
@@ -80,49 +87,63 @@ Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, 
   return {rates.empty() ? rates : part(rates, contact), shift};
 }
 
+std::vector<double> FilmSystem::displacements(std::span<const double> values, std::span<const double> scalars) const {
+  const double H0 = border_.displaced(scalars);
+  if (compliance_.rigid()) return std::vector<double>(films(), H0);
+  return compliance_.displacements(H0, forces(values));
+}
+
+std::vector<double> FilmSystem::displacements(Vec state) const {
+  const VecReading in(state);
+  return displacements(in.values(), scalars_in(in.values()));
+}
+
 void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const RateReading rates(rate);
   const VecReading in(state);
   const VecWriting out(rows);
-  const std::vector<double> scalars = scalars_in(in.values());
-  const double H0 = border_.displaced(scalars);
+  const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
+  const std::vector<double> displaced = compliance_.displacements(border_.displaced(scalars), carried);
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->residual(part(in.values(), k), H0, squeeze(rates.values(), k, rate.shift), part(out.values(), k));
+    films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
+                        part(out.values(), k));
   }
-  const double sum = force_sum(in.values());
   if (!has_border()) return;
   const std::vector<double> still(border_.size(), 0.0);
   const auto scalar_rates = rate.values ? rates.values().subspan(border_at()) : std::span<const double>(still);
-  put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
+  put_rows(border_.rows(scalars, scalar_rates, sum_of(carried), Border::Of::states), out.values());
 }
 
 void FilmSystem::transient(Vec state, Vec values) {
   const VecReading in(state);
   const VecWriting out(values);
   const std::vector<double> scalars = scalars_in(in.values());
-  const double H0 = border_.displaced(scalars);
-  for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), H0, part(out.values(), k));
+  const std::vector<double> displaced = displacements(in.values(), scalars);
+  for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k));
   if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
 }
 
 void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
   shift_ = shift;
-  elimination_ = elimination;
+  elimination_ = compliance_.rigid() ? elimination : Elimination::exact;
   const RateReading rates(rate);
   const VecReading in(state);
-  const double H0 = border_.displaced(scalars_in(in.values()));
+  const std::vector<double> displaced = displacements(in.values(), scalars_in(in.values()));
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->linearise(part(in.values(), k), H0, squeeze(rates.values(), k, rate.shift), shift);
+    films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
-    border_factors_.factor(border_, shift, 0.0);
+    border_factors_.factor(border_matrix(border_, shift, 0.0));
     return;
   }
   responses_.resize(border_at());
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
   }
-  border_factors_.factor(border_, shift, force_sum(responses_));
+  stiffness_ = forces(responses_);
+  settling_factors_.factor(compliance_.settling_matrix(stiffness_));
+  settled_ = settling_factors_.solve(stiffness_);
+  border_factors_.factor(border_matrix(border_, shift, sum_of(settled_)));
 }
 
 double FilmSystem::merit(Vec rows) {
@@ -137,58 +158,81 @@ double FilmSystem::merit(Vec rows) {
 void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
-  const std::vector<double> scalars = scalars_in(in.values());
-  const double H0 = border_.displaced(scalars);
-  for (std::size_t k = 0; k < films(); ++k) films_[k]->multiply(part(in.values(), k), H0, part(out.values(), k));
+  const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
+  const std::vector<double> displaced = compliance_.displacements(border_.displaced(scalars), carried);
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->multiply(part(in.values(), k), displaced[k], part(out.values(), k));
+  }
   std::vector<double> rates = scalars;
   for (double& value : rates) value *= shift_;
-  put_rows(border_.rows(scalars, rates, force_sum(in.values()), Border::Of::changes), out.values());
+  put_rows(border_.rows(scalars, rates, sum_of(carried), Border::Of::changes), out.values());
 }
 
 void FilmSystem::multiply_transient(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values());
-  const double H0 = border_.displaced(scalars);
-  for (std::size_t k = 0; k < films(); ++k) films_[k]->multiply_mass(part(in.values(), k), H0, part(out.values(), k));
+  const std::vector<double> displaced = displacements(in.values(), scalars);
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->multiply_mass(part(in.values(), k), displaced[k], part(out.values(), k));
+  }
   const std::vector<double> nothing(border_.size(), 0.0);
   put_rows(border_.rows(nothing, scalars, 0.0, Border::Of::changes), out.values());
 }
 
-// Border first: s from the border's rows, then v = M^-1 (r - H_0 dG/dH_0). Exactly: with z = M^-1 r and
-// y = M^-1 dG/dH_0 of the films v = z - y H_0, so that the sum of forces is Int z - H_0 Int y, and the border gives s.
 void FilmSystem::precondition(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
-  const bool exact = elimination_ == Elimination::exact;
-  std::vector<double> border_rows = scalars_in(in.values());
+  if (elimination_ == Elimination::exact) {
+    precondition_exactly(in.values(), out.values());
+  } else {
+    precondition_border_first(in.values(), out.values());
+  }
+}
+
+// s from the border's rows, then v_k = M_k^-1 (r_k - H_0 dG_k/dH_0).
+void FilmSystem::precondition_border_first(std::span<const double> rows, std::span<double> change) {
+  std::vector<double> border_rows = scalars_in(rows);
   for (double& row : border_rows) row /= weight_;
-  if (exact) {
-    for (std::size_t k = 0; k < films(); ++k) films_[k]->precondition(part(in.values(), k), part(out.values(), k));
-    const double sum = force_sum(out.values());
-    for (std::size_t n = 0; n < border_rows.size(); ++n) border_rows[n] += border_.force[n] * sum;
+  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
+  const double H0 = border_.displaced(scalars);
+  work_.resize(field_size());
+  for (std::size_t k = 0; k < films(); ++k) {
+    const auto film_rows = part(rows, k);
+    const auto column = films_[k]->displacement_column();
+    for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
+    films_[k]->precondition(work_, part(change, k));
+  }
+  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
+}
+
+// With z = M^-1 r and y = M^-1 dG/dH of the films v_k = z_k - y_k H_k: their forces settle from those of z with the
+// stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the border gives s.
+void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<double> change) {
+  for (std::size_t k = 0; k < films(); ++k) films_[k]->precondition(part(rows, k), part(change, k));
+  std::vector<double> carried = settling_factors_.solve(forces(change));
+  std::vector<double> border_rows = scalars_in(rows);
+  const double sum = sum_of(carried);
+  for (std::size_t n = 0; n < border_rows.size(); ++n) {
+    border_rows[n] = border_rows[n] / weight_ + border_.force[n] * sum;
   }
   const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
   const double H0 = border_.displaced(scalars);
-  if (exact) {
-    for (std::size_t n = 0; n < border_at(); ++n) out[n] -= H0 * responses_[n];
-  } else {
-    work_.resize(field_size());
-    for (std::size_t k = 0; k < films(); ++k) {
-      const auto film_rows = part(in.values(), k);
-      const auto column = films_[k]->displacement_column();
-      for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
-      films_[k]->precondition(work_, part(out.values(), k));
-    }
+  for (std::size_t k = 0; k < films(); ++k) carried[k] -= H0 * settled_[k];
+  const std::vector<double> displaced = compliance_.displacements(H0, carried);
+  for (std::size_t k = 0; k < films(); ++k) {
+    const auto response = part(std::span(std::as_const(responses_)), k);
+    const auto own = part(change, k);
+    for (std::size_t n = 0; n < field_size(); ++n) own[n] -= displaced[k] * response[n];
   }
-  if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
+  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
 }
 
 std::vector<FilmFigures> FilmSystem::figures(Vec state) {
   const VecReading in(state);
-  const double H0 = border_.displaced(scalars_in(in.values()));
+  const std::vector<double> displaced = displacements(in.values(), scalars_in(in.values()));
   std::vector<FilmFigures> figures;
-  for (std::size_t k = 0; k < films(); ++k) figures.push_back(films_[k]->figures(part(in.values(), k), H0));
+  for (std::size_t k = 0; k < films(); ++k) figures.push_back(films_[k]->figures(part(in.values(), k), displaced[k]));
   return figures;
 }
 

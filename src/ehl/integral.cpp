@@ -3,8 +3,10 @@
 #include <array>
 
 namespace gearfilm {
+namespace {
 
-double integral(const Grid& grid, std::span<const double> values) {
+/// Of both halves of the domain, with the nodes on Y = 0 once.
+double own_sum(const Grid& grid, std::span<const double> values) {
   const std::size_t count = values.size();
   constexpr std::size_t lanes = 16;  // sums side by side, for vector instructions
   std::array<double, lanes> sums{};
@@ -15,13 +17,26 @@ double integral(const Grid& grid, std::span<const double> values) {
   double sum = 0.0;
   for (; n < count; ++n) sum += values[n];
   for (const double part : sums) sum += part;
-  // Both halves of the domain, with the nodes on Y = 0 once.
   sum *= 2.0;
   if (grid.rank() == 0) {
     for (n = 0; n < count; n += grid.y_count()) sum -= values[n];
   }
-  if (grid.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, grid.comm());
-  return sum * grid.h_x() * grid.h_y();
+  return sum;
 }
+
+}  // namespace
+
+std::vector<double> integrals(const Grid& grid, std::span<const double> values, std::size_t fields) {
+  const std::size_t size = fields == 0 ? 0 : values.size() / fields;
+  std::vector<double> sums(fields);
+  for (std::size_t k = 0; k < fields; ++k) sums[k] = own_sum(grid, values.subspan(k * size, size));
+  if (grid.processes() > 1) {
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(fields), MPI_DOUBLE, MPI_SUM, grid.comm());
+  }
+  for (double& sum : sums) sum *= grid.h_x() * grid.h_y();
+  return sums;
+}
+
+double integral(const Grid& grid, std::span<const double> values) { return integrals(grid, values, 1).front(); }
 
 }  // namespace gearfilm

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/transfer.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
@@ -17,12 +18,10 @@ constexpr double pseudo_step_growth = 2.0;
 constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid with at least so many lines
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
-bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load,
-                               FilmSolution& solution) {
-  std::vector<double> mass(film.grid().local_size());
+bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
   double step = first_pseudo_step;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
-    film.mass(solution.pressure, solution.H0, mass);
+    const std::vector<double> mass = newton.mass(load, solution);
     FilmSolution next = solution;
     if (newton.solve(load, next, ImplicitStep{1.0 / step, mass})) {
       solution = std::move(next);
@@ -36,8 +35,7 @@ bool solve_through_pseudo_time(ContactFilm& film, StationaryNewton& newton, cons
 }
 
 /// Solves from a guess by Newton alone, or through pseudo-time where that fails.
-bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution,
-                   bool guess_is_close) {
+bool solve_on_grid(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution, bool guess_is_close) {
   if (guess_is_close) {
     FilmSolution direct = solution;
     if (newton.solve(load, direct)) {
@@ -45,7 +43,7 @@ bool solve_on_grid(ContactFilm& film, StationaryNewton& newton, const LoadCondit
       return true;
     }
   }
-  return solve_through_pseudo_time(film, newton, load, solution);
+  return solve_through_pseudo_time(newton, load, solution);
 }
 
 /// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
@@ -56,13 +54,16 @@ FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   double force = scales.force(load.value);
   if (load.kind == LoadCondition::Kind::displacement) {
-    force = hertz_load(solids, gap - scales.thickness * (load.value + film.conditions().gap_offset));
+    const double approach = gap / scales.thickness - load.value - film.conditions().gap_offset;
+    const double unit_force = force_at_unit_approach(scales, film.conditions());
+    force = scales.force(force_on_spring(unit_force, load.compliance(0, 0), approach));
     if (force <= 0.0) return guess;
   }
   const HertzContact dry = hertz_contact(solids, force);
   hertz_pressure(film.grid(), scales, dry, guess.pressure);
   if (load.kind == LoadCondition::Kind::force) {
-    guess.H0 = (gap - dry.approach) / scales.thickness - film.conditions().gap_offset;
+    guess.H0 =
+        (gap - dry.approach) / scales.thickness - film.conditions().gap_offset - load.compliance(0, 0) * load.value;
   }
   return guess;
 }
@@ -79,12 +80,18 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
   return fine;
 }
 
+/// Of one film.
+FilmFigures figures_of(ContactFilm& film, const LoadCondition& load, const FilmSolution& solution) {
+  const double force = integral(film.grid(), solution.pressure);
+  return film.figures(solution.pressure, load.compliance.displacements(solution.H0, std::span(&force, 1)).front());
+}
+
 [[noreturn]] void report_failure(const Grid& grid, const StationaryNewton& newton) {
   const SolveCounts& counts = newton.counts();
   std::ostringstream message;
   message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
           << counts.residual << " after " << counts.newton << " Newton iterations, the largest "
-          << describe(newton.worst())
+          << describe(newton.worst(0))
           << "; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
              "grid_y_half), or raise solver_newton_max_iterations";
   throw SolveError(message.str());
@@ -109,30 +116,38 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
       coarse_film->set_conditions(film.conditions());
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
-    StationaryNewton newton(present, options.newton);
+    StationaryNewton newton({&present}, options.newton);
     result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
-    const bool solved = solve_on_grid(present, newton, load, result.solution, before != nullptr);
+    const bool solved = solve_on_grid(newton, load, result.solution, before != nullptr);
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
     before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
-  result.figures = film.figures(result.solution.pressure, result.solution.H0);
+  result.figures = figures_of(film, load, result.solution);
   return result;
 }
 
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess) {
-  StationaryNewton newton(film, options.newton);
+  StationaryNewton newton({&film}, options.newton);
   StationaryResult result;
   result.solution = guess;
   if (load.kind == LoadCondition::Kind::displacement) result.solution.H0 = load.value;
-  if (!solve_on_grid(film, newton, load, result.solution, true)) return solve_stationary(film, load, options);
+  if (!solve_on_grid(newton, load, result.solution, true)) return solve_stationary(film, load, options);
   result.by_grid.push_back(newton.counts());
   result.counts = newton.counts();
-  result.figures = film.figures(result.solution.pressure, result.solution.H0);
+  result.figures = figures_of(film, load, result.solution);
   return result;
+}
+
+FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,
+                            const SolverOptions& options, FilmSolution guess) {
+  StationaryNewton newton(films, options.newton);
+  if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
+  if (!solve_on_grid(newton, load, guess, true)) report_failure(films.front()->grid(), newton);
+  return guess;
 }
 
 }  // namespace gearfilm

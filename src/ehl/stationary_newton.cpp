@@ -2,9 +2,8 @@
 
 namespace gearfilm {
 
-StationaryNewton::StationaryNewton(ContactFilm& film, const NewtonOptions& options)
-    : film_(film),
-      system_({&film}, given_displacement(0.0)),
+StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options)
+    : system_(std::move(films), given_displacement(0.0)),
       state_(system_.create_state()),
       residual_(system_.create_state()),
       rate_(system_.create_state()),
@@ -46,15 +45,45 @@ void StationaryNewton::update_jacobian(Vec state) {
   system_.linearise(state, rate, rate.shift, elimination_);
 }
 
-// A displacement that is given depends on no film: it comes first, exactly.
-bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step) {
+long StationaryNewton::convolutions() {
+  long sum = 0;
+  for (std::size_t k = 0; k < system_.films(); ++k) sum += system_.film(k).convolutions();
+  return sum;
+}
+
+// A displacement that is given depends on no film: on rigid solids it comes first, exactly.
+void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films) {
   const bool given = load.kind == LoadCondition::Kind::displacement;
   elimination_ = given ? FilmSystem::Elimination::border_first : FilmSystem::Elimination::exact;
-  system_.set_border(given ? given_displacement(load.value) : given_force(load.value));
+  system_.set_border(given ? given_displacement(load.value) : given_force(load.value), load.compliance);
+  const std::span pressures(films.pressure);
+  const std::size_t size = pressures.size() / system_.films();
+  for (std::size_t k = 0; k < system_.films(); ++k) system_.set_field(state_, k, pressures.subspan(k * size, size));
+  system_.set_scalars(state_, std::span(&films.H0, 1));
+}
+
+FilmSolution StationaryNewton::taken() const {
+  FilmSolution films;
+  for (std::size_t k = 0; k < system_.films(); ++k) {
+    const std::vector<double> pressure = system_.field(state_, k);
+    films.pressure.insert(films.pressure.end(), pressure.begin(), pressure.end());
+  }
+  films.H0 = system_.scalars(state_).front();
+  return films;
+}
+
+std::vector<double> StationaryNewton::mass(const LoadCondition& load, const FilmSolution& films) {
+  put(load, films);
+  system_.transient(state_, rate_);
+  const VecReading values(rate_);
+  const auto mass = values.values().first(films.pressure.size());
+  return {mass.begin(), mass.end()};
+}
+
+bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step) {
+  put(load, guess);
   step_ = step;
-  system_.set_field(state_, 0, guess.pressure);
-  system_.set_scalars(state_, std::span(&guess.H0, 1));
-  const long before = film_.convolutions();
+  const long before = convolutions();
   petsc_check(SNESSolve(snes_, nullptr, state_));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt newton = 0, krylov = 0;
@@ -65,9 +94,9 @@ bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, con
   petsc_check(SNESGetFunctionNorm(snes_, &norm));
   counts_.newton += newton;
   counts_.krylov += krylov;
-  counts_.convolutions += film_.convolutions() - before;
+  counts_.convolutions += convolutions() - before;
   counts_.residual = norm / system_.weight();
-  guess = {system_.field(state_, 0), system_.scalars(state_).front()};
+  guess = taken();
   return reason > 0;
 }
 

@@ -24,14 +24,6 @@ void require_inertia(const Case& problem) {
                    "wheel.inertia, of a gear pair");
 }
 
-void require_rigid_teeth(const Case& problem, const std::string& command) {
-  if (problem.pair.teeth.rigid()) return;
-  const bool bent = problem.parameters.text("gear.tooth_compliance") != "none";
-  const std::string name = bent ? "gear.tooth_compliance" : "gear.mesh_compliance";
-  throw InputError(problem.parameters.origin(name) + ": '" + name + "' makes the teeth give way, which " + command +
-                   " cannot yet do on films; delete it, or use static, or transient with the model dry");
-}
-
 void require_moving_films(const Case& problem, const std::string& command) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
     throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
@@ -39,7 +31,6 @@ void require_moving_films(const Case& problem, const std::string& command) {
   };
   if (problem.march.model != MarchModel::dynamic) refuse("model", "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
-  require_rigid_teeth(problem, command);
 }
 
 void require_one_pattern(const Case& problem, const std::string& command) {

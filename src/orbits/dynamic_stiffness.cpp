@@ -7,6 +7,7 @@
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/orbits/mode_solver.hpp"
+#include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
 namespace {
@@ -95,19 +96,41 @@ std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& 
   return response.force(change);
 }
 
+/// Sum of F of (I + K C) F = K with complex K, as a real system of (Re F, Im F).
+std::complex<double> settled(const std::vector<std::complex<double>>& K, const Compliance& compliance) {
+  const std::size_t n = K.size();
+  std::vector<double> right_side(2 * n), matrix(4 * n * n);
+  for (std::size_t k = 0; k < n; ++k) {
+    right_side[k] = K[k].real();
+    right_side[n + k] = K[k].imag();
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::complex<double> entry = (k == j ? 1.0 : 0.0) + K[k] * compliance(k, j);
+      matrix[k * 2 * n + j] = matrix[(n + k) * 2 * n + n + j] = entry.real();
+      matrix[(n + k) * 2 * n + j] = entry.imag();
+      matrix[k * 2 * n + n + j] = -entry.imag();
+    }
+  }
+  DenseFactors factors;
+  factors.factor(matrix);
+  const std::vector<double> forces = factors.solve(right_side);
+  std::complex<double> sum = 0.0;
+  for (std::size_t k = 0; k < n; ++k) sum += std::complex<double>(forces[k], forces[n + k]);
+  return sum;
+}
+
 }  // namespace
 
 std::complex<double> dynamic_stiffness(LubricatedPair& pair, Vec state, std::complex<double> s,
                                        const SwingOptions& options) {
   FilmSystem& system = pair.system();
-  const double H0 = pair.motion(state).H0;
-  std::complex<double> sum = 0.0;
+  const std::vector<double> displaced = system.displacements(state);
+  std::vector<std::complex<double>> each;
   for (std::size_t k = 0; k < system.films(); ++k) {
     const std::vector<double> pressure = system.field(state, k);
-    FilmResponse response(system.film(k), pressure, H0, s);
-    sum += film_stiffness(response, options);
+    FilmResponse response(system.film(k), pressure, displaced[k], s);
+    each.push_back(film_stiffness(response, options));
   }
-  return sum;
+  return settled(each, system.compliance());
 }
 
 std::complex<double> swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& options) {

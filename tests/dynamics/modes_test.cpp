@@ -80,7 +80,7 @@ private:
 
 // The operator at a shift is A + shift B.
 TEST(FilmPencil, multiply_grows_linearly_with_the_shift) {
-  PairAtRest rest({});
+  PairAtRest rest(with(bending(), {{"start.place", "position"}, {"start.position", "4e-3"}}));
   FilmSystem& system = rest.pair().system();
   const OwnedVec rows = system.create_state(), change = system.create_state(), still = system.create_state(),
                  moving = system.create_state();
@@ -160,6 +160,9 @@ TEST_P(SwingingMode, agrees_with_a_march_that_rings_down) {
 INSTANTIATE_TEST_SUITE_P(
     speeds, SwingingMode,
     testing::Values(RingDown{"fast", {}, 0.05, 2.0, 25.0, 8},
+                    RingDown{"on_two_bending_teeth",
+                             with(bending(), {{"start.place", "position"}, {"start.position", "4e-3"}}), 0.05, 2.0,
+                             25.0, 8},
                     RingDown{"slow",
                              {{"pinion.speed_rpm", "3000"}, {"pinion.torque", "100"}, {"lubricant.viscosity", "0.2"}},
                              0.0125,
@@ -181,7 +184,8 @@ TEST(SwingingMode, is_that_of_the_pair_among_those_of_the_films) {
 
 // SLEPc solves the same problem for all eigenvalues at once.
 TEST(SwingingMode, is_an_eigenvalue_of_the_whole_system) {
-  PairAtRest rest({});
+  PairAtRest rest(with(bending(), {{"start.place", "position"}, {"start.position", "4e-3"}}));
+  ASSERT_EQ(rest.pair().numbers().size(), 2u);
   const std::complex<double> mode = swinging_mode(rest.pair(), rest.state());
   double nearest = HUGE_VAL;
   for (const FilmMode& other : film_modes(rest.pair(), rest.state(), {})) {

@@ -20,6 +20,12 @@ namespace gearfilm {
 /// Values of a case by their keys.
 using Settings = std::map<std::string, std::string>;
 
+/// The given settings take precedence.
+inline Settings with(Settings settings, const Settings& replaced) {
+  for (const auto& [key, value] : replaced) settings[key] = value;
+  return settings;
+}
+
 /// A case of input/ with some of its values replaced.
 inline Case input_case(const std::string& file, const Settings& settings = {}) {
   ParameterValues values = read_parameters(PETSC_COMM_WORLD, std::string(GEARFILM_SOURCE_DIR) + "/input/" + file);
@@ -28,6 +34,22 @@ inline Case input_case(const std::string& file, const Settings& settings = {}) {
 }
 
 inline Case table3_case(const Settings& settings = {}) { return input_case("barbieri2013.yaml", settings); }
+
+/// Teeth and bodies that give way, with bores that are not in the paper.
+inline Settings bending(const std::string& body = "yes") {
+  return {{"gear.tooth_compliance", "weber"},
+          {"gear.body_coupling", body},
+          {"pinion.bore_radius", "0.02"},
+          {"wheel.bore_radius", "0.02"}};
+}
+
+/// Of both tips, so long and deep that contacts enter unloaded under the static force.
+inline Settings relieved() {
+  return {{"pinion.tip_relief", "65e-6"},
+          {"pinion.tip_relief_length", "2.9e-3"},
+          {"wheel.tip_relief", "65e-6"},
+          {"wheel.tip_relief_length", "2.9e-3"}};
+}
 
 /// Table 3 on 65 x 33 nodes, just after a contact has left, with the motion of the periodic state there.
 inline Settings after_leaving() {
@@ -38,12 +60,6 @@ inline Settings after_leaving() {
           {"start.place", "after_leaving"},
           {"start.H0", state.at("H0_after_leaving").at("value").dump()},
           {"start.V0", state.at("V0_after_leaving").at("value").dump()}};
-}
-
-/// The given settings take precedence.
-inline Settings with(Settings settings, const Settings& replaced) {
-  for (const auto& [key, value] : replaced) settings[key] = value;
-  return settings;
 }
 
 /// The elder contact sits 0.2 before the place where the next one enters (in T).

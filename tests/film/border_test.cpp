@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gearfilm/parallel/dense_factors.hpp"
+
 namespace gearfilm {
 namespace {
 
@@ -34,9 +36,9 @@ TEST(Border, solution_fulfils_the_rows) {
                                rigid_pair(0.0, static_force, share)}) {
     Values wanted(border.size());
     for (std::size_t n = 0; n < wanted.size(); ++n) wanted[n] = 0.3 - 0.8 * static_cast<double>(n);
-    BorderFactors factors(border.size());
-    factors.factor(border, 1.0, 99.0);  // made again below
-    factors.factor(border, shift, film_stiffness);
+    DenseFactors factors;
+    factors.factor(border_matrix(border, 1.0, 99.0));  // made again below
+    factors.factor(border_matrix(border, shift, film_stiffness));
     const Values scalars = factors.solve(wanted);
     Values rates = scalars;
     for (double& rate : rates) rate *= shift;

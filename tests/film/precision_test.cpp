@@ -123,7 +123,7 @@ TEST(StiffStep, converges_though_it_would_not_in_single_precision) {
   const double force = (1.0 - 1.2e-4) * pitch.scales.static_force;
 
   FilmSolution after = still;
-  StationaryNewton newton(solved.film, NewtonOptions{});
+  StationaryNewton newton({&solved.film}, NewtonOptions{});
   EXPECT_EQ(MultigridOptions{}.precision, Precision::single_precision);  // as the film is ordered
   EXPECT_TRUE(newton.solve(LoadCondition::force(force), after, step));
   report("as the film chooses: residual %.1e after %d Newton iterations", newton.counts().residual,

@@ -38,6 +38,10 @@ HertzContact hertz_contact(const ContactSolids& solids, double load);
 /// Load [N] that gives the approach [m] of the two bodies; zero for approach <= 0. Inverse of hertz_contact.
 double hertz_load(const ContactSolids& solids, double approach);
 
+/// F of q F^(2/3) + c F = approach: of a contact with the force q^(-3/2) at unit approach, on a spring of compliance c,
+/// in any consistent units; zero for approach <= 0.
+double force_on_spring(double unit_force, double compliance, double approach);
+
 /// Half-width of a line contact, b_l = sqrt(8 w_l R_x/(pi E')) [m]; w_l = load per unit length [N/m].
 double hertz_line_half_width(double load_per_length, double radius_x, double reduced_modulus);
 

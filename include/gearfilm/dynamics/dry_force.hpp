@@ -39,16 +39,11 @@ private:
   struct Contact {
     double gap = 0.0;         ///< e_k [-]
     double unit_force = 0.0;  ///< k [-]
-    double compliance = 0.0;  ///< c_kk [-]
   };
 
-  double coupling(std::size_t k, std::size_t j) const {
-    return k == j ? contacts_[k].compliance : coupling_[k > j ? k - j : j - k];
-  }
-  bool coupled() const;
-
   std::vector<Contact> contacts_;
-  std::vector<double> coupling_;  ///< c_kj by |k - j| [-]
+  Compliance compliance_;
+  bool coupled_;
 };
 
 }  // namespace gearfilm

@@ -28,9 +28,9 @@ public:
   /// share.
   void follow_share(Vec state, double T0, double T1) const;
 
-  /// Where the bodies of a guess have parted by much of a film since the last state, at T0: pressures of the guess as
-  /// those of Hertz contacts that shrink so far. figures: of the last state.
-  void follow_motion(Vec guess, Vec last, double T0, const std::vector<ContactRecord>& figures) const;
+  /// Where the flanks of a guess at T1 have parted by much of a film since the last state, at T0: pressures of the
+  /// guess as those of Hertz contacts that shrink so far. figures: of the last state.
+  void follow_motion(Vec guess, Vec last, double T0, double T1, const std::vector<ContactRecord>& figures) const;
 
   /// Puts every contact where it is at time T.
   void place(double T);
@@ -43,7 +43,6 @@ public:
 private:
   /// f at time T; 1 where contacts share by themselves.
   double share_at(double T) const;
-  Border border_at(double T) const { return rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T)); }
 
   const MeshModel& mesh_;
   std::vector<int> numbers_;

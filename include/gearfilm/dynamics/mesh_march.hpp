@@ -2,10 +2,12 @@
 //
 // Between events (a contact enters or leaves) a SegmentStepper integrates; at an entry the new contact's film starts as
 // the stationary film at the present H_0, reached from its neighbour's pressure; at an exit the old film is dropped.
+// Where one contact bends another's teeth, films follow the change as they follow a jump of H_0.
 // Source: Figs. 5 and 6 of doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -60,26 +62,32 @@ public:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
 
 private:
-  /// A pressure near that of a film to be found.
-  struct PressureGuess {
-    std::vector<double> values;
-    GridShape shape;
+  std::vector<int> numbers() const;
+  /// A film before a jump: H of its solids, and rho H.
+  struct FilmInPlace {
+    double displacement = 0.0;
+    std::vector<double> oil;
   };
-  PressureGuess pressure_of(const LiveContact& contact) const {
-    return {values_of(contact.fields, field::pressure), discretisation_->grid().shape()};
-  }
-  std::optional<PressureGuess> guess_from_last() const {
-    return contacts_.empty() ? std::nullopt : std::optional(pressure_of(contacts_.back()));
-  }
-  /// A contact that enters at T_: its stationary film at the present H_0, from a neighbour's pressure or from nothing.
-  LiveContact enter(int number, const std::optional<PressureGuess>& guess);
+  // Of the present contacts: forces, displacements, films put where they are now, pressures one after the other.
+  std::vector<double> forces() const;
+  std::vector<double> displacements() const;
+  std::vector<ContactFilm*> present_films() const;
+  std::vector<double> pressures() const;
+  void set_pressures(std::span<const double> pressures);
+  /// By the contacts' numbers.
+  std::map<int, FilmInPlace> films_in_place() const;
+  /// A contact that enters at T_: its stationary film at the present H_0 beside the present contacts.
+  LiveContact enter(int number);
+  std::vector<double> entering_guess(const ContactFilm& film, const LoadCondition& load) const;
   void balance_at_rest();
-  /// The film of a contact after a jump to H0, as a state; false where Newton's method fails.
-  bool follow(const LiveContact& contact, double H0, ContactFields& after) const;
+  /// Makes the present films stationary together.
+  void settle(const LoadCondition& load);
+  /// Takes the present films within a time step to the present motion and contacts from where they were.
+  void follow(const std::map<int, FilmInPlace>& before);
   void exchange_contacts();
   void observe(const StepRecord& record) const;
   /// At the fields and the motion of now.
-  FilmFigures present_figures(const LiveContact& contact) const;
+  std::vector<FilmFigures> present_figures() const;
   void observe_present() const;
   ContactFilm* free_film();
   /// Puts the present contacts and their fields on a grid of another shape.

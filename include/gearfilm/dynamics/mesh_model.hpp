@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/meshed_contact.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
+#include "gearfilm/ehl/compliance.hpp"
 #include "gearfilm/gear/teeth.hpp"
 
 namespace gearfilm {
@@ -21,11 +23,8 @@ struct MeshModel {
 
   /// A contact at time T.
   MeshedContact contact(int number, double T) const;
-  /// c_kk of a contact at time T, and c_kj of two so many pitches apart: of H by the force F [-].
-  double compliance(int number, double T) const {
-    return teeth.compliance(path.position(number, T)) * compliance_scale();
-  }
-  double coupling(int pitches) const { return teeth.coupling(pitches) * compliance_scale(); }
+  /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
+  Compliance compliance(std::span<const int> numbers, double T) const;
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
 

@@ -1,14 +1,12 @@
 // The few scalars beside the films, which see their forces and give them their displacement: a linear system
 //
-//   M ds/dT + K s + r = C sum_k Int Int P_k dX dY ,      H_0 = d . s     of every contact k
+//   M ds/dT + K s + r = C sum_k Int Int P_k dX dY ,      H_0 = d . s     common to every contact k
 // One kind for each way in which a contact can be held; what holds the films is all that distinguishes a stationary
 // film from a gear pair. Rows are relative errors, so that they can be weighed against each other.
 #pragma once
 
 #include <span>
 #include <vector>
-
-#include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 
@@ -29,18 +27,9 @@ struct Border {
                            Of of) const;
 };
 
-/// Solves for the scalars of which the rows of changes are known, with rates = shift scalars and a sum of forces that
-/// falls by film_stiffness times the displacement: (shift M + K + film_stiffness C d^T) s = rows.
-class BorderFactors {
-public:
-  explicit BorderFactors(std::size_t scalars);
-  void factor(const Border& border, double shift, double film_stiffness);
-  std::vector<double> solve(std::vector<double> rows) const;
-
-private:
-  OwnedMat factors_;
-  OwnedVec right_side_, solution_;
-};
+/// Row by row, of the scalars of which the rows of changes are known, with rates = shift scalars and a sum of forces
+/// that falls by film_stiffness times the displacement: shift M + K + film_stiffness C d^T.
+std::vector<double> border_matrix(const Border& border, double shift, double film_stiffness);
 
 /// H_0 - value = 0.
 Border given_displacement(double H0);

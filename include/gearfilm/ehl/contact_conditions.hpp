@@ -16,6 +16,9 @@ struct ContactConditions {
 /// The reference contact's solids with the radius R_x of the moment.
 ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions);
 
+/// Pressure integral of the dry contact that one unit of H presses together, without its offset [-].
+double force_at_unit_approach(const Scales& scales, const ContactConditions& conditions);
+
 /// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI].
 HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
 

@@ -1,22 +1,25 @@
-// Films and the border that holds them (border.hpp) as one nonlinear system.
+// Films, the compliance beneath them (compliance.hpp) and the border that holds them (border.hpp) as one nonlinear
+// system.
 //
-//   G_k(P_k, H_0; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
-//   border(s, ds/dT, sum_k Int Int P_k) = 0 ,       H_0 = d . s
+//   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
+//   border(s, ds/dT, sum_k F_k) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
 //
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
 // scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The border's rows are
 // weighed so that norm/weight() is a root mean square over the films plus relative errors of the border.
 // Preconditioner: one multigrid cycle a contact, and the border before it, as if no force changed with it (in time
-// steps: a contact's stiffness is 1e-4 of I_n/dT^2), or eliminated exactly.
+// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or border and displacements eliminated exactly.
 #pragma once
 
 #include <vector>
 
 #include "gearfilm/ehl/border.hpp"
+#include "gearfilm/ehl/compliance.hpp"
 #include "gearfilm/ehl/contact_film.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
 #include "gearfilm/ehl/worst_node.hpp"
+#include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
 
@@ -27,8 +30,9 @@ public:
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  /// Another border with as many scalars.
-  void set_border(Border border) { border_ = std::move(border); }
+  /// Another border with as many scalars, and what the films stand on.
+  void set_border(Border border, Compliance compliance = {});
+  const Compliance& compliance() const { return compliance_; }
 
   OwnedVec create_state() const;
   /// The compact field of one contact (its pressure, or d(rho H)/dT in a rate) into or out of a state; out of it as a
@@ -52,13 +56,16 @@ public:
   /// C(state).
   void transient(Vec state, Vec values);
   enum class Elimination { border_first, exact };
-  /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below.
+  /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below. On solids that give way the
+  /// elimination is always exact.
   void linearise(Vec state, const Rate& rate, double shift, Elimination elimination);
   double merit(Vec rows) override;
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
   void multiply_transient(Vec change, Vec rows);
   void precondition(Vec rows, Vec change) override;
+  /// H_k, or their changes.
+  std::vector<double> displacements(Vec state) const;
   /// Of every contact.
   std::vector<FilmFigures> figures(Vec state);
   /// Where the rows of one contact are largest.
@@ -82,17 +89,28 @@ private:
   Squeeze squeeze(std::span<const double> rates, std::size_t contact, double shift) const;
   std::vector<double> scalars_in(std::span<const double> values) const;
   void put_rows(const std::vector<double>& rows, std::span<double> values) const;
-  /// Int Int of the pressures, or their changes, of all contacts together.
-  double force_sum(std::span<const double> values) const { return integral(grid_, values.first(border_at())); }
+  /// F_k of the pressures, or their changes.
+  std::vector<double> forces(std::span<const double> values) const {
+    return integrals(grid_, values.first(border_at()), films_.size());
+  }
+  /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
+  std::vector<double> displacements(std::span<const double> values, std::span<const double> scalars) const;
+  void precondition_exactly(std::span<const double> rows, std::span<double> change);
+  void precondition_border_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
   Border border_;
+  Compliance compliance_;
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::border_first;
-  std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_0 of all contacts, approximately; of exact elimination
-  BorderFactors border_factors_;
+  DenseFactors border_factors_;
+  // Of exact elimination, all approximately.
+  std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
+  DenseFactors settling_factors_;  ///< of I + S C, S_k = Int Int of the response
+  std::vector<double> stiffness_;  ///< S_k
+  std::vector<double> settled_;    ///< -dF_k/dH_0, the compliance included
   std::vector<double> work_;
 };
 

@@ -24,4 +24,8 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess);
 
+/// Several films under one condition, from films that are near, on their own grid. Throws SolveError.
+FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,
+                            const SolverOptions& options, FilmSolution guess);
+
 }  // namespace gearfilm

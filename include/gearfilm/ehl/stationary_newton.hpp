@@ -1,6 +1,6 @@
-// Newton's method for the stationary film of one contact, on one grid.
+// Newton's method for stationary films under one condition, on one grid: one film, or those of a gear pair at rest.
 //
-//   G(P, H_0) = 0 ,   F - Int Int P dX dY = 0   or   H_0 given               (film_system.hpp)
+//   G_k(P_k, H_k) = 0 ,   F - sum_k Int Int P_k dX dY = 0   or   H_0 given               (film_system.hpp)
 // solved together by SNES: exact matrix-free Jacobian, backtracking, FGMRES. A pseudo-time step adds the squeeze term.
 #pragma once
 
@@ -19,17 +19,23 @@ struct SolveCounts {
   double residual = 0.0;  ///< last root mean square
 };
 
-/// What is prescribed: the force a film carries (as its pressure integral), or its rigid displacement H_0.
+/// What is prescribed: the force that the films carry (as their pressure integral), or the rigid displacement H_0 of
+/// what they stand on.
 struct LoadCondition {
   enum class Kind { force, displacement };
   Kind kind = Kind::force;
   double value = 0.0;
+  Compliance compliance{};
 
-  static LoadCondition force(double pressure_integral) { return {Kind::force, pressure_integral}; }
-  static LoadCondition displacement(double H0) { return {Kind::displacement, H0}; }
+  static LoadCondition force(double pressure_integral, Compliance compliance = {}) {
+    return {Kind::force, pressure_integral, std::move(compliance)};
+  }
+  static LoadCondition displacement(double H0, Compliance compliance = {}) {
+    return {Kind::displacement, H0, std::move(compliance)};
+  }
 };
 
-/// A film: compact pressure, and its rigid displacement.
+/// Films: compact pressures, one film after the other, and their rigid displacement.
 struct FilmSolution {
   std::vector<double> pressure;
   double H0 = 0.0;
@@ -38,30 +44,38 @@ struct FilmSolution {
 /// An implicit step of (pseudo-)time: d(rho H)/dT = shift (rho H - mass).
 struct ImplicitStep {
   double shift = 0.0;
-  std::span<const double> mass;  ///< rho H before it, compact
+  std::span<const double> mass;  ///< rho H before it, as pressures are kept
 };
 
 class StationaryNewton {
 public:
-  StationaryNewton(ContactFilm& film, const NewtonOptions& options);
+  /// The films, of one discretisation, must outlive it.
+  StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options);
   StationaryNewton(const StationaryNewton&) = delete;
   StationaryNewton& operator=(const StationaryNewton&) = delete;
 
-  /// Solves from `guess` in place: the stationary film, or the film after one step. False if Newton did not reach its
-  /// tolerance; then `guess` holds the last iterate.
+  /// Solves from `guess` in place: the stationary films, or the films after one step. False if Newton did not reach
+  /// its tolerance; then `guess` holds the last iterate.
   bool solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step = {});
 
+  /// rho H of films.
+  std::vector<double> mass(const LoadCondition& load, const FilmSolution& films);
+
+  MPI_Comm comm() const { return system_.comm(); }
   const SolveCounts& counts() const { return counts_; }
-  /// Where the last solve() left the largest residual. Collective.
-  WorstNode worst() const { return system_.worst_node(residual_, 0); }
+  /// Where the last solve() left the largest residual, of one film. Collective.
+  WorstNode worst(std::size_t film) const { return system_.worst_node(residual_, film); }
 
 private:
+  /// Makes films the state of the system under a load.
+  void put(const LoadCondition& load, const FilmSolution& films);
+  FilmSolution taken() const;
+  long convolutions();
   /// d(rho H)/dT at a state, none where there is no step.
   FilmSystem::Rate rate_at(Vec state);
   void evaluate(Vec state, Vec residual);
   void update_jacobian(Vec state);
 
-  ContactFilm& film_;
   FilmSystem system_;
   FilmSystem::Elimination elimination_ = FilmSystem::Elimination::exact;
   std::optional<ImplicitStep> step_;

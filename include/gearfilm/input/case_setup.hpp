@@ -20,8 +20,6 @@ void require_inertia(const Case& problem);
 /// Throws InputError for a case whose march is of dry contacts, or of contacts that are held, where a command needs
 /// lubricated ones that travel.
 void require_moving_films(const Case& problem, const std::string& command);
-/// Throws InputError for teeth that bend: films do not know of that.
-void require_rigid_teeth(const Case& problem, const std::string& command);
 /// Throws InputError where pitch errors make a mesh period differ from the next.
 void require_one_pattern(const Case& problem, const std::string& command);
 /// The case's pair in mesh, with a contact at the given position at T = 0 [m]. It has an inertia where the case has

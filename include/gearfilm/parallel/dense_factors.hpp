@@ -1,0 +1,23 @@
+// A small dense linear system, solved by every process for itself.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+
+class DenseFactors {
+public:
+  /// Of a regular square matrix, row by row.
+  void factor(const std::vector<double>& matrix);
+  /// One value a row.
+  std::vector<double> solve(std::vector<double> right_side) const;
+
+private:
+  OwnedMat factors_;
+  OwnedVec right_side_, solution_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace gearfilm
