@@ -143,7 +143,7 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
       own_step.numerics.steps.dT = problem.numerics.steps.dT;
       nearest = search.orbit("coarse_grid", own_step, [&] {
         OrbitGuess guess = guess_from(*found.coarse);
-        const double swings = mesh.frequency() * mesh.path.mesh_period();
+        const double swings = mesh.frequency() * mesh.period();
         if (swings > most_in_phase) guess.monodromy = {};
         return guess;
       });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -10,32 +11,39 @@ namespace gearfilm {
 namespace {
 
 /// What is done again is not worth stopping for: the results of the program before would be replaced by fewer.
-void check_stop(const OrbitObservers& observers, const StepRecord& record, MPI_Comm comm, double mesh_period) {
-  if (observers.checkpoint.is_new(record)) observers.stop.check(comm, record.T / mesh_period);
+void check_stop(const OrbitObservers& observers, const StepRecord& record, MPI_Comm comm, const MeshModel& mesh) {
+  if (observers.checkpoint.is_new(record)) observers.stop.check(comm, record.T / mesh.path.mesh_period());
 }
 
 }  // namespace
 
 OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers) {
-  const double mesh_period = mesh.path.mesh_period();
-  MarchStatistics statistics(mesh_period, mesh.scales.static_force);
+  const double period = mesh.period();
+  MarchStatistics statistics(period, mesh.scales.static_force);
   MotionSignal signal;
+  std::map<long, Motion> after_leaving;  // by mesh periods
   bool searching = true;
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
     if (searching) {
       statistics.add(record, true);
       signal.add(record);
+      const double mesh_periods = record.T / mesh.path.mesh_period();
+      if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)
+        after_leaving[std::lround(mesh_periods)] = record.motion;
       observers.on_step(record, live);
     }
-    check_stop(observers, record, films->grid().comm(), mesh_period);
+    check_stop(observers, record, films->grid().comm(), mesh);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   OrbitRun run;
   run.orbit = find_periodic_orbit(march, guess, problem.search.options, observers.on_period);
   searching = false;
-  const double begin = run.orbit.begin, end = begin + mesh_period;
-  run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / mesh_period)));
+  const double begin = run.orbit.begin, end = begin + period;
+  run.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / period)));
+  run.states_after_leaving = {run.orbit.start.motion};
+  const long first = std::lround(begin / mesh.path.mesh_period());
+  for (long n = 1; n < mesh.periods(); ++n) run.states_after_leaving.push_back(after_leaving.at(first + n));
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
   if (problem.search.with_multipliers) run.decay = free_decay(march, run.orbit, {});
@@ -45,7 +53,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      const PeriodicOrbit& orbit, const OrbitObservers& observers) {
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    check_stop(observers, record, films->grid().comm(), mesh.path.mesh_period());
+    check_stop(observers, record, films->grid().comm(), mesh);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
   return free_decay(march, orbit, {});
@@ -53,7 +61,7 @@ FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, con
 
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
   const std::optional<FreeOscillation> oscillation =
-      free_oscillation(pair, mesh.mesh_frequency_si(), mesh.frequency_si());
+      free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si());
   summary["floquet"] = Summary::array();
   for (const std::complex<double>& multiplier : pair) {
     summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
@@ -72,6 +80,10 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   summary["final_grid"] = grid_summary(scales, run.orbit.end.shape);
   summary["defect"] = run.orbit.defect;
   summary["film_defect"] = run.orbit.film_defect;
+  summary["states_after_leaving"] = Summary::array();
+  for (const Motion& motion : run.states_after_leaving) {
+    summary["states_after_leaving"].push_back({motion.H0, motion.V0});
+  }
   summary["H0_after_leaving"] = run.orbit.start.motion.H0;
   summary["V0_after_leaving"] = run.orbit.start.motion.V0;
   summary.update(period_summary(scales, run.figures));

@@ -13,13 +13,13 @@
 namespace gearfilm {
 namespace {
 
-constexpr double typical_periods = 4.0;  // for the time left
+constexpr double typical_periods = 4.0;  // of the motion, for the time left
 
 /// The undamped dry pair's orbit, for comparison; null where there is none, or where the pair swings so often in a mesh
 /// period that an orbit without damping says nothing.
 Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   constexpr double most_oscillations = 10.0;
-  if (mesh.frequency() * mesh.path.mesh_period() > most_oscillations) return nullptr;
+  if (mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations) return nullptr;
   try {
     const DryOrbit dry = find_dry_orbit(mesh, 0.0);
     Summary summary = {{"H0_after_leaving", dry.start.H0},
@@ -33,7 +33,39 @@ Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   }
 }
 
-void print_result(MPI_Comm comm, const Summary& summary, const std::optional<double>& error) {
+/// The fewest mesh periods after which the states repeat; as many as there are states where none does before.
+std::size_t true_order(const std::vector<Motion>& states, double tolerance) {
+  for (std::size_t order = 1; order < states.size(); ++order) {
+    if (states.size() % order != 0) continue;
+    bool same = true;
+    for (std::size_t n = order; n < states.size(); ++n) {
+      same = same && length(difference(states[n], states[n - order])) < tolerance;
+    }
+    if (same) return order;
+  }
+  return states.size();
+}
+
+/// What multipliers and states say about orbits of other orders.
+std::string advice(const Case& problem, const OrbitRun& run) {
+  constexpr double noise = 20.0;  // of the search's tolerance
+  const std::size_t order = true_order(run.states_after_leaving, noise * problem.search.options.tolerance);
+  const long pattern = problem.pair.teeth.pattern();
+  const auto asked = static_cast<std::size_t>(problem.search.order);
+  if (pattern == 1 && order < asked) {
+    return "\nthis state repeats after " + std::to_string(order) + " mesh period(s) already: it is of order " +
+           std::to_string(order) + ", not " + std::to_string(asked);
+  }
+  if (!run.decay) return "";
+  const auto& mu = run.decay->multipliers;
+  const double lowest = std::min(mu[0].real(), mu[1].real());
+  if (mu[0].imag() != 0.0 || lowest > -1.0) return "";
+  return "\na multiplier has passed -1: the motion doubles its period; try -periodic_order " +
+         std::to_string(2 * asked);
+}
+
+void print_result(MPI_Comm comm, const Summary& summary, const std::optional<double>& error,
+                  const std::string& advice) {
   constexpr double tolerable = 0.05;
   std::ostringstream text;
   text.precision(4);
@@ -51,7 +83,7 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
          << summary["floquet_modulus"].get<double>() << std::setprecision(1) << " +- "
          << summary["floquet_modulus_error"].get<double>();
   }
-  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  petsc_check(PetscPrintf(comm, "%s%s\n", text.str().c_str(), advice.c_str()));
   if (error.value_or(0.0) <= tolerable) return;
   std::ostringstream warning;
   warning.precision(2);
@@ -72,7 +104,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   ResumableRun run(problem, grid, "periodic");
   const MeshModel mesh = mesh_after_leaving(problem);
   const DryOrbit dry = dry_start(mesh);
-  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods);
+  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods * mesh.periods());
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
       [&](const SearchPeriod& period) { output.end_search_period(period); },
@@ -90,13 +122,14 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
     write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
-  const double begin = found.run.orbit.begin, end = begin + mesh.path.mesh_period();
+  const double begin = found.run.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name},
                      {"nx", problem.numerics.nx},
                      {"ny", problem.numerics.ny},
                      {"dT", problem.numerics.steps.dT}};
+  summary["order"] = problem.search.order;
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
   summary.update(orbit_summary(mesh, found.run));
@@ -107,7 +140,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, summary, error);
+  print_result(comm, summary, error, advice(problem, found.run));
 }
 
 }  // namespace gearfilm

@@ -283,6 +283,8 @@ void set_march(Case& result) {
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),
                            .max_periods = values.integer("periodic.max_periods")};
+  result.search.order = values.integer("periodic.order");
+  result.search.max_pattern = values.integer("periodic.max_pattern");
   result.search.with_multipliers = values.text("periodic.multipliers") == "yes";
   result.sweep = read_sweep(values);
   result.modes.count = values.integer("eigen.modes");

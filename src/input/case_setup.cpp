@@ -35,11 +35,13 @@ void require_moving_films(const Case& problem, const std::string& command) {
 
 void require_one_pattern(const Case& problem, const std::string& command) {
   const long pattern = problem.pair.teeth.pattern();
-  if (pattern == 1) return;
+  if (pattern <= problem.search.max_pattern) return;
   const std::string name = problem.parameters.has("pinion.pitch_errors") ? "pinion.pitch_errors" : "wheel.pitch_errors";
   throw InputError(problem.parameters.origin(name) + ": with '" + name + "' the same teeth meet again after " +
                    std::to_string(pattern) + " mesh periods, and " + command +
-                   " looks for states that repeat after one; delete it, or march that long (transient)");
+                   " looks for states that repeat after at most periodic.max_pattern = " +
+                   std::to_string(problem.search.max_pattern) + "; raise that, delete '" + name +
+                   "', or march that long (transient)");
 }
 
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
@@ -48,7 +50,9 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
           .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry),
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
           .load = problem.march.load,
-          .teeth = problem.pair.teeth};
+          .teeth = problem.pair.teeth,
+          .pattern = static_cast<int>(problem.pair.teeth.pattern()),
+          .order = problem.search.order};
 }
 
 MeshModel mesh_after_leaving(const Case& problem) {

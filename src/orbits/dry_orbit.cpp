@@ -16,26 +16,27 @@ constexpr double strong_damping = 0.3;
 constexpr double weak_damping = 0.002;  // from here to none at once
 constexpr double widest_ratio = 0.5;    // of one damping to the last
 constexpr double narrowest_ratio = 0.97;
+constexpr double push = 0.05;  // of H_0, off an orbit of first order
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
 constexpr double forgetful = 0.1;
 
-/// The map of the motion over one mesh period.
+/// The map of the motion over one of its periods.
 class DryMap {
 public:
   explicit DryMap(const MeshModel& mesh) : mesh_(mesh) {}
 
   const MeshModel& mesh() const { return mesh_; }
   void set_damping_ratio(double zeta) { damping_ = 4.0 * std::numbers::pi * zeta * mesh_.frequency(); }
-  /// Free oscillations in a mesh period, but no less than one.
-  double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.path.mesh_period()); }
+  /// Free oscillations in a period, but no less than one.
+  double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
 
   Motion march(const std::optional<Motion>& start, double periods, double record_step,
                const StepObserver& observer) const {
     DryMarch dry(mesh_, record_step, observer, damping_);
     dry.start(start);
-    dry.run(periods * mesh_.path.mesh_period());
+    dry.run(periods * mesh_.period());
     return dry.motion();
   }
   Motion operator()(const Motion& start) const {
@@ -113,7 +114,7 @@ DryOrbit describe(const DryMap& map, const Motion& start) {
   DryOrbit orbit;
   orbit.start = start;
   orbit.monodromy = map.derivative(start);
-  map.march(start, 1.0, 0.01 * map.mesh().path.mesh_period(),
+  map.march(start, 1.0, 0.01 * map.mesh().period(),
             [&](const StepRecord& record, const std::vector<LiveContact>&) {
               for (const ContactRecord& contact : record.contacts) {
                 orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
@@ -158,10 +159,23 @@ double follow_from_strong_damping(DryMap& map, double damping_ratio, Motion& sta
   return damping;
 }
 
+/// What the pair settles on when it is pushed off the orbit of first order: that one itself, where it is stable.
+DryOrbit find_beside_first_order(DryMap& map, double damping_ratio) {
+  MeshModel simple = map.mesh();
+  simple.order = 1;
+  Motion start = find_dry_orbit(simple, damping_ratio).start;
+  start = settle(map, std::max(damping_ratio, weak_damping), Motion{start.H0 + push, start.V0});
+  map.set_damping_ratio(damping_ratio);
+  if (shoot(map, start)) return describe(map, start);
+  throw SolveError("no periodic orbit of the dry pair found that repeats after " +
+                   std::to_string(map.mesh().periods()) + " mesh periods");
+}
+
 }  // namespace
 
 DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
   DryMap map(mesh);
+  if (mesh.order > 1) return find_beside_first_order(map, damping_ratio);
   Motion start;
   if (damping_ratio * map.oscillations() > forgetful) {
     start = settle(map, damping_ratio, {});

@@ -19,7 +19,7 @@ class PeriodMap {
 public:
   PeriodMap(MeshMarch& march, const PeriodicOrbit& orbit, double size_of_difference)
       : march_(march),
-        path_(march.mesh().path),
+        mesh_(march.mesh()),
         shape_(march.discretisation()->grid().shape()),
         start_(refitted(orbit.start, march.comm(), shape_)),
         end_(refitted(orbit.end, march.comm(), shape_)),
@@ -42,7 +42,7 @@ public:
   void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
   /// What a displacement of H_0 has become after one period, which the films have followed.
   void displacement(Vec vec) {
-    march_.resume(path_.next_period(march_.T()), start_);
+    march_.resume(mesh_.next_period(march_.T()), start_);
     march_.displace({start_.motion.H0 + difference_, start_.motion.V0});
     difference_of(map(march_.state()), end_, vec);
   }
@@ -57,8 +57,8 @@ public:
 
 private:
   PairState map(const PairState& from) {
-    march_.resume(path_.next_period(march_.T()), from);
-    march_.run(march_.T() + path_.mesh_period());
+    march_.resume(mesh_.next_period(march_.T()), from);
+    march_.run(march_.T() + mesh_.period());
     return march_.state();
   }
 
@@ -97,7 +97,7 @@ private:
   }
 
   MeshMarch& march_;
-  const ContactPath& path_;
+  const MeshModel& mesh_;
   GridShape shape_;  ///< of all states that are compared
   PairState start_, end_;
   double difference_;

@@ -97,15 +97,15 @@ bool forgotten(const std::vector<Motion>& motions, const Motion& orbit) {
   return last < gone * push && length(difference(motions.back(), orbit)) < near_orbit * push;
 }
 
-/// The motion after 0, 1, 2, ... mesh periods, until the push is gone, or has grown too far.
+/// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far.
 std::vector<Motion> returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, int periods) {
-  const ContactPath& path = march.mesh().path;
+  const MeshModel& mesh = march.mesh();
   const Motion& begin = orbit.start.motion;
-  march.resume(path.next_period(march.T()), orbit.start);
+  march.resume(mesh.next_period(march.T()), orbit.start);
   march.displace({begin.H0 + push, begin.V0});
   std::vector<Motion> motions = {march.motion()};
   for (int n = 1; n <= periods; ++n) {
-    march.run(march.T() + path.mesh_period());
+    march.run(march.T() + mesh.period());
     motions.push_back(march.motion());
     if (n >= 2 && (forgotten(motions, orbit.end.motion) || length(difference(motions.back(), begin)) > far)) break;
   }

@@ -78,7 +78,7 @@ struct Trial {
 class OrbitSearch {
 public:
   OrbitSearch(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options, const SearchObserver& observer)
-      : march_(march), path_(march.mesh().path), options_(options), observer_(observer), jacobian_(guess.monodromy) {
+      : march_(march), mesh_(march.mesh()), options_(options), observer_(observer), jacobian_(guess.monodromy) {
     if (guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape())) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion);
@@ -104,7 +104,7 @@ private:
     count_period();
     Trial trial{march_.state(), {}, march_.T(), {}, 0.0};
     try {
-      march_.run(trial.begin + path_.mesh_period());
+      march_.run(trial.begin + mesh_.period());
     } catch (const SolveError& error) {
       if (!best_) throw;
       trouble_ = error.what();
@@ -142,7 +142,7 @@ private:
     for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
       try {
         if (shortening_ < shortest_step) measure_jacobian();
-        march_.resume(path_.next_period(march_.T()), best_->end);
+        march_.resume(mesh_.next_period(march_.T()), best_->end);
         march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
         return;
       } catch (const SolveError& error) {
@@ -163,7 +163,7 @@ private:
   void march_on() {
     shortening_ = 1.0;
     measured_ = false;
-    march_.resume(path_.next_period(march_.T()), best_->end);
+    march_.resume(mesh_.next_period(march_.T()), best_->end);
   }
 
   /// One column of the Jacobian, by a period with disturbed motion.
@@ -171,15 +171,16 @@ private:
     count_period();
     Motion step{};
     (column == 0 ? step.H0 : step.V0) = difference_step;
-    march_.resume(path_.next_period(march_.T()), base.start);
+    march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
-    march_.run(march_.T() + path_.mesh_period());
+    march_.run(march_.T() + mesh_.period());
     const Motion change = difference(march_.motion(), base.end.motion);
     jacobian_.update(step, change);
   }
 
   void count_period() {
-    if (++periods_ <= options_.max_periods) return;
+    periods_ += mesh_.periods();
+    if (periods_ <= options_.max_periods) return;
     std::ostringstream message;
     message << "no periodic state after " << options_.max_periods << " mesh periods";
     if (best_) {
@@ -191,7 +192,7 @@ private:
   }
 
   MeshMarch& march_;
-  const ContactPath& path_;
+  const MeshModel& mesh_;
   PeriodicOptions options_;
   const SearchObserver& observer_;
   MapJacobian jacobian_;

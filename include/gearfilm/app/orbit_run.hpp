@@ -18,10 +18,11 @@ namespace gearfilm {
 
 struct OrbitRun {
   PeriodicOrbit orbit;
-  PeriodFigures figures;               ///< of the periodic period
-  bool contact_lost = false;           ///< in it
-  SignalDeviation transmission_error;  ///< of H_0 over it
-  std::optional<FreeDecay> decay;      ///< with the multipliers
+  PeriodFigures figures;                     ///< of the periodic period
+  std::vector<Motion> states_after_leaving;  ///< one a mesh period of it
+  bool contact_lost = false;                 ///< in it
+  SignalDeviation transmission_error;        ///< of H_0 over it
+  std::optional<FreeDecay> decay;            ///< with the multipliers
 };
 
 /// Watches a search: every accepted step, and every period marched. Nothing is reported once the orbit is found. The

@@ -38,8 +38,6 @@ public:
   double next_event(double T) const;
 
   double mesh_period() const { return line_.base_pitch() / velocity_; }
-  /// The first whole number of mesh periods that is not before T.
-  double next_period(double T) const { return mesh_period() * std::ceil(T / mesh_period() - 1e-9); }
   /// When contact 0 is at xi.
   double time_at(double xi) const { return (xi - start_) / velocity_; }
   /// Length travelled along the line of action [m].

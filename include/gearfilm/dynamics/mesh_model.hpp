@@ -2,6 +2,7 @@
 // each of them is like, and what they move.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,8 @@ struct MeshModel {
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
+  int pattern = 1;  ///< mesh periods after which the same teeth meet again
+  int order = 1;    ///< patterns after which a periodic motion repeats
 
   /// A contact at time T.
   MeshedContact contact(int number, double T) const;
@@ -27,6 +30,11 @@ struct MeshModel {
   Compliance compliance(std::span<const int> numbers, double T) const;
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
+
+  /// Of a periodic motion, in mesh periods and in T, and its next beginning from T on.
+  int periods() const { return order * pattern; }
+  double period() const { return periods() * path.mesh_period(); }
+  double next_period(double T) const { return period() * std::ceil(T / period() - 1e-9); }
 
   /// dF/d(-H_0) of the contact at the pitch point under the static force, teeth included [-].
   double stiffness() const {

@@ -74,7 +74,9 @@ struct MarchCase {
 /// The search for a periodic state.
 struct SearchCase {
   PeriodicOptions options;
-  bool with_multipliers = true;  ///< Floquet multipliers with it, by up to four more mesh periods
+  int order = 1;                 ///< mesh periods, or patterns of the teeth, after which it repeats
+  int max_pattern = 1;           ///< mesh periods after which the same teeth meet again, at most
+  bool with_multipliers = true;  ///< Floquet multipliers with it, by up to four more periods
 };
 
 /// Natural modes.
