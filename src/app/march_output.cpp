@@ -190,6 +190,9 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
                                  {"H0", event.motion.H0},
                                  {"V0", event.motion.V0}});
   }
+  summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodFigures& period) {
+    return period["back_force_ratio_max"].value_or(0.0) > 0.0;
+  });
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
     Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};

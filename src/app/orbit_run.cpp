@@ -88,6 +88,7 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   summary["V0_after_leaving"] = run.orbit.start.motion.V0;
   summary.update(period_summary(scales, run.figures));
   summary["contact_lost"] = run.contact_lost;
+  summary["back_contact"] = run.figures["back_force_ratio_max"].value_or(0.0) > 0.0;
   summary["transmission_error_peak_to_peak"] = scales.thickness * run.transmission_error.peak_to_peak;
   summary["transmission_error_rms"] = scales.thickness * run.transmission_error.root_mean_square;
   if (run.decay) {

@@ -18,6 +18,7 @@ namespace {
 /// The contact at the chosen position: conditions for the solver, and in SI for the film formulas.
 struct Position {
   MeshedContact contact;
+  Compliance compliance;  ///< of its teeth
   ContactSolids solids;
   ContactOperation operation;
   std::string label = "bare contact";
@@ -27,7 +28,9 @@ Position steady_position(const Case& problem) {
   Position position;
   if (problem.pair.line) {
     const double xi = problem.steady.position;
-    position.contact = meshed_contact(*problem.pair.line, problem.scales, problem.pair.pinion_speed, xi);
+    const MeshModel mesh = mesh_model(problem, xi, MeshGeometry::held);
+    position.contact = mesh.contact_at(0, xi);
+    if (!mesh.teeth.rigid()) position.compliance = Compliance({mesh.teeth.compliance(xi) * mesh.compliance_scale()});
     std::ostringstream label;
     label << "contact 0 at xi = " << 1e3 * xi << " mm";
     position.label = label.str();
@@ -169,7 +172,8 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
   solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem.scales), problem.scales,
                                               problem.numerics.solver.multigrid);
   solved.film->set_conditions(position.contact.conditions);
-  const LoadCondition load = LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force);
+  const LoadCondition load =
+      LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance);
   solved.result =
       located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
   check_validity(*solved.film, solved.result.figures, position.label);

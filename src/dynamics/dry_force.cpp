@@ -16,21 +16,23 @@ DryForce::DryForce(const MeshModel& mesh) {
   const double reference = mesh.scales.solids.radius_x;
   const double low = std::log(std::min(line.radius_x(line.entry()), line.radius_x(line.exit())) / reference);
   const double high = std::log(line.radius_x(top) / reference);
-  const double middle = 0.5 * (low + high), half_range = std::max(0.5 * (high - low), 1e-3);
+  const bool local = mesh.teeth.local(0.0).flanks != nullptr;
+  const double beyond = local ? std::log(NearestPoint::widest_ratio) : 0.0;
+  const double middle = 0.5 * (low + high), half_range = std::max(0.5 * (high - low) + beyond, 1e-3);
   logarithm_ = {middle - half_range, middle + half_range, [&](double radius) {
                   return std::log(force_at_unit_approach(mesh.scales, {.relative_radius = std::exp(radius)}));
                 }};
 }
 
 double DryForce::at_unit_approach(const ContactConditions& conditions) const {
-  return std::exp(logarithm_(std::log(conditions.relative_radius)));
+  return std::exp(logarithm_(std::log(conditions.dry_radius())));
 }
 
 DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T)
     : compliance_(mesh.compliance(numbers, T)), coupled_(compliance_.coupled()) {
   for (const int number : numbers) {
     const ContactConditions conditions = mesh.contact(number, T).conditions;
-    contacts_.push_back({conditions.gap_offset, force.at_unit_approach(conditions)});
+    contacts_.push_back({conditions.dry_gap(), force.at_unit_approach(conditions)});
   }
 }
 

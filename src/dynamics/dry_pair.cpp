@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -23,7 +24,7 @@ DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damp
       keeper_(keeper) {}
 
 double DryMarch::total_force(const std::vector<int>& contacts, double T, double H0) const {
-  return DryContacts(force_, mesh_, contacts, T).total_force(H0);
+  return DryContacts(force_, mesh_, contacts, T).total_force(H0) - back_force(mesh_, H0, T).value;
 }
 
 void DryMarch::observe(double dT, double wall_seconds) const {
@@ -31,6 +32,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.T = T_;
   record.dT = dT;
   record.motion = motion_;
+  record.back_force = back_force(mesh_, motion_.H0, T_).value;
   record.wall_seconds = wall_seconds;
   std::vector<LiveContact> live;
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);

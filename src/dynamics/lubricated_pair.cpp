@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/ehl/similar_pressure.hpp"
 
 namespace gearfilm {
@@ -64,20 +65,29 @@ void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
   const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
-    const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.gap_offset - conditions.gap_offset;
+    const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
     const FilmFigures film = film_figures(figures[k].figures);
     if (rise < crossed * film.central_film || film.pressure_integral <= 0.0) continue;
     const HertzContact before = dry_contact(mesh_.scales, conditions, film.pressure_integral);
     const double approach = before.approach - rise * mesh_.scales.thickness;
     const double ratio = std::max(smallest_similar, std::sqrt(std::max(0.0, approach) / before.approach));
-    system_.set_field(guess, k,
-                      similar_pressure(films_[k]->grid(), mesh_.scales, before, ratio, system_.field(last, k)));
+    system_.set_field(
+        guess, k,
+        similar_pressure(films_[k]->grid(), mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
   }
 }
 
 void LubricatedPair::place(double T) {
   for (std::size_t k = 0; k < films_.size(); ++k) films_[k]->set_conditions(mesh_.contact(numbers_[k], T).conditions);
-  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T)), mesh_.compliance(numbers_, T));
+  FilmSystem::OpposingForce back_flanks;
+  if (mesh_.teeth.backlash()) {
+    back_flanks = [this, T](double H0) {
+      const BackForce force = back_force(mesh_, H0, T);
+      return FilmSystem::Opposing{force.value, force.slope};
+    };
+  }
+  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T)), mesh_.compliance(numbers_, T),
+                     std::move(back_flanks));
 }
 
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/refit.hpp"
@@ -67,15 +68,20 @@ void MeshMarch::move_to(const GridShape& shape) {
   }
 }
 
-// The force grows with the power 3/2 of the approach, the half-axes with its root. Two steps ahead: in one the ellipse
-// must not pass the edge.
+// The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
+// ellipse moves along the contact. Two steps ahead: in one the ellipse must not pass the edge.
 Room MeshMarch::needed_room(int number, double pressure_integral) const {
   if (!options_.room || pressure_integral <= 0.0) return {};
   const ContactConditions conditions = mesh_.contact(number, T_).conditions;
   const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
   const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.dT;
   const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
-  return gearfilm::needed_room(*options_.room, mesh_.scales, conditions, pressure_integral, label(number), growth);
+  const auto room_of = [&](const ContactConditions& in) {
+    return gearfilm::needed_room(*options_.room, mesh_.scales, in, pressure_integral, label(number), growth);
+  };
+  const Room here = room_of(conditions);
+  if (!conditions.local.flanks) return here;
+  return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.dT).conditions));
 }
 
 void MeshMarch::make_room(const Room& needed) {
@@ -142,7 +148,7 @@ LiveContact MeshMarch::enter(int number) {
 // The pressure of its neighbour, or none where the teeth are apart.
 std::vector<double> MeshMarch::entering_guess(const ContactFilm& film, const LoadCondition& load) const {
   std::vector<double> pressure = values_of(contacts_.back().fields, field::pressure);
-  if (load.value + film.conditions().gap_offset >= 0.0) std::ranges::fill(pressure, 0.0);
+  if (load.value + film.conditions().dry_gap() >= 0.0) std::ranges::fill(pressure, 0.0);
   return pressure;
 }
 
@@ -251,6 +257,7 @@ void MeshMarch::observe_present() const {
   StepRecord record;
   record.T = T_;
   record.motion = motion_;
+  record.back_force = back_force(mesh_, motion_.H0, T_).value;
   const std::vector<FilmFigures> figures = present_figures();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     record.contacts.push_back(contact_record(mesh_, contacts_[k].number, T_, figures[k]));

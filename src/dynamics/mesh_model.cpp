@@ -14,10 +14,11 @@ MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, dou
           .sliding = line.sliding_velocity(xi, pinion_speed) / u_m};
 }
 
-MeshedContact MeshModel::contact(int number, double T) const {
-  const double xi = path.position(number, T);
+MeshedContact MeshModel::contact_at(int number, double xi) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;
+  contact.conditions.local = teeth.local(xi);
+  contact.conditions.nearest = nearest_point(scales, contact.conditions);
   return contact;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -146,6 +147,7 @@ void SegmentStepper::finish_step() {
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);
   record.contacts = pair_.records(state, T);
+  record.back_force = back_force(pair_.mesh(), record.motion.H0, T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = now - wall_start_;

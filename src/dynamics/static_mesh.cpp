@@ -25,7 +25,7 @@ double penetration_met(const MeshModel& mesh, const StaticPosition& before, int 
   numbers.push_back(entering);
   forces.push_back(0.0);
   const double displaced = mesh.compliance(numbers, before.T).displacements(before.H0, forces).back();
-  return -displaced - mesh.contact(entering, before.T).conditions.gap_offset;
+  return -displaced - mesh.contact(entering, before.T).conditions.dry_gap();
 }
 
 }  // namespace

@@ -1,10 +1,36 @@
 #include "gearfilm/ehl/contact_conditions.hpp"
 
+#include <algorithm>
+
 namespace gearfilm {
+
+// The curvature is taken over the width of a loaded contact: kinks have none of their own.
+NearestPoint nearest_point(const Scales& scales, const ContactConditions& conditions) {
+  constexpr double reach = 4.0, step = 0.1, half_width = 0.5;  // [a]
+  if (!conditions.local.flanks) return {};
+  const auto gap = [&](double X) {
+    return 0.5 * X * X / conditions.relative_radius + conditions.local(X * scales.length) / scales.thickness;
+  };
+  NearestPoint nearest;
+  double lowest = gap(0.0);
+  for (double X = -reach; X <= reach; X += step) {
+    const double here = gap(X);
+    if (here >= lowest) continue;
+    lowest = here;
+    nearest.X = X;
+  }
+  nearest.drop = -lowest;
+  const double curvature =
+      (gap(nearest.X + half_width) - 2.0 * lowest + gap(nearest.X - half_width)) / (half_width * half_width);
+  const double most = NearestPoint::widest_ratio / conditions.relative_radius;
+  const double least = 1.0 / (NearestPoint::widest_ratio * conditions.relative_radius);
+  nearest.relative_radius = 1.0 / std::clamp(curvature, least, most);
+  return nearest;
+}
 
 ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions) {
   ContactSolids solids = scales.solids;
-  solids.radius_x *= conditions.relative_radius;
+  solids.radius_x *= conditions.dry_radius();
   return solids;
 }
 

@@ -47,7 +47,8 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   for (int i = 0; i < grid_.nx(); ++i) {
     double* thickness = state_.thickness.row(i);
     const double x = grid_.x(i);
-    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.relative_radius;
+    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.relative_radius +
+                       conditions_.local(x * scales_.length) / scales_.thickness;
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double y = grid_.y(j);
       thickness[j] += gap + 0.5 * scales_.radius_ratio * y * y;
@@ -169,11 +170,12 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
           finite};
 }
 
-void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure) {
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure,
+                    double centre) {
   const double top = contact.pressure / scales.pressure;
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      const double x = grid.x(i) * scales.length / contact.a, y = grid.y(j) * scales.length / contact.b;
+      const double x = (grid.x(i) - centre) * scales.length / contact.a, y = grid.y(j) * scales.length / contact.b;
       const double inside = 1.0 - x * x - y * y;
       const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
       pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;

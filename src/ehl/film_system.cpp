@@ -30,9 +30,10 @@ FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {}
 
-void FilmSystem::set_border(Border border, Compliance compliance) {
+void FilmSystem::set_border(Border border, Compliance compliance, OpposingForce opposing) {
   border_ = std::move(border);
   compliance_ = std::move(compliance);
+  opposing_ = std::move(opposing);
 }
 
 PetscInt FilmSystem::local_size() const {
@@ -103,7 +104,8 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const VecReading in(state);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const std::vector<double> displaced = compliance_.displacements(border_.displaced(scalars), carried);
+  const double H0 = border_.displaced(scalars);
+  const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
                         part(out.values(), k));
@@ -111,7 +113,8 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   if (!has_border()) return;
   const std::vector<double> still(border_.size(), 0.0);
   const auto scalar_rates = rate.values ? rates.values().subspan(border_at()) : std::span<const double>(still);
-  put_rows(border_.rows(scalars, scalar_rates, sum_of(carried), Border::Of::states), out.values());
+  const double sum = sum_of(carried) - (opposing_ ? opposing_(H0).value : 0.0);
+  put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
 }
 
 void FilmSystem::transient(Vec state, Vec values) {
@@ -128,12 +131,13 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   elimination_ = compliance_.rigid() ? elimination : Elimination::exact;
   const RateReading rates(rate);
   const VecReading in(state);
-  const std::vector<double> displaced = displacements(in.values(), scalars_in(in.values()));
+  const std::vector<double> scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
+  opposing_slope_ = opposing_ ? opposing_(border_.displaced(scalars)).slope : 0.0;
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
-    border_factors_.factor(border_matrix(border_, shift, 0.0));
+    border_factors_.factor(border_matrix(border_, shift, opposing_slope_));
     return;
   }
   responses_.resize(border_at());
@@ -143,7 +147,7 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   stiffness_ = forces(responses_);
   settling_factors_.factor(compliance_.settling_matrix(stiffness_));
   settled_ = settling_factors_.solve(stiffness_);
-  border_factors_.factor(border_matrix(border_, shift, sum_of(settled_)));
+  border_factors_.factor(border_matrix(border_, shift, sum_of(settled_) + opposing_slope_));
 }
 
 double FilmSystem::merit(Vec rows) {
@@ -159,13 +163,15 @@ void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const std::vector<double> displaced = compliance_.displacements(border_.displaced(scalars), carried);
+  const double H0 = border_.displaced(scalars);
+  const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->multiply(part(in.values(), k), displaced[k], part(out.values(), k));
   }
   std::vector<double> rates = scalars;
   for (double& value : rates) value *= shift_;
-  put_rows(border_.rows(scalars, rates, sum_of(carried), Border::Of::changes), out.values());
+  const double sum = sum_of(carried) - opposing_slope_ * H0;
+  put_rows(border_.rows(scalars, rates, sum, Border::Of::changes), out.values());
 }
 
 void FilmSystem::multiply_transient(Vec change, Vec rows) {

@@ -42,8 +42,8 @@ Room needed_room(const RoomRule& rule, const Scales& scales, const ContactCondit
            "or lower the load";
     throw SolveError(message.str());
   }
-  return {.inlet = growth * a + rule.inlet,
-          .outlet = outlet * growth * a,
+  return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
+          .outlet = outlet * growth * a + conditions.nearest.X,
           .side = std::min(rule.side * growth * b, rule.face)};
 }
 

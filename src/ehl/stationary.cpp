@@ -54,16 +54,16 @@ FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   double force = scales.force(load.value);
   if (load.kind == LoadCondition::Kind::displacement) {
-    const double approach = gap / scales.thickness - load.value - film.conditions().gap_offset;
+    const double approach = gap / scales.thickness - load.value - film.conditions().dry_gap();
     const double unit_force = force_at_unit_approach(scales, film.conditions());
     force = scales.force(force_on_spring(unit_force, load.compliance(0, 0), approach));
     if (force <= 0.0) return guess;
   }
   const HertzContact dry = hertz_contact(solids, force);
-  hertz_pressure(film.grid(), scales, dry, guess.pressure);
+  hertz_pressure(film.grid(), scales, dry, guess.pressure, film.conditions().nearest.X);
   if (load.kind == LoadCondition::Kind::force) {
     guess.H0 =
-        (gap - dry.approach) / scales.thickness - film.conditions().gap_offset - load.compliance(0, 0) * load.value;
+        (gap - dry.approach) / scales.thickness - film.conditions().dry_gap() - load.compliance(0, 0) * load.value;
   }
   return guess;
 }

@@ -22,8 +22,8 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
   };
   const GridShape& shape = grid.shape();
   require(ellipse.b / scales.hertz.b, scales.hertz.ellipticity * shape.y_half, "side", "grid_y_half");
-  require(ellipse.a / scales.hertz.a, shape.x_max, "outlet", "grid_x_max");
-  require(ellipse.a / scales.hertz.a, shape.x_min, "inlet", "grid_x_min");
+  require(ellipse.a / scales.hertz.a + conditions.nearest.X, shape.x_max, "outlet", "grid_x_max");
+  require(ellipse.a / scales.hertz.a - conditions.nearest.X, shape.x_min, "inlet", "grid_x_min");
 }
 
 void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/gear/involute.hpp"
 
 namespace gearfilm {
 namespace {
@@ -39,11 +41,14 @@ double interpolate(const std::vector<std::pair<double, double>>& points, double 
 }  // namespace
 
 Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<GearFlanks, 2> flanks,
-             const ComplianceOptions& compliance)
+             const ComplianceOptions& compliance, ProfileAction action)
     : at_pitch_pinion_(line.radius_pinion(0.0)),
       at_pitch_wheel_(line.radius_wheel(0.0)),
+      base_radius_{line.base_radius_pinion(), line.base_radius_wheel()},
+      action_(action),
       low_(line.entry()),
       high_(line.exit()) {
+  std::array<Flank, 2> own;
   const std::array<int, 2> teeth = {pair.pinion.teeth, pair.wheel.teeth};
   const std::array<double, 2> start = {line.radius_pinion(low_), line.radius_wheel(high_)};
   const std::array<double, 2> tip = {line.radius_pinion(high_), line.radius_wheel(low_)};
@@ -52,12 +57,14 @@ Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<Gear
     check_relief(modification.tip, tip[gear] - start[gear], std::string(names[gear]) + "_tip_relief");
     check_relief(modification.root, tip[gear] - start[gear], std::string(names[gear]) + "_root_relief");
     check_errors(flanks[gear].pitch_errors, teeth[gear], names[gear]);
-    flanks_[gear] = Flank(modification, start[gear], tip[gear]);
+    own[gear] = Flank(modification, start[gear], tip[gear]);
     errors_[gear] = std::move(flanks[gear].pitch_errors);
     if (!errors_[gear].empty()) pattern_ = std::lcm(pattern_, static_cast<long>(teeth[gear]));
-    perfect_ = perfect_ && flanks_[gear].perfect() && errors_[gear].empty();
+    perfect_ = perfect_ && own[gear].perfect() && errors_[gear].empty();
   }
+  flanks_ = std::make_shared<const std::array<Flank, 2>>(own);
   set_compliance(pair, line, compliance);
+  set_backlash(pair, line);
 }
 
 void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, const ComplianceOptions& options) {
@@ -67,7 +74,7 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   if (options.teeth) {
     const std::array<double, 2> shifts = profile_shifts(pair);
     // Half of the backlash each, from the line of action to the reference circle.
-    const double thinning = 0.5 * pair.backlash / std::cos(pair.pressure_angle);
+    const double thinning = 0.5 * pair.backlash.value_or(0.0) / std::cos(pair.pressure_angle);
     const auto add = [&](const SpurGear& gear, double shift, const char* name) {
       gears.emplace_back(gear, pair, ToothProfile(gear, pair, shift, thinning, name), *options.teeth, name);
     };
@@ -103,9 +110,41 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   throw InputError(message.str());
 }
 
+// On the working pitch circle R_w the pinion's tooth is s_w = 2 R_w (s/2r + inv alpha - inv alpha') thick.
+void Teeth::set_backlash(const SpurGearPair& pair, const LineOfAction& line) {
+  backlash_ = pair.backlash;
+  base_pitch_ = line.base_pitch();
+  if (!backlash_) return;
+  const double m = pair.module_length, alpha = pair.pressure_angle, working = line.working_pressure_angle();
+  const double thinning = 0.5 * *backlash_ / std::cos(alpha);
+  const double thickness = 0.5 * std::numbers::pi * m + 2.0 * profile_shifts(pair)[0] * m * std::tan(alpha) - thinning;
+  // R_w cos alpha' = R_b.
+  thickness_ =
+      2.0 * line.base_radius_pinion() * (thickness / (pair.pinion.teeth * m) + involute(alpha) - involute(working));
+}
+
+std::vector<double> Teeth::back_positions(double xi) const {
+  std::vector<double> positions;
+  const double first = thickness_ - xi;
+  for (double n = std::floor((first - low_) / base_pitch_); first - n * base_pitch_ <= high_; --n) {
+    positions.push_back(first - n * base_pitch_);
+  }
+  return positions;
+}
+
+double Teeth::removed(double xi) const {
+  if (!flanks_) return 0.0;
+  return (*flanks_)[0].removed(at_pitch_pinion_ + xi) + (*flanks_)[1].removed(at_pitch_wheel_ - xi);
+}
+
+LocalProfile Teeth::local(double xi) const {
+  if (action_ == ProfileAction::offset || perfect_) return {};
+  return {flanks_, {at_pitch_pinion_ + xi, at_pitch_wheel_ - xi}, base_radius_};
+}
+
 double Teeth::gap(int contact, double xi) const {
   if (perfect_) return 0.0;
-  double gap = flanks_[0].removed(at_pitch_pinion_ + xi) + flanks_[1].removed(at_pitch_wheel_ - xi);
+  double gap = removed(xi);
   for (const std::vector<double>& errors : errors_) {
     if (errors.empty()) continue;
     const int teeth = static_cast<int>(errors.size());

@@ -54,7 +54,7 @@ SpurGearPair read_gear_pair(const ParameterValues& values) {
           .pressure_angle = values.real("gear.pressure_angle_deg") * pi / 180.0,
           .centre_distance = values.real("gear.centre_distance"),
           .face_width = values.real("gear.face_width"),
-          .backlash = values.real("gear.backlash")};
+          .backlash = optional_real(values, "gear.backlash")};
 }
 
 // Either both inertias or the mass itself; none for a pair that does not vibrate.

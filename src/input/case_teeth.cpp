@@ -98,7 +98,8 @@ Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const 
   std::array<GearFlanks, 2> flanks = {
       read_flanks(values, "pinion", line.radius_pinion(line.exit()), line.base_radius_pinion()),
       read_flanks(values, "wheel", line.radius_wheel(line.entry()), line.base_radius_wheel())};
-  return {pair, line, std::move(flanks), read_compliance(values)};
+  const bool field = values.text("gear.profile_local") == "field";
+  return {pair, line, std::move(flanks), read_compliance(values), field ? ProfileAction::field : ProfileAction::offset};
 }
 
 }  // namespace gearfilm

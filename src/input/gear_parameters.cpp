@@ -86,9 +86,13 @@ Records gear_records() {
        preset(1.0, number("compliance_factor", "", "-", left_open(0, 100), "on the computed teeth and foundations")),
        preset(0.0, number("mesh_compliance", "c_s", "m/N", closed(0, 1e-3),
                           "of shafts and bearings along the line of action, on the sum of the forces")),
+       choice("profile_local", {"offset", "field"},
+              "flanks act on films as one gap at the contact's place, or as a shape along the contact too"),
        choice("body_coupling", {"yes", "no"}, "teeth bent by their neighbours' forces, where bores are given"),
-       preset(0.0, number("backlash", "j_n", "m", closed(0, 0.1),
-                          "normal backlash along the line of action: by so much the teeth are thinner"))});
+       optional("back flanks never touch",
+                number("backlash", "j_n", "m", closed(0, 0.1),
+                       "normal backlash along the line of action: by so much the teeth are thinner, and beyond it "
+                       "their back flanks touch, dry"))});
 }
 
 }  // namespace

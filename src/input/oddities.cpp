@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/gear/involute.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 
 namespace gearfilm {
@@ -77,7 +78,6 @@ void compare_contact(const Scales& scales, Oddities& found) {
 
 /// x_1 + x_2 = (Z_1+Z_2) (inv alpha' - inv alpha)/(2 tan alpha), where the gears mesh without backlash.
 double profile_shifts(const Case& problem) {
-  const auto involute = [](double angle) { return std::tan(angle) - angle; };
   const double alpha = problem.pair.gears->pressure_angle, working = problem.pair.line->working_pressure_angle();
   return (problem.pair.gears->pinion.teeth + problem.pair.gears->wheel.teeth) * (involute(working) - involute(alpha)) /
          (2 * std::tan(alpha));

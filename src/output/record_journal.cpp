@@ -11,9 +11,9 @@ namespace gearfilm {
 namespace {
 
 void pack(const StepRecord& record, std::vector<double>& values) {
-  values.insert(values.end(),
-                {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
-                 static_cast<double>(record.newton), static_cast<double>(record.krylov), record.wall_seconds});
+  values.insert(values.end(), {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0,
+                               record.motion.V0, record.back_force, static_cast<double>(record.newton),
+                               static_cast<double>(record.krylov), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
     values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
     values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
@@ -40,6 +40,7 @@ StepRecord unpack(Unpacking& values) {
   record.dT = values.real();
   record.motion.H0 = values.real();
   record.motion.V0 = values.real();
+  record.back_force = values.real();
   record.newton = values.whole();
   record.krylov = values.whole();
   record.wall_seconds = values.real();

@@ -24,8 +24,9 @@ struct MeshModel {
   int pattern = 1;  ///< mesh periods after which the same teeth meet again
   int order = 1;    ///< patterns after which a periodic motion repeats
 
-  /// A contact at time T.
-  MeshedContact contact(int number, double T) const;
+  /// A contact at time T, and one at a place xi [m].
+  MeshedContact contact(int number, double T) const { return contact_at(number, path.position(number, T)); }
+  MeshedContact contact_at(int number, double xi) const;
   /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
   Compliance compliance(std::span<const int> numbers, double T) const;
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.

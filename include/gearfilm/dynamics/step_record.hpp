@@ -36,6 +36,7 @@ struct StepRecord {
   double dT = 0.0;  ///< its length; 0 for a starting state
   Motion motion;
   std::vector<ContactRecord> contacts;
+  double back_force = 0.0;  ///< of back flanks [-]
   int newton = 0;
   int krylov = 0;
   double wall_seconds = 0.0;

@@ -1,6 +1,6 @@
 // The film of one contact on one grid: the nonlinear equations in (P, H_0), their exact Jacobian, a preconditioner.
 //
-//   H = H_0 + offset + X^2/(2 Rbar) + D Y^2/2 + K P            film thickness (24), K of deformation.hpp
+//   H = H_0 + offset + E(X) + X^2/(2 Rbar) + D Y^2/2 + K P     film thickness (24), K of deformation.hpp
 //   G(P, H_0; d(rho H)/dT) = min(d P, R)                       Reynolds' equation with cavitation, reynolds.hpp
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
 // them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
@@ -94,7 +94,8 @@ private:
   long convolutions_ = 0;
 };
 
-/// Pressure of a dry contact on the own nodes, zero on the boundary; compact.
-void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure);
+/// Pressure of a dry contact about X = centre on the own nodes, zero on the boundary; compact.
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure,
+                    double centre = 0.0);
 
 }  // namespace gearfilm

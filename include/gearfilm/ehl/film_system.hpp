@@ -2,7 +2,7 @@
 // system.
 //
 //   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
-//   border(s, ds/dT, sum_k F_k) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
+//   border(s, ds/dT, sum_k F_k - F_b(H_0)) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
 //
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
 // scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The border's rows are
@@ -11,6 +11,7 @@
 // steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or border and displacements eliminated exactly.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "gearfilm/ehl/border.hpp"
@@ -30,8 +31,14 @@ public:
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  /// Another border with as many scalars, and what the films stand on.
-  void set_border(Border border, Compliance compliance = {});
+  /// A force that is taken off the films', depending on H_0, and its derivative.
+  struct Opposing {
+    double value = 0.0;
+    double slope = 0.0;
+  };
+  using OpposingForce = std::function<Opposing(double H0)>;
+  /// Another border with as many scalars, what the films stand on, and what opposes them; may be empty.
+  void set_border(Border border, Compliance compliance = {}, OpposingForce opposing = {});
   const Compliance& compliance() const { return compliance_; }
 
   OwnedVec create_state() const;
@@ -101,6 +108,8 @@ private:
   std::vector<ContactFilm*> films_;
   Border border_;
   Compliance compliance_;
+  OpposingForce opposing_;
+  double opposing_slope_ = 0.0;  ///< at the state of the Jacobian
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;

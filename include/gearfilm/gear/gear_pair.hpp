@@ -22,11 +22,11 @@ struct SpurGear {
 struct SpurGearPair {
   SpurGear pinion;
   SpurGear wheel;
-  double module_length = 0.0;    ///< normal module m_n [m]
-  double pressure_angle = 0.0;   ///< of the basic rack, alpha [rad]
-  double centre_distance = 0.0;  ///< working centre distance a_w [m]
-  double face_width = 0.0;       ///< F_w [m]
-  double backlash = 0.0;         ///< j_n along the line of action [m]
+  double module_length = 0.0;        ///< normal module m_n [m]
+  double pressure_angle = 0.0;       ///< of the basic rack, alpha [rad]
+  double centre_distance = 0.0;      ///< working centre distance a_w [m]
+  double face_width = 0.0;           ///< F_w [m]
+  std::optional<double> backlash{};  ///< j_n along the line of action [m]; absent: none, and back flanks never touch
 };
 
 }  // namespace gearfilm
