@@ -145,7 +145,10 @@ void attach_tables(MPI_Comm comm, ParameterValues& values) {
   };
   attach("load_sharing.file", "load_sharing.kind");
   attach("gear.compliance_file", "gear.tooth_compliance");
-  for (const char* gear : {"pinion", "wheel"}) attach(std::string(gear) + ".profile_file", "");
+  for (const std::string gear : {"pinion", "wheel"}) {
+    attach(gear + ".profile_file", "");
+    attach(gear + ".pitch_errors_file", "");
+  }
 }
 
 }  // namespace

@@ -36,7 +36,11 @@ void require_moving_films(const Case& problem, const std::string& command) {
 void require_one_pattern(const Case& problem, const std::string& command) {
   const long pattern = problem.pair.teeth.pattern();
   if (pattern <= problem.search.max_pattern) return;
-  const std::string name = problem.parameters.has("pinion.pitch_errors") ? "pinion.pitch_errors" : "wheel.pitch_errors";
+  std::string name;
+  for (const char* key :
+       {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {
+    if (problem.parameters.has(key)) name = key;
+  }
   throw InputError(problem.parameters.origin(name) + ": with '" + name + "' the same teeth meet again after " +
                    std::to_string(pattern) + " mesh periods, and " + command +
                    " looks for states that repeat after at most periodic.max_pattern = " +

@@ -45,9 +45,15 @@ double root_relief_length(const ParameterValues& values, const std::string& gear
 }
 
 std::vector<double> read_pitch_errors(const ParameterValues& values, const std::string& gear) {
-  const std::string name = gear + ".pitch_errors";
-  if (!values.has(name)) return {};
-  return read_numbers(values, name, -0.01, 0.01, "error of a pitch in m");
+  constexpr double largest = 0.01;
+  const std::string list = gear + ".pitch_errors", file = gear + ".pitch_errors_file", what = "error of a pitch in m";
+  if (values.has(list) && values.has(file)) {
+    throw InputError(values.origin(file) + ": both '" + list + "' and '" + file +
+                     "' are given, and each holds the errors; delete one");
+  }
+  if (values.has(file)) return read_numbers_in_file(values, file, -largest, largest, what);
+  if (!values.has(list)) return {};
+  return read_numbers(values, list, -largest, largest, what);
 }
 
 GearFlanks read_flanks(const ParameterValues& values, const std::string& gear, double tip, double base_radius) {

@@ -51,6 +51,9 @@ Records one_gear_records(const std::string& subscript) {
       optional("none", word("pitch_errors",
                             "list of cumulative pitch errors along the line of action [m], one a tooth, positive where "
                             "the flank stands proud")),
+      optional("none", word("pitch_errors_file",
+                            "the same in a file, separated by blanks, commas or lines; # begins a remark; named in a "
+                            "case file it is sought beside it")),
   };
 }
 

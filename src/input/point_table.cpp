@@ -43,9 +43,11 @@ std::vector<std::pair<double, double>> read_ascending_points(const ParameterValu
   return points;
 }
 
-std::vector<double> read_numbers(const ParameterValues& values, const std::string& name, double smallest,
-                                 double largest, const std::string& what) {
-  std::string text = values.text(name);
+namespace {
+
+/// where: what a message begins with.
+std::vector<double> numbers_in(std::string text, const std::string& where, double smallest, double largest,
+                               const std::string& what) {
   std::ranges::replace(text, ',', ' ');
   std::istringstream words(text);
   std::vector<double> numbers;
@@ -54,13 +56,32 @@ std::vector<double> read_numbers(const ParameterValues& values, const std::strin
     double number = 0.0;
     std::string more;
     if (!(one >> number) || one >> more || !(number >= smallest && number <= largest)) {
-      throw InputError(values.origin(name) + ": '" + name + "' has '" + word + "', which is no " + what +
-                       "; give numbers in [" + format_value(smallest) + ", " + format_value(largest) + "]");
+      throw InputError(where + " has '" + word + "', which is no " + what + "; give numbers in [" +
+                       format_value(smallest) + ", " + format_value(largest) + "]");
     }
     numbers.push_back(number);
   }
-  if (numbers.empty()) throw InputError(values.origin(name) + ": '" + name + "' is empty; give at least one " + what);
+  if (numbers.empty()) throw InputError(where + " is empty; give at least one " + what);
   return numbers;
+}
+
+}  // namespace
+
+std::vector<double> read_numbers(const ParameterValues& values, const std::string& name, double smallest,
+                                 double largest, const std::string& what) {
+  return numbers_in(values.text(name), values.origin(name) + ": '" + name + "'", smallest, largest, what);
+}
+
+std::vector<double> read_numbers_in_file(const ParameterValues& values, const std::string& name, double smallest,
+                                         double largest, const std::string& what) {
+  std::istringstream stream(values.attached(name));
+  std::string text;
+  for (std::string line; std::getline(stream, line);) {
+    line.erase(std::min(line.find('#'), line.size()));
+    std::ranges::replace(line, '\r', ' ');
+    text += line + ' ';
+  }
+  return numbers_in(text, values.text(name) + ":", smallest, largest, what);
 }
 
 }  // namespace gearfilm

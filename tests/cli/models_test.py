@@ -5,9 +5,10 @@ import numpy
 
 from films import BARBIERI, REFERENCE, WANG, summary_in
 from program import INPUT, ProgramTest
-from vibration import MARCH, VibrationTest, table_in
+from vibration import COARSE, MARCH, VibrationTest, table_in
 
 WIDE = ["-grid_y_half", 1.4]
+PERIODS = 14                                # mesh periods of a march past a bad tooth
 ENTRY, EXIT = -5.639e-3, 5.747e-3           # m, of Table 3
 ALONE = (-3.109e-3, 3.217e-3)               # between these a contact is alone
 # Of Table 2: outside the lengths that oil needs to pass after a jump of the load.
@@ -104,7 +105,7 @@ class OneContact(VibrationTest):
 
 
 class RealTeeth(VibrationTest):
-    """The case study on bending teeth with tip relief, dry."""
+    """The case study on bending teeth with tip relief."""
 
     CASE = INPUT / "barbieri2013_relief.yaml"
 
@@ -158,9 +159,73 @@ class RealTeeth(VibrationTest):
                 (["load_ratios", "x"], ["-static_load_ratios", "1 x"])):
             with self.subTest(options=options):
                 self.assert_wrong(words, "static", BARBIERI, *options)
-        for command in ("transient", "periodic", "sweep", "eigen"):
-            self.assert_wrong(["tooth_compliance", command], command, BARBIERI, *bend)
-        self.assert_wrong(["28 mesh periods"], "periodic", BARBIERI, "-pinion_pitch_errors", ",".join(28 * ["1e-6"]))
+        errors = ["-pinion_pitch_errors", ",".join(28 * ["1e-6"])]
+        hunting = [*errors, "-wheel_pitch_errors", ",".join(43 * ["1e-6"])]
+        self.assert_wrong(["28 mesh periods", "max_pattern = 1"], "periodic", BARBIERI, *errors)
+        self.assert_wrong(["1204 mesh periods", "max_pattern = 28"], "sweep", BARBIERI, *hunting, "-sweep_values", "9000",
+                          "-periodic_max_pattern", 28)
+        self.assert_wrong(["pitch_errors_file", "delete one"], "static", BARBIERI, *errors, "-pinion_pitch_errors_file",
+                          "few.txt")
+        self.assert_wrong(["2 numbers", "28 teeth"], "static", BARBIERI, "-pinion_pitch_errors_file", "few.txt")
+
+    def test_films_enter_unloaded_under_relief(self):
+        self.run_well("periodic", self.CASE, *COARSE, "-periodic_multipliers", "no", "-output_dir", "run")
+        summary, rows = summary_in(self.folder / "run"), table_in(self.folder / "run", "history/contacts")
+        self.assertAlmostEqual(summary["force_ratio_max"], 1.02, delta=0.01)
+        self.assertFalse(summary["contact_lost"] or summary["back_contact"])
+        whole = [number for number in numpy.unique(rows["contact"])
+                 if numpy.ptp(rows["xi"][rows["contact"] == number]) > 0.99 * (EXIT - ENTRY)]
+        contact = rows[rows["contact"] == whole[-1]]
+        established = contact["p_max"][abs(contact["xi"]) < 1e-3].max()
+        self.assertLess(contact["force"][0], 0.01 * summary["static_force"])
+        self.assertLess(contact["p_max"][:6].max(), established)
+        self.assertLess(contact["force"][-1], 0.01 * summary["static_force"])
+
+    def test_a_bad_tooth_is_felt_while_it_meshes(self):
+        # Slow enough that what it leaves behind dies away within a turn.
+        march = ["transient", self.CASE, *COARSE, "-time_dt", 0.035, "-pinion_speed_rpm", 1500, "-lubricant_viscosity", 0.4,
+                 "-start_place", "after_leaving", "-mesh_periods", PERIODS]
+        errors = 28 * [0.0]
+        errors[3] = 5e-6
+        self.run_well(*march, "-output_dir", "good")
+        self.run_well(*march, "-pinion_pitch_errors", ",".join(map(str, errors)), "-output_dir", "bad")
+        good, bad = (table_in(self.folder / name, "history/steps") for name in ("good", "bad"))
+        period = summary_in(self.folder / "good")["mesh_period"]
+        times = numpy.linspace(0, PERIODS * period, 100 * PERIODS)
+        change = [abs(numpy.interp(times, bad["t"], bad["h0"]) - numpy.interp(times, good["t"], good["h0"]))]
+        of_period = numpy.reshape(change, (PERIODS, 100)).max(axis=1)
+        self.assertLess(of_period[:2].max(), 1e-9)      # it has not entered
+        self.assertGreater(of_period[2:5].max(), 3e-6)  # more than half of it
+        self.assertLess(of_period[-1], 0.2 * of_period.max())
+
+    def test_back_flanks_end_a_separation(self):
+        far = [*MARCH, "-start_place", "after_leaving", "-start_H0", 0.5, "-start_V0", 3, "-mesh_periods", 1.5]
+        for model in ("dry", "dynamic"):
+            with self.subTest(model=model):
+                highest = {}
+                for backlash in ([], ["-gear_backlash", 3e-5]):
+                    self.run_well("transient", BARBIERI, *far, "-model", model, *backlash, "-output_dir", "run")
+                    summary, steps = summary_in(self.folder / "run"), table_in(self.folder / "run", "history/steps")
+                    self.assertEqual(summary["back_contact"], bool(backlash))
+                    self.assertEqual((steps["force_back"] > 0).any(), bool(backlash))
+                    highest[bool(backlash)] = steps["h0"].max()
+                self.assertGreater(highest[False], 1.5e-4)
+                # Beyond the backlash they press into each other, as dry contacts do.
+                touching = steps["h0"] > 3e-5
+                self.assertTrue((steps["force_back"][touching] > 0).all() and (steps["force_back"][~touching] == 0).all())
+                self.assertLess(highest[True], 0.6 * highest[False])
+
+    def test_flanks_along_the_contact(self):
+        steady = ["steady", self.CASE, "-grid_nx", 129, "-steady_position", -4e-3, "-steady_load_ratio", 0.5]
+        films = {}
+        for action in ("offset", "field"):
+            self.run_well(*steady, "-gear_profile_local", action, "-output_dir", action)
+            films[action] = summary_in(self.folder / action)
+        # A parabola more: the contact is narrower, its pressure that of the radius it has, its film thinner.
+        for film in films.values():
+            self.assertAlmostEqual(film["p_max"] / film["p_hertz"], 1, delta=0.02)
+        self.assertGreater(films["field"]["p_max"], 1.15 * films["offset"]["p_max"])
+        self.assertLess(films["field"]["h_central"], 0.95 * films["offset"]["h_central"])
 
 
 class WrongLoadSharing(ProgramTest):

@@ -8,7 +8,7 @@ import numpy
 
 from films import BARBIERI, SAME, summary_in
 from restarts import SMALL
-from vibration import MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
+from vibration import COARSE, MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
 
 
 class Eigen(VibrationTest):
@@ -170,6 +170,38 @@ class Sweep(VibrationTest):
         summary = summary_in(self.output)
         self.assertEqual((summary["points_found"], summary["points_failed"]), (0, 4))
         numpy.testing.assert_array_equal(table_in(self.output, "sweep")["found"], 0)
+
+
+class Order(VibrationTest):
+    """At 24000 rpm the state that repeats every mesh period is unstable, and one of two periods is not."""
+
+    def periodic(self, order, speed=24000):
+        run = self.run_program("periodic", BARBIERI, *COARSE, "-pinion_speed_rpm", speed, "-periodic_order", order,
+                               "-output_dir", "run")
+        self.assertEqual(run.status, 0, run)
+        return run.stdout, summary_in(self.folder / "run")
+
+    def test_of_one(self):
+        text, state = self.periodic(1)
+        self.assertFalse(state["stable"])
+        self.assertLess(min(real for real, _ in state["floquet"]), -1.2)
+        self.assertIn("try -periodic_order 2", text)
+
+    def test_of_two(self):
+        text, state = self.periodic(2)
+        self.assertTrue(state["stable"])
+        self.assertEqual(len(state["states_after_leaving"]), 2)
+        self.assertNotIn("already", text)
+        one, two = sorted(state["states_after_leaving"])
+        self.assertAlmostEqual(one[0], -2.31, delta=0.02)
+        self.assertAlmostEqual(two[0], 0.276, delta=0.02)
+        self.assertAlmostEqual(state["force_ratio_max"], 2.2, delta=0.02)
+
+    def test_of_two_where_there_is_one(self):
+        text, state = self.periodic(2, 15000)
+        self.assertIn("repeats after 1 mesh period", text)
+        one, two = state["states_after_leaving"]
+        self.assertAlmostEqual(one[0], two[0], delta=2e-3)
 
 
 class Spectrum(VibrationTest):

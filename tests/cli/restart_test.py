@@ -40,6 +40,10 @@ class Continued(RestartTest):
         self.assert_continued(MARCH, (1, signal.SIGUSR1), (5, signal.SIGUSR1), (4, signal.SIGKILL),
                               (10, signal.SIGUSR1), (3, signal.SIGKILL))
 
+    def test_march_on_bending_teeth(self):
+        bodies = ["-gear_tooth_compliance", "weber", "-pinion_bore_radius", 0.02, "-wheel_bore_radius", 0.02]
+        self.assert_continued([*MARCH, *bodies], (5, signal.SIGUSR1), (9, signal.SIGKILL))
+
     def test_march_with_a_spectrum(self):
         self.assert_continued([*MARCH, "-output_spectrum_periods", 1], (8, signal.SIGUSR1))
 

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/dynamics/static_mesh.hpp"
+#include "gearfilm/dynamics/back_flanks.hpp"
+#include "gearfilm/dynamics/lubricated_pair.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -163,6 +164,54 @@ TEST(BendingFilms, a_film_is_pressed_and_not_crushed_when_its_neighbour_leaves) 
          expected);
   EXPECT_NEAR(now.pressure_integral - old.pressure_integral, expected, 0.2 * expected);
   EXPECT_EQ(alone->motion.H0, before.motion.H0);
+}
+
+// sigma and chi of a parabolic relief shift and narrow the contact: R = 1/(1/R_x + chi), x_0 = -sigma R.
+TEST(FlanksAsAField, have_their_nearest_point_and_its_radius) {
+  const Case problem = table3_case(
+      {{"pinion.tip_relief", "20e-6"}, {"pinion.tip_relief_length", "9e-3"}, {"gear.profile_local", "field"}});
+  const MeshModel mesh = mesh_of(problem);
+  const LineOfAction& line = mesh.path.line();
+  const double xi = 3e-3, rho = line.radius_pinion(xi), rate = line.base_radius_pinion() / rho;
+  const double into = rho - (line.radius_pinion(line.exit()) - 9e-3), unit = 20e-6 / (9e-3 * 9e-3);
+  const double sigma = -2.0 * unit * into * rate, chi = 2.0 * unit * rate * rate;
+  const double R = 1.0 / (1.0 / line.radius_x(xi) + chi);
+  const ContactConditions conditions = mesh.contact_at(0, xi).conditions;
+  EXPECT_NEAR(conditions.dry_radius() * mesh.scales.solids.radius_x / R, 1.0, 0.01);
+  EXPECT_NEAR(conditions.nearest.X * mesh.scales.length, -sigma * R, 0.06 * mesh.scales.length);
+  EXPECT_NEAR(conditions.nearest.drop * mesh.scales.thickness, 0.5 * sigma * sigma * R, 0.05e-6);
+  EXPECT_GT(conditions.nearest.drop, 0.0);
+  const DryForce dry(mesh);
+  EXPECT_NEAR(dry.at_unit_approach(conditions) / force_at_unit_approach(mesh.scales, conditions), 1.0, 1e-9);
+}
+
+// Their force is the derivative's, begins at the backlash, and the films' rows know it.
+TEST(BackFlanks, push_the_motion_back) {
+  RecordedMarch march(table3_case(
+      with(shortly_after_an_entry(), {{"gear.backlash", "20e-6"}, {"start.H0", "0.9"}, {"start.V0", "0"}})));
+  march.start();
+  const double jbar = 20e-6 / march.problem().scales.thickness;
+  EXPECT_EQ(back_force(march.mesh(), jbar - 1e-9, 0.0).value, 0.0);
+  const double step = 1e-6, H0 = march.motion().H0;
+  const BackForce here = back_force(march.mesh(), H0, 0.0);
+  const double slope =
+      (back_force(march.mesh(), H0 + step, 0.0).value - back_force(march.mesh(), H0 - step, 0.0).value) / (2.0 * step);
+  EXPECT_GT(here.value, 0.0);
+  EXPECT_NEAR(here.slope / slope, 1.0, 1e-6);
+  // I_n dV_0/dT = -F_b - F*: the films are far apart.
+  march.run(0.02);
+  const double rate = march.motion().V0 / 0.02;
+  EXPECT_NEAR(march.mesh().inertia * rate, -here.value - march.static_force(), 0.02 * march.static_force());
+  LubricatedPair pair(march.mesh(), march.march().contacts());
+  pair.place(0.0);
+  FilmSystem& system = pair.system();
+  const OwnedVec state = system.create_state(), rows = system.create_state(), change = system.create_state();
+  pair.set_motion(state, {H0, 0.0});
+  pair.linearise(state, {}, 0.0);
+  pair.set_motion(change, {1.0, 0.0});
+  system.multiply(change, rows);
+  EXPECT_NEAR(pair.motion(rows).V0 / system.weight(), here.slope / march.static_force(),
+              1e-9 * here.slope / march.static_force());
 }
 
 }  // namespace

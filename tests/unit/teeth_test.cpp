@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/gear/involute.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
 #include "teeth_reference.hpp"
 
@@ -203,6 +204,53 @@ TEST(Teeth, that_cannot_be_are_refused) {
   expect_refused([&] { with([](SpurGearPair& pair) { pair.pinion.bore_radius.reset(); }, ring); },
                  "pinion_bore_radius");
   expect_refused([&] { teeth_with({}, {}, {.teeth = weber, .factor = 0.05}); }, "body_coupling");
+}
+
+// From the pinion's tooth one comes to a back flank, from the wheel's to the same, but for the backlash between them.
+TEST(BackFlanks, are_where_both_gears_teeth_end) {
+  SpurGearPair pair = table3_pair();
+  const LineOfAction line(pair);
+  for (const double backlash : {0.0, 100e-6}) {
+    pair.backlash = backlash;
+    const Teeth teeth(pair, line, {}, {});
+    const std::array<double, 2> x = profile_shifts(pair);
+    const double alpha = pair.pressure_angle, working = line.working_pressure_angle();
+    const double thickness = 0.5 * std::numbers::pi * pair.module_length +
+                             2.0 * x[1] * pair.module_length * std::tan(alpha) - 0.5 * backlash / std::cos(alpha);
+    const double of_wheel = 2.0 * line.base_radius_wheel() *
+                            (thickness / (pair.wheel.teeth * pair.module_length) + involute(alpha) - involute(working));
+    const double xi = 0.7e-3;
+    const std::vector<double> positions = teeth.back_positions(xi);
+    ASSERT_FALSE(positions.empty());
+    for (const double position : positions) {
+      EXPECT_GE(position, line.entry());
+      EXPECT_LE(position, line.exit());
+      const double pitches = (position + xi + of_wheel + backlash) / line.base_pitch();
+      EXPECT_NEAR(pitches, std::round(pitches), 1e-9);
+    }
+    EXPECT_NEAR(static_cast<double>(positions.size()), line.contact_ratio(), 1.0);
+    // They move backwards.
+    const std::vector<double> later = teeth.back_positions(xi + 1e-6);
+    EXPECT_NEAR(later.front(), positions.front() - 1e-6, 1e-12);
+  }
+}
+
+TEST(LocalProfile, is_what_flanks_lack_beside_a_contact) {
+  const SpurGearPair pair = table3_pair();
+  const LineOfAction line(pair);
+  GearFlanks relieved;
+  relieved.modification.tip = {65e-6, 2.9e-3, ReliefShape::parabolic};
+  EXPECT_FALSE(Teeth(pair, line, {relieved, {}}, {}).local(5e-3).flanks);
+  const Teeth teeth(pair, line, {relieved, {}}, {}, ProfileAction::field);
+  const double xi = 4.5e-3, rho = line.radius_pinion(xi);
+  const LocalProfile local = teeth.local(xi);
+  const double into = rho - (line.radius_pinion(line.exit()) - 2.9e-3), rate = line.base_radius_pinion() / rho;
+  const auto removed = [](double u) { return 65e-6 * u * u / (2.9e-3 * 2.9e-3); };
+  EXPECT_EQ(local(0.0), 0.0);
+  // The inlet side of the pinion's flank is nearer to its tip.
+  for (const double x : {-3e-4, 2e-4}) EXPECT_NEAR(local(x), removed(into - rate * x) - removed(into), 1e-12);
+  EXPECT_GT(local(-3e-4), 0.0);
+  EXPECT_EQ(teeth.local(-3e-3)(1e-4), 0.0);
 }
 
 }  // namespace

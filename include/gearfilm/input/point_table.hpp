@@ -20,5 +20,8 @@ std::vector<std::pair<double, double>> read_ascending_points(const ParameterValu
 /// The numbers of a list, separated by commas or blanks, within a range; what: what each of them is. Throws InputError.
 std::vector<double> read_numbers(const ParameterValues& values, const std::string& name, double smallest,
                                  double largest, const std::string& what);
+/// The same of the file that a parameter names; # begins a remark.
+std::vector<double> read_numbers_in_file(const ParameterValues& values, const std::string& name, double smallest,
+                                         double largest, const std::string& what);
 
 }  // namespace gearfilm
