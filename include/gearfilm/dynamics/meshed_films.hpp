@@ -1,0 +1,105 @@
+// The films of the contacts that a pair has at one time: they enter, rest, follow jumps, and have room on their grid.
+//
+// A contact enters as a stationary film at the present H_0 beside the contacts that are there, on the spring of its own
+// teeth. Jumps of H_0, and of the forces that bend other contacts' teeth, are taken within one time step.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "gearfilm/dynamics/pair_state.hpp"
+#include "gearfilm/dynamics/segment_stepper.hpp"
+#include "gearfilm/ehl/room.hpp"
+#include "gearfilm/ehl/stationary.hpp"
+
+namespace gearfilm {
+
+struct MarchOptions {
+  SolverOptions films;  ///< of the films' own solvers
+  StepOptions steps;
+  std::optional<RoomRule> room{};  ///< by which the grid is widened; none: it stays as it is
+  std::function<void(MPI_Comm, const GridShape&)> on_widening{};  ///< told before; may throw SolveError
+};
+
+class MeshedFilms {
+public:
+  /// All contacts have films of this discretisation, at first.
+  MeshedFilms(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options);
+
+  /// The contacts at T = 0: at the given motion, or at rest where they carry the static force.
+  void start(const std::optional<Motion>& motion);
+  /// Lets contacts leave and enter that do so now; false where there are none.
+  bool exchange();
+  /// Takes films along to another motion.
+  void displace(const Motion& motion);
+  /// Takes up a state, with films of these contacts, on a grid that holds both its own and the present one.
+  void take_up(double T, const PairState& state, const std::vector<int>& numbers);
+  /// What a march has come to: time and motion, and the fields of a contact.
+  void move(double T, const Motion& motion) {
+    T_ = T;
+    motion_ = motion;
+  }
+  void set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate) {
+    values_of(contacts_[contact].fields, field::pressure) = std::move(pressure);
+    values_of(contacts_[contact].fields, field::rate) = std::move(rate);
+  }
+
+  double T() const { return T_; }
+  const Motion& motion() const { return motion_; }
+  const MeshModel& mesh() const { return mesh_; }
+  const MarchOptions& options() const { return options_; }
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
+  /// The leading one first.
+  const std::vector<LiveContact>& contacts() const { return contacts_; }
+  PairState state() const;
+  std::vector<ContactRecord> records() const;
+  /// A contact and where it is, for messages.
+  std::string label(int number) const;
+
+  /// What a contact needs under this pressure integral; nothing where the grid stays as it is.
+  Room needed_room(int number, double pressure_integral) const;
+  bool has_room(const Room& needed) const { return gearfilm::has_room(discretisation_->grid().shape(), needed); }
+  /// Widens the grid where the present contacts lack room.
+  void make_room();
+
+private:
+  MPI_Comm comm() const { return discretisation_->grid().comm(); }
+  std::vector<int> numbers() const;
+  std::vector<double> forces() const;
+  /// H_k.
+  std::vector<double> displacements() const;
+  std::map<int, double> displacement_by_number() const;
+  /// Put where they are now.
+  std::vector<ContactFilm*> present_films() const;
+  std::vector<FilmFigures> figures() const;
+  /// A field of all contacts, one after the other.
+  std::vector<double> values(const ContactField& kind) const;
+  void set_values(const ContactField& kind, std::span<const double> values);
+  /// rho H of all films at these displacements.
+  std::vector<double> oil_at(const std::vector<double>& displacements) const;
+
+  LiveContact enter(int number);
+  std::vector<double> entering_guess(const ContactFilm& film, const LoadCondition& load) const;
+  void balance_at_rest();
+  /// Makes the present films stationary together.
+  void settle(const LoadCondition& load);
+  /// Takes the present films within a time step to the present motion from where they were displaced before, by number.
+  void follow(const std::map<int, double>& before);
+
+  ContactFilm* free_film();
+  /// Puts the present contacts and their fields on a grid of another shape.
+  void move_to(const GridShape& shape);
+  void make_room(const Room& needed);
+
+  SharedDiscretisation discretisation_;
+  MeshModel mesh_;
+  MarchOptions options_;
+  std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
+  std::vector<LiveContact> contacts_;
+  double T_ = 0.0;
+  Motion motion_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,360 @@
+#include "gearfilm/dynamics/meshed_films.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "gearfilm/dynamics/dry_force.hpp"
+#include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/ehl/refit.hpp"
+#include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/parallel/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// A stationary film.
+ContactFields still(std::vector<double> pressure) {
+  std::vector<double> rate(pressure.size(), 0.0);
+  ContactFields fields;
+  fields.emplace(field::pressure.name, std::move(pressure));
+  fields.emplace(field::rate.name, std::move(rate));
+  return fields;
+}
+
+}  // namespace
+
+MeshedFilms::MeshedFilms(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options)
+    : discretisation_(std::move(discretisation)), mesh_(std::move(mesh)), options_(std::move(options)) {}
+
+std::string MeshedFilms::label(int number) const {
+  std::ostringstream text;
+  text << "contact " << number << " at xi = " << 1e3 * mesh_.path.position(number, T_) << " mm (T = " << T_ << ")";
+  return text.str();
+}
+
+std::vector<int> MeshedFilms::numbers() const {
+  std::vector<int> numbers(contacts_.size());
+  std::ranges::transform(contacts_, numbers.begin(), &LiveContact::number);
+  return numbers;
+}
+
+std::vector<double> MeshedFilms::forces() const {
+  std::vector<double> forces;
+  for (const LiveContact& contact : contacts_) {
+    forces.push_back(integral(discretisation_->grid(), values_of(contact.fields, field::pressure)));
+  }
+  return forces;
+}
+
+std::vector<double> MeshedFilms::displacements() const {
+  return mesh_.compliance(numbers(), T_).displacements(motion_.H0, forces());
+}
+
+std::vector<ContactFilm*> MeshedFilms::present_films() const {
+  std::vector<ContactFilm*> films;
+  for (const LiveContact& contact : contacts_) {
+    contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
+    films.push_back(contact.film);
+  }
+  return films;
+}
+
+std::vector<double> MeshedFilms::values(const ContactField& kind) const {
+  std::vector<double> all;
+  for (const LiveContact& contact : contacts_) {
+    const std::vector<double>& own = values_of(contact.fields, kind);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+void MeshedFilms::set_values(const ContactField& kind, std::span<const double> values) {
+  for (LiveContact& contact : contacts_) {
+    std::vector<double>& own = values_of(contact.fields, kind);
+    std::ranges::copy(values.first(own.size()), own.begin());
+    values = values.subspan(own.size());
+  }
+}
+
+ContactFilm* MeshedFilms::free_film() {
+  for (const auto& film : films_) {
+    const auto uses = [&](const LiveContact& contact) { return contact.film == film.get(); };
+    if (std::none_of(contacts_.begin(), contacts_.end(), uses)) return film.get();
+  }
+  films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, options_.films.multigrid));
+  return films_.back().get();
+}
+
+void MeshedFilms::move_to(const GridShape& shape) {
+  const SharedDiscretisation before = discretisation_;
+  if (shape == before->grid().shape()) return;
+  discretisation_ = discretise(Grid(comm(), shape), mesh_.scales);
+  films_.clear();
+  for (LiveContact& contact : contacts_) contact.film = nullptr;
+  for (LiveContact& contact : contacts_) {
+    contact.film = free_film();
+    for (auto& [name, values] : contact.fields) values = refitted(values, before->grid(), discretisation_->grid());
+  }
+}
+
+// The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
+// ellipse moves along the contact. Two steps ahead: in one the ellipse must not pass the edge.
+Room MeshedFilms::needed_room(int number, double pressure_integral) const {
+  if (!options_.room || pressure_integral <= 0.0) return {};
+  const ContactConditions conditions = mesh_.contact(number, T_).conditions;
+  const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
+  const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.dT;
+  const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
+  const auto room_of = [&](const ContactConditions& in) {
+    return gearfilm::needed_room(*options_.room, mesh_.scales, in, pressure_integral, label(number), growth);
+  };
+  const Room here = room_of(conditions);
+  if (!conditions.local.flanks) return here;
+  return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.dT).conditions));
+}
+
+void MeshedFilms::make_room(const Room& needed) {
+  if (has_room(needed)) return;
+  const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.room);
+  if (options_.on_widening) options_.on_widening(comm(), shape);
+  move_to(shape);
+}
+
+void MeshedFilms::make_room() {
+  Room needed;
+  if (!options_.room) return;
+  const std::vector<double> carried = forces();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    needed = united(needed, needed_room(contacts_[k].number, carried[k]));
+  }
+  make_room(needed);
+}
+
+// Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.
+LiveContact MeshedFilms::enter(int number) {
+  const ScopedStage stage("Entering film");
+  for (;;) {
+    std::vector<int> together = numbers();
+    std::vector<double> carried = forces();
+    together.push_back(number);
+    carried.push_back(0.0);
+    const Compliance compliance = mesh_.compliance(together, T_);
+    const double displaced = compliance.displacements(motion_.H0, carried).back();
+    const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(contacts_.size()));
+    ContactFilm* film = free_film();
+    film->set_conditions(mesh_.contact(number, T_).conditions);
+    const StationaryResult entered = located(label(number) + ", entering", [&] {
+      if (contacts_.empty()) return solve_stationary(*film, load, options_.films);
+      return continue_stationary(*film, load, options_.films, {entering_guess(*film, load), displaced});
+    });
+    const Room needed = needed_room(number, entered.figures.pressure_integral);
+    if (has_room(needed)) {
+      check_validity(*film, entered.figures, label(number));
+      return {number, film, still(entered.solution.pressure)};
+    }
+    make_room(needed);
+  }
+}
+
+// The pressure of its neighbour, or none where the teeth are apart.
+std::vector<double> MeshedFilms::entering_guess(const ContactFilm& film, const LoadCondition& load) const {
+  std::vector<double> pressure = values_of(contacts_.back().fields, field::pressure);
+  if (load.value + film.conditions().dry_gap() >= 0.0) std::ranges::fill(pressure, 0.0);
+  return pressure;
+}
+
+// Each film by itself as a dry contact's, then all of them together.
+void MeshedFilms::balance_at_rest() {
+  const std::vector<int> numbers = mesh_.path.contacts_after(T_);
+  contacts_.clear();
+  // None of them carries more than the whole force.
+  Room needed;
+  for (int number : numbers) needed = united(needed, needed_room(number, mesh_.scales.static_force));
+  make_room(needed);
+  const auto sharing = mesh_.share_from(T_);
+  const double share = sharing ? (*sharing)(mesh_.path.position(0, T_)) : 1.0;
+  const double force = share * mesh_.scales.static_force;
+  const DryContacts dry(DryForce(mesh_), mesh_, numbers, T_);
+  const double dry_H0 = dry.balance(force);
+  const std::vector<double> dry_forces = dry.forces(dry_H0);
+  const Compliance compliance = mesh_.compliance(numbers, T_);
+  const std::vector<double> displaced = compliance.displacements(dry_H0, dry_forces);
+  motion_ = {};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    ContactFilm* film = free_film();
+    film->set_conditions(mesh_.contact(numbers[k], T_).conditions);
+    const bool carries = dry_forces[k] > 0.01 * force;
+    const LoadCondition load =
+        carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
+    const StationaryResult found =
+        located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
+    if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
+    contacts_.push_back({numbers[k], film, still(found.solution.pressure)});
+  }
+  if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
+}
+
+// From films that are near.
+void MeshedFilms::settle(const LoadCondition& load) {
+  const ScopedStage stage("Stationary film");
+  const FilmSolution settled = located(label(contacts_.front().number) + " and its neighbours", [&] {
+    return solve_together(present_films(), load, options_.films, {values(field::pressure), motion_.H0});
+  });
+  set_values(field::pressure, settled.pressure);
+  motion_.H0 = settled.H0;
+}
+
+void MeshedFilms::start(const std::optional<Motion>& motion) {
+  T_ = 0.0;
+  if (motion) {
+    motion_ = *motion;
+    contacts_.clear();
+    for (int number : mesh_.path.contacts_after(T_)) contacts_.push_back(enter(number));
+    const Compliance compliance = mesh_.compliance(numbers(), T_);
+    if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0, compliance));
+  } else {
+    balance_at_rest();
+  }
+  make_room();
+  const std::vector<FilmFigures> present = figures();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    check_validity(*contacts_[k].film, present[k], label(contacts_[k].number));
+  }
+}
+
+std::vector<FilmFigures> MeshedFilms::figures() const {
+  const std::vector<double> displaced = displacements();
+  const std::vector<ContactFilm*> films = present_films();
+  std::vector<FilmFigures> all;
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    all.push_back(films[k]->figures(values_of(contacts_[k].fields, field::pressure), displaced[k]));
+  }
+  return all;
+}
+
+std::vector<ContactRecord> MeshedFilms::records() const {
+  const std::vector<FilmFigures> present = figures();
+  std::vector<ContactRecord> records;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    records.push_back(contact_record(mesh_, contacts_[k].number, T_, present[k]));
+  }
+  return records;
+}
+
+std::map<int, double> MeshedFilms::displacement_by_number() const {
+  const std::vector<double> displaced = displacements();
+  std::map<int, double> by_number;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) by_number.emplace(contacts_[k].number, displaced[k]);
+  return by_number;
+}
+
+bool MeshedFilms::exchange() {
+  const std::vector<int> before = numbers(), after = mesh_.path.contacts_after(T_);
+  if (before == after) return false;
+  const std::map<int, double> displaced = displacement_by_number();
+  std::erase_if(contacts_,
+                [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
+  for (int number : after) {
+    if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number));
+  }
+  // Teeth spring back that a force bent which is gone, and bend under one that is new.
+  if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled()) follow(displaced);
+  return true;
+}
+
+void MeshedFilms::displace(const Motion& motion) {
+  const std::map<int, double> before = displacement_by_number();
+  const bool jumps = motion.H0 != motion_.H0;
+  motion_ = motion;
+  if (jumps) follow(before);
+  make_room();
+}
+
+// One implicit step of the change alone: G = 0 at the new displacements with
+// d(rho H)/dT = rate + (rho H - rho H before)/dT, so that no jump is no change. Where films cannot follow at once, part
+// of the jump is held back as a gap first.
+void MeshedFilms::follow(const std::map<int, double>& before) {
+  constexpr double smallest_part = 1e-3;
+  const double shift = 1.0 / options_.steps.dT;
+  const Compliance compliance = mesh_.compliance(numbers(), T_);
+  const LoadCondition load = LoadCondition::displacement(motion_.H0, compliance);
+  std::vector<double> held_back = displacements();
+  const std::vector<double> oil = [&] {
+    std::vector<double> there = held_back;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const auto known = before.find(contacts_[k].number);
+      if (known != before.end()) there[k] = known->second;
+      held_back[k] = there[k] - held_back[k];
+    }
+    return oil_at(there);
+  }();
+  const std::vector<double> rates = values(field::rate);
+  std::vector<double> mass = oil;
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
+  const auto solved = [&](double part, const NewtonOptions& options) {
+    const std::vector<ContactFilm*> films = present_films();
+    for (std::size_t k = 0; k < films.size(); ++k) {
+      ContactConditions conditions = films[k]->conditions();
+      conditions.gap_offset += part * held_back[k];
+      films[k]->set_conditions(conditions);
+    }
+    FilmSolution moved{values(field::pressure), motion_.H0};
+    if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;
+    set_values(field::pressure, moved.pressure);
+    return true;
+  };
+  for (double part = 1.0, step = 1.0; part > 0.0;) {
+    const double next = std::max(0.0, part - step);
+    if (solved(next, options_.steps.newton) || solved(next, options_.films.newton)) {
+      part = next;
+    } else if (step > smallest_part) {
+      step *= 0.5;
+    } else {
+      const double largest = *std::ranges::max_element(held_back, {}, [](double jump) { return std::abs(jump); });
+      throw SolveError(label(contacts_.front().number) + ": the films do not follow a jump of H by " +
+                       std::to_string(-largest));
+    }
+  }
+  std::vector<double> rate = oil_at(displacements());
+  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
+  set_values(field::rate, rate);
+}
+
+std::vector<double> MeshedFilms::oil_at(const std::vector<double>& displacements) const {
+  const std::vector<ContactFilm*> films = present_films();
+  std::vector<double> all;
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    const std::vector<double>& pressure = values_of(contacts_[k].fields, field::pressure);
+    std::vector<double> own(pressure.size());
+    films[k]->mass(pressure, displacements[k], own);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+PairState MeshedFilms::state() const {
+  PairState state{motion_, {}, discretisation_->grid().shape()};
+  for (const LiveContact& contact : contacts_) state.films.push_back(contact.fields);
+  return state;
+}
+
+void MeshedFilms::take_up(double T, const PairState& state, const std::vector<int>& numbers) {
+  T_ = T;
+  motion_ = state.motion;
+  if (numbers.size() != state.films.size()) {
+    throw std::logic_error("a march cannot go on from " + std::to_string(state.films.size()) + " films with " +
+                           std::to_string(numbers.size()) + " contacts");
+  }
+  if (!numbers.empty() && !same_lattice(discretisation_->grid().shape(), state.shape)) {
+    throw std::logic_error("a march cannot go on from films on a grid of other steps");
+  }
+  contacts_.clear();
+  if (!numbers.empty()) move_to(united(discretisation_->grid().shape(), state.shape));
+  const PairState here = refitted(state, comm(), discretisation_->grid().shape());
+  for (std::size_t k = 0; k < numbers.size(); ++k) contacts_.push_back({numbers[k], free_film(), here.films[k]});
+}
+
+}  // namespace gearfilm
