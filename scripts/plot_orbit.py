@@ -50,7 +50,7 @@ def read_orbit(folder, periods):
     time_scale = steps["t"][-1] / T[-1]
     if periodic:
         begin, end = ends["periodic_from"], ends["periodic_to"]
-        mesh_period = end - begin
+        mesh_period = (end - begin) / summary.get("order", 1)
     elif "mesh_period" in summary:
         mesh_period = summary["mesh_period"] / time_scale
         begin, end = max(0.0, T[-1] - periods * mesh_period), T[-1]

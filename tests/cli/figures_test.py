@@ -234,6 +234,37 @@ class Figures(ProgramTest):
                 self.assertEqual(orbit.static_force, STATIC_FORCE)
                 self.assertAlmostEqual(orbit.mesh_frequency * 1e3 * TIME_SCALE * MESH_PERIOD, 1, delta=1e-12)
 
+    def test_orbit_of_two_mesh_periods(self):
+        self.write_history("periodic")
+        self.write_summary(order=2, static_force=STATIC_FORCE)
+        with h5py.File(self.folder / "results.h5", "a") as results:
+            results["history"].attrs["periodic_from"] = 2 * MESH_PERIOD
+        orbit = read_orbit(self.folder, periods=1)
+        self.assertEqual(numpy.ptp(orbit.steps["T"]), 2 * MESH_PERIOD)
+        self.assertEqual(orbit.mesh_period, MESH_PERIOD)
+
+    def compare(self, *runs):
+        script = SOURCE / "scripts/compare_runs.py"
+        return subprocess.run([sys.executable, "-B", script, *runs, "--into", self.folder], capture_output=True,
+                              text=True, check=False)
+
+    def test_runs_side_by_side(self):
+        for command in ("sweep", "periodic"):
+            with self.subTest(command=command):
+                self.write_results(command)
+                run = self.compare(f"one={self.folder}", f"other={self.folder}")
+                self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+                self.assertTrue((self.folder / "compare.png").read_bytes().startswith(b"\x89PNG"))
+                (self.folder / "compare.png").unlink()
+
+    def test_runs_that_cannot_be_compared(self):
+        self.write_results("static")
+        self.assertIn("not all of gearfilm sweep", self.compare(f"one={self.folder}").stderr)
+        self.assertIn("is not LABEL=FOLDER", self.compare("one").stderr)
+        self.write_results("sweep")
+        self.assertIn("too many", self.compare(*(f"{n}={self.folder}" for n in range(5))).stderr)
+        self.assertIn("does not exist", self.compare(f"one={self.folder / 'nothing'}").stderr)
+
     def test_search_that_found_no_orbit(self):
         self.write_history("periodic", found=False)
         self.assert_refused("orbit", "found no periodic state")
