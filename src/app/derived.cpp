@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/format_version.hpp"
@@ -28,8 +29,12 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
   summary["f_m"] = f_m;
   summary["mesh_period"] = 1.0 / f_m;
   summary["mesh_period_dimensionless"] = mesh_period(problem);
-  if (!problem.pair.equivalent_mass) return;
   const MeshModel mesh = mesh_after_leaving(problem);
+  if (const std::optional<double> met = entry_penetration(mesh, mesh.scales.static_force)) {
+    summary["entry_penetration"] = *met * mesh.scales.thickness;
+    if (*met > 0.0) summary["corner_contact_distance"] = corner_distance(mesh, *met);
+  }
+  if (!problem.pair.equivalent_mass) return;
   summary["m_ge"] = *problem.pair.equivalent_mass;
   summary["I_n"] = problem.scales.inertia(*problem.pair.equivalent_mass);
   summary["k_el"] = mesh.stiffness_si();

@@ -4,6 +4,7 @@
 
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/warning.hpp"
@@ -104,6 +105,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   ResumableRun run(problem, grid, "periodic");
   const MeshModel mesh = mesh_after_leaving(problem);
   const DryOrbit dry = dry_start(mesh);
+  if (!mesh.teeth.rigid()) warn_of_hard_entry(comm, mesh);
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods * mesh.periods());
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },

@@ -6,7 +6,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/warning.hpp"
+#include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
@@ -36,7 +36,7 @@ public:
     Summary& penetration = result["entry_penetration"];
     if (found_.entry_penetration) penetration = length(*found_.entry_penetration);
     Summary& corner = result["corner_contact_distance"];
-    if (found_.entry_penetration.value_or(0.0) > 0.0) corner = corner_distance(length(*found_.entry_penetration));
+    if (found_.entry_penetration.value_or(0.0) > 0.0) corner = corner_distance(mesh_, *found_.entry_penetration);
     result["effective_contact_ratio"] = found_.effective_contact_ratio;
     double highest = 0.0;
     for (const StaticPosition& position : found_.positions) highest = std::max(highest, largest_pressure(position));
@@ -112,14 +112,6 @@ private:
     return largest;
   }
 
-  /// The wheel's tip edge meets the pinion's flank where its gap x^2 tan^2(phi_a2)/(2 R_x) is less than the
-  /// penetration.
-  double corner_distance(double penetration) const {
-    const LineOfAction& line = mesh_.path.line();
-    const double tangent = line.radius_wheel(line.entry()) / line.base_radius_wheel();
-    return std::sqrt(2.0 * line.radius_x(line.entry()) * penetration) / tangent;
-  }
-
   const MeshModel& mesh_;
   const Scales& scales_;
   const StaticMesh& found_;
@@ -152,16 +144,6 @@ void print_line(MPI_Comm comm, double ratio, const Summary& at) {
   }
   text << std::setw(14) << std::setprecision(4) << at["effective_contact_ratio"].get<double>();
   petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
-}
-
-void warn_of_entry(MPI_Comm comm, const Summary& nominal) {
-  if (nominal["corner_contact_distance"].is_null()) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "an entering tooth meets its mate with a penetration of " << 1e6 * nominal["entry_penetration"].get<double>()
-       << " um: real tips would touch " << 1e3 * nominal["corner_contact_distance"].get<double>()
-       << " mm before the path of contact begins, which is not modelled; tip relief of the wheel unloads the entering";
-  warn(comm, text.str());
 }
 
 }  // namespace
@@ -198,7 +180,7 @@ void run_static(MPI_Comm comm, const Case& problem) {
   summary["iso_stiffness_mesh"] = iso.mesh;
   write_table(comm, problem, rows);
   write_summary(comm, directory.path(), summary);
-  warn_of_entry(comm, nominal);
+  warn_of_hard_entry(comm, mesh);
 }
 
 }  // namespace gearfilm

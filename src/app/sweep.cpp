@@ -6,6 +6,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
@@ -151,6 +152,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
   const int groups = group_count(comm, problem);
   const OutputDirectory directory(comm, problem.run.directory);
+  if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));
   const SweepPoints points(comm, problem);
   directory.remove_earlier_results();
   run_chains(comm, problem, points, groups, StopRequest(problem.run.time_limit));

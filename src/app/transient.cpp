@@ -1,5 +1,6 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
@@ -38,6 +39,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
   const MeshModel mesh = mesh_model(problem, problem.march.start_position, problem.march.geometry);
   require_beyond(run, problem, mesh);
+  if (!mesh.teeth.rigid() && !mesh.load) warn_of_hard_entry(comm, mesh);
   const bool lubricated = problem.march.model != MarchModel::dry;
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, end_of(problem, mesh) / mesh.path.mesh_period());
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {

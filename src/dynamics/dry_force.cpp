@@ -36,6 +36,14 @@ DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std
   }
 }
 
+void DryContacts::stand_for(const std::vector<double>& forces, const std::vector<double>& displacements) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (forces[k] <= 0.0) continue;
+    const double root = std::cbrt(forces[k] / contacts_[k].unit_force);
+    contacts_[k].gap = -displacements[k] - root * root;
+  }
+}
+
 // Gauss and Seidel: a contraction, since a neighbour's force bends a tooth less than its own.
 std::vector<double> DryContacts::forces(double H0) const {
   constexpr double tolerance = 1e-14;

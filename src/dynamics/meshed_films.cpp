@@ -8,6 +8,7 @@
 #include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/refit.hpp"
+#include "gearfilm/ehl/similar_pressure.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
@@ -146,10 +147,8 @@ LiveContact MeshedFilms::enter(int number) {
     const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(contacts_.size()));
     ContactFilm* film = free_film();
     film->set_conditions(mesh_.contact(number, T_).conditions);
-    const StationaryResult entered = located(label(number) + ", entering", [&] {
-      if (contacts_.empty()) return solve_stationary(*film, load, options_.films);
-      return continue_stationary(*film, load, options_.films, {entering_guess(*film, load), displaced});
-    });
+    const StationaryResult entered =
+        located(label(number) + ", entering", [&] { return solve_stationary(*film, load, options_.films); });
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));
@@ -157,13 +156,6 @@ LiveContact MeshedFilms::enter(int number) {
     }
     make_room(needed);
   }
-}
-
-// The pressure of its neighbour, or none where the teeth are apart.
-std::vector<double> MeshedFilms::entering_guess(const ContactFilm& film, const LoadCondition& load) const {
-  std::vector<double> pressure = values_of(contacts_.back().fields, field::pressure);
-  if (load.value + film.conditions().dry_gap() >= 0.0) std::ranges::fill(pressure, 0.0);
-  return pressure;
 }
 
 // Each film by itself as a dry contact's, then all of them together.
@@ -281,16 +273,14 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
   const double shift = 1.0 / options_.steps.dT;
   const Compliance compliance = mesh_.compliance(numbers(), T_);
   const LoadCondition load = LoadCondition::displacement(motion_.H0, compliance);
-  std::vector<double> held_back = displacements();
-  const std::vector<double> oil = [&] {
-    std::vector<double> there = held_back;
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const auto known = before.find(contacts_[k].number);
-      if (known != before.end()) there[k] = known->second;
-      held_back[k] = there[k] - held_back[k];
-    }
-    return oil_at(there);
-  }();
+  const std::vector<double> here = displacements();
+  std::vector<double> there = here, held_back(here.size());
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto known = before.find(contacts_[k].number);
+    if (known != before.end()) there[k] = known->second;
+    held_back[k] = there[k] - here[k];
+  }
+  const std::vector<double> oil = oil_at(there);
   const std::vector<double> rates = values(field::rate);
   std::vector<double> mass = oil;
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
@@ -306,7 +296,15 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
     set_values(field::pressure, moved.pressure);
     return true;
   };
-  for (double part = 1.0, step = 1.0; part > 0.0;) {
+  const std::vector<double> known = values(field::pressure);
+  set_values(field::pressure, similar_pressures(there));
+  double part = 1.0;
+  if (solved(0.0, options_.steps.newton)) {
+    part = 0.0;
+  } else {
+    set_values(field::pressure, known);
+  }
+  for (double step = 1.0; part > 0.0;) {
     const double next = std::max(0.0, part - step);
     if (solved(next, options_.steps.newton) || solved(next, options_.films.newton)) {
       part = next;
@@ -321,6 +319,25 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
   std::vector<double> rate = oil_at(displacements());
   for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
   set_values(field::rate, rate);
+}
+
+std::vector<double> MeshedFilms::similar_pressures(const std::vector<double>& displaced) const {
+  const std::vector<double> before = forces();
+  DryContacts dry(DryForce(mesh_), mesh_, numbers(), T_);
+  dry.stand_for(before, displaced);
+  const std::vector<double> after = dry.forces(motion_.H0);
+  std::vector<double> all;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    std::vector<double> own = values_of(contacts_[k].fields, field::pressure);
+    if (before[k] > 0.0 && after[k] > 0.0) {
+      const ContactConditions conditions = mesh_.contact(contacts_[k].number, T_).conditions;
+      const HertzContact ellipse = dry_contact(mesh_.scales, conditions, before[k]);
+      own = similar_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]), own,
+                             conditions.nearest.X);
+    }
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
 }
 
 std::vector<double> MeshedFilms::oil_at(const std::vector<double>& displacements) const {

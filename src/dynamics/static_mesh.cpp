@@ -30,6 +30,25 @@ double penetration_met(const MeshModel& mesh, const StaticPosition& before, int 
 
 }  // namespace
 
+std::optional<double> entry_penetration(const MeshModel& mesh, double load) {
+  const ContactPath& path = mesh.path;
+  const DryForce force(mesh);
+  for (double begin = 0.0; begin < path.mesh_period() * (1.0 - 1e-9);) {
+    const std::vector<int> numbers = path.contacts_after(begin);
+    begin = path.next_event(begin);
+    const int next = numbers.back() + 1;
+    if (std::abs(path.entry_time(next) - begin) > 1e-6 * path.mesh_period()) continue;
+    return penetration_met(mesh, balanced(force, mesh, numbers, begin, load), next);
+  }
+  return {};
+}
+
+double corner_distance(const MeshModel& mesh, double penetration) {
+  const LineOfAction& line = mesh.path.line();
+  const double tangent = line.radius_wheel(line.entry()) / line.base_radius_wheel();
+  return std::sqrt(2.0 * line.radius_x(line.entry()) * penetration * mesh.scales.thickness) / tangent;
+}
+
 StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions) {
   const DryForce force(mesh);
   const ContactPath& path = mesh.path;
@@ -58,12 +77,9 @@ StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions) {
       smallest = std::min(smallest, here.H0);
       result.positions.push_back(here);
     }
-    const int next = numbers.back() + 1;
-    if (end < period && std::abs(path.entry_time(next) - end) < 1e-6 * period) {
-      result.entry_penetration = penetration_met(mesh, result.positions.back(), next);
-    }
     begin = end;
   }
+  result.entry_penetration = gearfilm::entry_penetration(mesh, load);
   result.peak_to_peak = largest - smallest;
   for (std::size_t k = 0; k < cosine.size(); ++k) result.harmonics[k] = std::hypot(cosine[k], sine[k]);
   double at_pitch = path.time_at(0.0);

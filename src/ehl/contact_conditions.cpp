@@ -6,15 +6,16 @@ namespace gearfilm {
 
 // The curvature is taken over the width of a loaded contact: kinks have none of their own.
 NearestPoint nearest_point(const Scales& scales, const ContactConditions& conditions) {
-  constexpr double reach = 4.0, step = 0.1, half_width = 0.5;  // [a]
+  constexpr int places = 40;                      // on either side
+  constexpr double step = 0.1, half_width = 0.5;  // [a]
   if (!conditions.local.flanks) return {};
   const auto gap = [&](double X) {
     return 0.5 * X * X / conditions.relative_radius + conditions.local(X * scales.length) / scales.thickness;
   };
   NearestPoint nearest;
   double lowest = gap(0.0);
-  for (double X = -reach; X <= reach; X += step) {
-    const double here = gap(X);
+  for (int n = 0; n <= 2 * places; ++n) {
+    const double X = (n - places) * step, here = gap(X);
     if (here >= lowest) continue;
     lowest = here;
     nearest.X = X;

@@ -9,8 +9,8 @@ struct EndOfMarch {
   double H0, V0, central_film;
 };
 
-EndOfMarch march_of(const std::string& dT, double T_end) {
-  RecordedMarch march(table3_case(with(after_leaving(), {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
+EndOfMarch march_of(const Settings& settings, const std::string& dT, double T_end) {
+  RecordedMarch march(table3_case(with(settings, {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
   march.start();
   march.run(T_end);
   return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures["h_central"]};
@@ -19,10 +19,15 @@ EndOfMarch march_of(const std::string& dT, double T_end) {
 // Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell
 // (0.05): until then the central film is not in its asymptotic range. The half step of first order at the start does
 // not spoil the order.
-TEST(TimeSteps, converge_second_order) {
+class TimeStepOrder : public testing::TestWithParam<const char*> {};
+
+TEST_P(TimeStepOrder, is_two) {
   constexpr double T_end = 1.5;
-  const EndOfMarch coarse = march_of("0.025", T_end), middle = march_of("0.0125", T_end),
-                   fine = march_of("0.00625", T_end);
+  const bool bend = GetParam() == std::string("bending");
+  const Settings settings =
+      bend ? with(with(after_leaving(), bending()), {{"start.H0", "-2.4"}, {"start.V0", "0"}}) : after_leaving();
+  const EndOfMarch coarse = march_of(settings, "0.025", T_end), middle = march_of(settings, "0.0125", T_end),
+                   fine = march_of(settings, "0.00625", T_end);
   const auto expect_order = [&](const char* name, double EndOfMarch::*value) {
     SCOPED_TRACE(name);
     const double order = std::log2((coarse.*value - middle.*value) / (middle.*value - fine.*value));
@@ -33,6 +38,9 @@ TEST(TimeSteps, converge_second_order) {
   expect_order("V0", &EndOfMarch::V0);
   expect_order("central film", &EndOfMarch::central_film);
 }
+
+INSTANTIATE_TEST_SUITE_P(teeth, TimeStepOrder, testing::Values("rigid", "bending"),
+                         [](const auto& teeth) { return teeth.param; });
 
 /// Few Newton iterations, so that many a step of 0.05 fails.
 RecordedMarch march_with(int max_iterations, int max_rejections) {

@@ -27,6 +27,9 @@ class DryContacts {
 public:
   DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T);
 
+  /// Takes gaps with which the contacts have these forces where they are displaced like this: those of films, which
+  /// keep their thickness.
+  void stand_for(const std::vector<double>& forces, const std::vector<double>& displacements);
   /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
   std::vector<double> forces(double H0) const;
   double total_force(double H0) const;

@@ -1,7 +1,7 @@
 // The lubricated gear pair marched in time through its mesh cycle.
 //
 // Between events (a contact enters or leaves) a SegmentStepper integrates; at an entry the new contact's film starts as
-// the stationary film at the present H_0, reached from its neighbour's pressure; at an exit the old film is dropped.
+// the stationary film at the present H_0; at an exit the old film is dropped.
 // Where one contact bends another's teeth, films follow the change as they follow a jump of H_0.
 // Source: Figs. 5 and 6 of doi 10.1016/j.triboint.2013.01.017.
 #pragma once

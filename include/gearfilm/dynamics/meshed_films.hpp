@@ -80,8 +80,10 @@ private:
   /// rho H of all films at these displacements.
   std::vector<double> oil_at(const std::vector<double>& displacements) const;
 
+  /// The present pressures, changed as those of dry contacts by the way from these displacements to those of now.
+  std::vector<double> similar_pressures(const std::vector<double>& displaced) const;
+
   LiveContact enter(int number);
-  std::vector<double> entering_guess(const ContactFilm& film, const LoadCondition& load) const;
   void balance_at_rest();
   /// Makes the present films stationary together.
   void settle(const LoadCondition& load);

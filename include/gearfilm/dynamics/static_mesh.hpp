@@ -31,6 +31,13 @@ struct StaticMesh {
   double effective_contact_ratio = 0.0;  ///< contacts that carry, on the average
 };
 
+/// By which an entering contact meets its mate at once under a load, both [-]; negative: a gap. Absent where contacts
+/// enter as others leave.
+std::optional<double> entry_penetration(const MeshModel& mesh, double load);
+/// How far before the path of contact the wheel's tip edge would then meet the pinion's flank [m]: where its gap
+/// x^2 tan^2(phi_a2)/(2 R_x) is less than the penetration [-] > 0.
+double corner_distance(const MeshModel& mesh, double penetration);
+
 /// The load [-], at so many positions. The mesh starts (T = 0) just after a contact has left. Throws SolveError where
 /// nothing carries the load.
 StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions);
