@@ -95,7 +95,6 @@ def draw(runs):
     figure, axes = (draw_sweeps if commands == {"sweep"} else draw_orbits)(runs)
     add_legend(axes[0], *axes[0].get_legend_handles_labels())
     add_grid(*axes)
-    figure.align_ylabels(axes)
     return figure
 
 

@@ -28,6 +28,16 @@ TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
               1e-9 * inertias.pinion / radii[0]);
 }
 
+// Teeth and contact in series, 1/k = 1/k_el + c_kk(0); reference: another program's.
+TEST(DryModes, bending_teeth_are_in_series_with_the_contact) {
+  const Case problem = table3_case(bending());
+  const double k = mesh_of(problem).stiffness_si();
+  EXPECT_NEAR(1.0 / k - 1.0 / mesh_of(table3_case()).stiffness_si(), problem.pair.teeth.compliance(0.0), 1e-15);
+  const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
+  const auto [rigid, swinging] = dry_modes(k, radii, disc_inertias(radii, *problem.pair.equivalent_mass));
+  EXPECT_NEAR(swinging.frequency, 3727.2, 0.002 * 3727.2);
+}
+
 TEST(DryModes, very_different_inertias) {
   const std::array<double, 2> radii = {0.04, 0.4};
   const GearInertias inertias = {1e-4, 1e3};
