@@ -104,7 +104,17 @@ inline std::vector<double> own_part(const Grid& grid, const std::vector<double>&
 }
 
 /// A contact away from the pitch, so that nothing is one that could be forgotten.
-inline ContactConditions away_from_pitch() { return {.relative_radius = 0.9, .entrainment = 1.1, .gap_offset = 0.02}; }
+inline ContactConditions away_from_pitch() {
+  FlankModification relieved;
+  relieved.tip = {1e-6, 4e-3, ReliefShape::parabolic};
+  const LocalProfile local{std::make_shared<const std::array<Flank, 2>>(
+                               std::array<Flank, 2>{Flank(relieved, 5e-3, 20e-3), Flank({}, 5e-3, 25e-3)}),
+                           {17e-3, 21e-3},
+                           {39.5e-3, 60.6e-3}};
+  ContactConditions conditions{.relative_radius = 0.9, .entrainment = 1.1, .gap_offset = 0.02, .local = local};
+  conditions.nearest = nearest_point(table3_pitch().scales, conditions);
+  return conditions;
+}
 
 /// Film of Table 3 away from the pitch, pressure whole; the same on every process whatever their number: the first
 /// one's solution of the problem alone.
