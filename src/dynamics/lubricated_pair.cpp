@@ -12,12 +12,6 @@ namespace {
 
 constexpr double smallest_similar = 0.1;  // ratio of half-axes
 
-std::vector<int> numbers_of(const std::vector<LiveContact>& contacts) {
-  std::vector<int> numbers(contacts.size());
-  std::ranges::transform(contacts, numbers.begin(), &LiveContact::number);
-  return numbers;
-}
-
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
   std::ranges::transform(contacts, films.begin(), &LiveContact::film);
@@ -98,12 +92,7 @@ void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double s
 
 std::vector<ContactRecord> LubricatedPair::records(Vec state, double T) {
   place(T);
-  const std::vector<FilmFigures> figures = system_.figures(state);
-  std::vector<ContactRecord> records;
-  for (std::size_t k = 0; k < numbers_.size(); ++k) {
-    records.push_back(contact_record(mesh_, numbers_[k], T, figures[k]));
-  }
-  return records;
+  return contact_records(mesh_, numbers_, T, system_.figures(state));
 }
 
 }  // namespace gearfilm

@@ -36,18 +36,8 @@ std::string MeshedFilms::label(int number) const {
   return text.str();
 }
 
-std::vector<int> MeshedFilms::numbers() const {
-  std::vector<int> numbers(contacts_.size());
-  std::ranges::transform(contacts_, numbers.begin(), &LiveContact::number);
-  return numbers;
-}
-
 std::vector<double> MeshedFilms::forces() const {
-  std::vector<double> forces;
-  for (const LiveContact& contact : contacts_) {
-    forces.push_back(integral(discretisation_->grid(), values_of(contact.fields, field::pressure)));
-  }
-  return forces;
+  return integrals(discretisation_->grid(), values(field::pressure), contacts_.size());
 }
 
 std::vector<double> MeshedFilms::displacements() const {
@@ -227,14 +217,7 @@ std::vector<FilmFigures> MeshedFilms::figures() const {
   return all;
 }
 
-std::vector<ContactRecord> MeshedFilms::records() const {
-  const std::vector<FilmFigures> present = figures();
-  std::vector<ContactRecord> records;
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    records.push_back(contact_record(mesh_, contacts_[k].number, T_, present[k]));
-  }
-  return records;
-}
+std::vector<ContactRecord> MeshedFilms::records() const { return contact_records(mesh_, numbers(), T_, figures()); }
 
 std::map<int, double> MeshedFilms::displacement_by_number() const {
   const std::vector<double> displaced = displacements();

@@ -28,11 +28,8 @@ double penetration_met(const MeshModel& mesh, const StaticPosition& before, int 
   return -displaced - mesh.contact(entering, before.T).conditions.dry_gap();
 }
 
-}  // namespace
-
-std::optional<double> entry_penetration(const MeshModel& mesh, double load) {
+std::optional<double> met_at_entry(const DryForce& force, const MeshModel& mesh, double load) {
   const ContactPath& path = mesh.path;
-  const DryForce force(mesh);
   for (double begin = 0.0; begin < path.mesh_period() * (1.0 - 1e-9);) {
     const std::vector<int> numbers = path.contacts_after(begin);
     begin = path.next_event(begin);
@@ -41,6 +38,12 @@ std::optional<double> entry_penetration(const MeshModel& mesh, double load) {
     return penetration_met(mesh, balanced(force, mesh, numbers, begin, load), next);
   }
   return {};
+}
+
+}  // namespace
+
+std::optional<double> entry_penetration(const MeshModel& mesh, double load) {
+  return met_at_entry(DryForce(mesh), mesh, load);
 }
 
 double corner_distance(const MeshModel& mesh, double penetration) {
@@ -79,7 +82,7 @@ StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions) {
     }
     begin = end;
   }
-  result.entry_penetration = gearfilm::entry_penetration(mesh, load);
+  result.entry_penetration = met_at_entry(force, mesh, load);
   result.peak_to_peak = largest - smallest;
   for (std::size_t k = 0; k < cosine.size(); ++k) result.harmonics[k] = std::hypot(cosine[k], sine[k]);
   double at_pitch = path.time_at(0.0);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <sstream>
 
@@ -73,10 +72,8 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   std::vector<GearCompliance> gears;
   if (options.teeth) {
     const std::array<double, 2> shifts = profile_shifts(pair);
-    // Half of the backlash each, from the line of action to the reference circle.
-    const double thinning = 0.5 * pair.backlash.value_or(0.0) / std::cos(pair.pressure_angle);
     const auto add = [&](const SpurGear& gear, double shift, const char* name) {
-      gears.emplace_back(gear, pair, ToothProfile(gear, pair, shift, thinning, name), *options.teeth, name);
+      gears.emplace_back(gear, pair, ToothProfile(gear, pair, shift, name), *options.teeth, name);
     };
     add(pair.pinion, shifts[0], names[0]);
     add(pair.wheel, shifts[1], names[1]);
@@ -115,12 +112,11 @@ void Teeth::set_backlash(const SpurGearPair& pair, const LineOfAction& line) {
   backlash_ = pair.backlash;
   base_pitch_ = line.base_pitch();
   if (!backlash_) return;
-  const double m = pair.module_length, alpha = pair.pressure_angle, working = line.working_pressure_angle();
-  const double thinning = 0.5 * *backlash_ / std::cos(alpha);
-  const double thickness = 0.5 * std::numbers::pi * m + 2.0 * profile_shifts(pair)[0] * m * std::tan(alpha) - thinning;
+  const double thickness = tooth_thickness(pair, profile_shifts(pair)[0]);
   // R_w cos alpha' = R_b.
-  thickness_ =
-      2.0 * line.base_radius_pinion() * (thickness / (pair.pinion.teeth * m) + involute(alpha) - involute(working));
+  thickness_ = 2.0 * line.base_radius_pinion() *
+               (thickness / (pair.pinion.teeth * pair.module_length) + involute(pair.pressure_angle) -
+                involute(line.working_pressure_angle()));
 }
 
 std::vector<double> Teeth::back_positions(double xi) const {

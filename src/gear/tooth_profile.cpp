@@ -19,28 +19,29 @@ using std::numbers::pi;
 
 constexpr int points = 600;  // on the fillet, and on the involute
 
+/// What a tooth lacks on the reference circle: half of the backlash, from the line of action [m].
+double thinning(const SpurGearPair& pair) { return 0.5 * pair.backlash.value_or(0.0) / std::cos(pair.pressure_angle); }
+
 }  // namespace
 
-ToothProfile::ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning,
-                           std::string name)
+ToothProfile::ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, std::string name)
     : name_(std::move(name)),
       teeth_(gear.teeth),
       base_radius_(0.5 * gear.teeth * pair.module_length * std::cos(pair.pressure_angle)),
       reference_radius_(0.5 * gear.teeth * pair.module_length) {
   const double m = pair.module_length;
-  thickness_ = 0.5 * pi * m + 2.0 * profile_shift * m * std::tan(pair.pressure_angle) - thinning;
+  thickness_ = tooth_thickness(pair, profile_shift);
   reference_angle_ = involute(pair.pressure_angle) + 0.5 * thickness_ / reference_radius_;
   hob_tip_radius_ = gear.hob_tip_radius.value_or(0.38 * m);
   const double standard = reference_radius_ - (1.25 - profile_shift) * m;
-  generate_fillet(pair, profile_shift, gear.root_radius.value_or(standard), thinning);
+  generate_fillet(pair, profile_shift, gear.root_radius.value_or(standard));
 }
 
 double ToothProfile::half_angle(double radius) const {
   return reference_angle_ - involute(std::acos(std::min(1.0, base_radius_ / radius)));
 }
 
-void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius,
-                                   double thinning) {
+void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius) {
   const double m = pair.module_length, r = reference_radius_, tan = std::tan(pair.pressure_angle);
   const double dedendum = r - root_radius + profile_shift * m;
   const auto fail = [&](const std::string& why) {
@@ -59,7 +60,7 @@ void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shif
   }
   const double offset = top - hob_tip_radius_ * taken;  // e_c
   root_radius_ = root_radius;
-  const double slack = 0.5 * thinning / r;
+  const double slack = 0.5 * thinning(pair) / r;
   double angle = 0.0, radius = 0.0;
   for (int n = 0; n <= points; ++n) {
     const double u = depth / tan * n / points;
@@ -108,13 +109,22 @@ std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
   return outline;
 }
 
+double tooth_thickness(const SpurGearPair& pair, double profile_shift) {
+  const double m = pair.module_length;
+  return 0.5 * pi * m + 2.0 * profile_shift * m * std::tan(pair.pressure_angle) - thinning(pair);
+}
+
+double sum_of_profile_shifts(const SpurGearPair& pair) {
+  const int teeth = pair.pinion.teeth + pair.wheel.teeth;
+  const double reference = 0.5 * teeth * pair.module_length;
+  const double working = std::acos(reference * std::cos(pair.pressure_angle) / pair.centre_distance);
+  return teeth * (involute(working) - involute(pair.pressure_angle)) / (2.0 * std::tan(pair.pressure_angle));
+}
+
 std::array<double, 2> profile_shifts(const SpurGearPair& pair) {
   const SpurGear& pinion = pair.pinion;
   const SpurGear& wheel = pair.wheel;
-  const double m = pair.module_length, tan = std::tan(pair.pressure_angle);
-  const int teeth = pinion.teeth + wheel.teeth;
-  const double working = std::acos(0.5 * teeth * m * std::cos(pair.pressure_angle) / pair.centre_distance);
-  const double sum = teeth * (involute(working) - involute(pair.pressure_angle)) / (2.0 * tan);
+  const double m = pair.module_length, sum = sum_of_profile_shifts(pair);
   if (pinion.profile_shift && wheel.profile_shift) return {*pinion.profile_shift, *wheel.profile_shift};
   if (pinion.profile_shift) return {*pinion.profile_shift, sum - *pinion.profile_shift};
   if (wheel.profile_shift) return {sum - *wheel.profile_shift, *wheel.profile_shift};

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/gear/involute.hpp"
+#include "gearfilm/gear/tooth_profile.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 
 namespace gearfilm {
@@ -76,19 +76,12 @@ void compare_contact(const Scales& scales, Oddities& found) {
           found);
 }
 
-/// x_1 + x_2 = (Z_1+Z_2) (inv alpha' - inv alpha)/(2 tan alpha), where the gears mesh without backlash.
-double profile_shifts(const Case& problem) {
-  const double alpha = problem.pair.gears->pressure_angle, working = problem.pair.line->working_pressure_angle();
-  return (problem.pair.gears->pinion.teeth + problem.pair.gears->wheel.teeth) * (involute(working) - involute(alpha)) /
-         (2 * std::tan(alpha));
-}
-
 void compare_gears(const Case& problem, Oddities& found) {
   const LineOfAction& line = *problem.pair.line;
   const double pitch_radius = line.base_radius_pinion() / std::cos(line.working_pressure_angle());
   compare(problem.pair.pinion_speed * pitch_radius,
           {"the pitch-line velocity", "m/s", 0, 200, "", "faster than any gear runs"}, found);
-  compare(profile_shifts(problem),
+  compare(sum_of_profile_shifts(*problem.pair.gears),
           {"the sum of the profile shifts", "modules", -1.5, 3, "is gear.centre_distance that of these teeth?",
            "is gear.centre_distance that of these teeth?"},
           found);

@@ -33,8 +33,8 @@ SpurGearPair table3_pair() {
 
 std::array<GearCompliance, 2> gears_of(const SpurGearPair& pair, FoundationModel foundation) {
   const std::array<double, 2> x = profile_shifts(pair);
-  return {GearCompliance(pair.pinion, pair, ToothProfile(pair.pinion, pair, x[0], 0.0, "pinion"), foundation, "pinion"),
-          GearCompliance(pair.wheel, pair, ToothProfile(pair.wheel, pair, x[1], 0.0, "wheel"), foundation, "wheel")};
+  return {GearCompliance(pair.pinion, pair, ToothProfile(pair.pinion, pair, x[0], "pinion"), foundation, "pinion"),
+          GearCompliance(pair.wheel, pair, ToothProfile(pair.wheel, pair, x[1], "wheel"), foundation, "wheel")};
 }
 
 Relief relief(double amount, double length, ReliefShape shape) {

@@ -66,7 +66,7 @@ public:
 
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
-  std::vector<int> numbers() const;
+  std::vector<int> numbers() const { return numbers_of(contacts_); }
   std::vector<double> forces() const;
   /// H_k.
   std::vector<double> displacements() const;

@@ -30,6 +30,9 @@ struct ContactRecord {
 
 /// The record of a contact of which the film, or the dry contact, gave these figures at time T.
 ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& film);
+/// The same of several.
+std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<int>& numbers, double T,
+                                           const std::vector<FilmFigures>& films);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -55,6 +58,9 @@ struct LiveContact {
   ContactFilm* film = nullptr;  ///< at its present state; null in the dry model
   ContactFields fields{};       ///< as the last segment left them
 };
+
+/// Of the contacts.
+std::vector<int> numbers_of(const std::vector<LiveContact>& contacts);
 
 /// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).
 using StepObserver = std::function<void(const StepRecord&, const std::vector<LiveContact>&)>;

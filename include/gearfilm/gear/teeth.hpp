@@ -67,7 +67,6 @@ public:
 
 private:
   void set_compliance(const SpurGearPair& pair, const LineOfAction& line, const ComplianceOptions& options);
-
   void set_backlash(const SpurGearPair& pair, const LineOfAction& line);
 
   bool perfect_ = true;

@@ -28,9 +28,9 @@ struct ToothLoad {
 
 class ToothProfile {
 public:
-  /// Of a gear of the pair, with the profile shift x and the thinning of the tooth for backlash on the reference circle
-  /// [m]. Throws InputError, naming the gear, where rack and root radius do not go together or the tooth is undercut.
-  ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, double thinning, std::string name);
+  /// Of a gear of the pair, with the profile shift x. Throws InputError, naming the gear, where rack and root radius do
+  /// not go together or the tooth is undercut.
+  ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, std::string name);
 
   double base_radius() const { return base_radius_; }          ///< R_b [m]
   double root_radius() const { return root_radius_; }          ///< r_f [m]
@@ -48,7 +48,7 @@ public:
 
 private:
   double half_angle(double radius) const;
-  void generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius, double thinning);
+  void generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius);
 
   std::string name_;
   int teeth_;
@@ -62,6 +62,12 @@ private:
   double hob_tip_radius_ = 0.0;
   std::vector<OutlinePoint> fillet_;
 };
+
+/// s of a tooth on the reference circle with the profile shift x, less its half of the pair's backlash [m].
+double tooth_thickness(const SpurGearPair& pair, double profile_shift);
+
+/// x_1 + x_2 that leave no backlash at the centre distance.
+double sum_of_profile_shifts(const SpurGearPair& pair);
 
 /// x_1 and x_2: those given, and for the others the ones that leave no backlash at the centre distance, both tips cut
 /// by the same length.
