@@ -9,7 +9,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
-ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "dynamics", "orbits", "input", "output", "app"]
+ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "traction", "dynamics", "orbits", "input", "output", "app"]
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor

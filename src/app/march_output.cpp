@@ -40,7 +40,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
 
 void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   history_->append(record);
-  statistics_.add(record, lubricated_);
+  statistics_.add(record, mesh_.given(lubricated_));
   signal_.add(record);
   const double period = record.T / mesh_.path.mesh_period();
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
@@ -54,7 +54,7 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
 
 void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   const std::optional<FilmSnapshot> snapshot =
-      record.recalled ? checkpoint_.recall_snapshot() : film_snapshot(record, contacts);
+      record.recalled ? checkpoint_.recall_snapshot() : film_snapshot(mesh_, record, contacts);
   if (!snapshot) return;
   if (!record.recalled) checkpoint_.attach(*snapshot);
   if (purpose_ == MarchPurpose::search) {
@@ -129,9 +129,16 @@ namespace {
 /// One figure over all the periods that have it.
 Summary over_periods(const Summary& periods, const PeriodFigure& figure) {
   Summary kept;
+  double sum = 0.0;
+  int count = 0;
   for (const Summary& period : periods) {
     const auto found = period.find(figure.name);
     if (found == period.end()) continue;
+    if (figure.reduction == Reduction::mean) {
+      sum += found->get<double>();
+      kept = sum / ++count;
+      continue;
+    }
     const bool replaces = kept.is_null() || figure.reduction == Reduction::last ||
                           (figure.reduction == Reduction::largest ? *found > kept : *found < kept);
     if (replaces) kept = *found;
@@ -180,6 +187,7 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
     if (const Summary value = over_periods(periods, figure); !value.is_null())
       summary[std::string(figure.name)] = value;
   }
+  add_efficiency(mesh, summary);
   summary["periods"] = std::move(periods);
   summary["events"] = Summary::array();
   for (const MeshEvent& event : statistics.events()) {

@@ -26,7 +26,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   bool searching = true;
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
     if (searching) {
-      statistics.add(record, true);
+      statistics.add(record, mesh.given(true));
       signal.add(record);
       const double mesh_periods = record.T / mesh.path.mesh_period();
       if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)

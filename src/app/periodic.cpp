@@ -4,6 +4,7 @@
 
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
@@ -136,6 +137,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
   summary.update(orbit_summary(mesh, found.run));
   const std::optional<double> error = add_errors(mesh.scales, found, summary);
+  add_efficiency(mesh, summary);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, mesh);
   summary["completed"] = true;
@@ -143,6 +145,8 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary, error, advice(problem, found.run));
+  warn_of_heating(comm, heating_at_pitch(problem));
+  warn_of_roughness(comm, summary, "lambda_min");
 }
 
 }  // namespace gearfilm

@@ -35,6 +35,10 @@ Position steady_position(const Case& problem) {
     label << "contact 0 at xi = " << 1e3 * xi << " mm";
     position.label = label.str();
   }
+  if (!problem.pair.line) {
+    const double u_m = problem.scales.operation.entrainment_velocity;
+    position.contact.sliding = problem.parameters.real("contact.sliding_velocity") / u_m;
+  }
   position.solids = solids_of(problem.scales, position.contact.conditions);
   position.operation = problem.scales.operation;
   position.operation.entrainment_velocity *= position.contact.conditions.entrainment;
@@ -77,16 +81,18 @@ void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<Grid
   warn(comm, text.str());
 }
 
-Summary film_summary(const Case& problem, const Position& position, const Grid& grid, const StationaryResult& result) {
+Summary film_summary(const Case& problem, const Position& position, const Grid& grid, const StationaryResult& result,
+                     const TractionFigures& friction) {
   const Scales& scales = problem.scales;
   Summary summary;
   summary["case"] = problem.name;
   summary["nx"] = grid.nx();
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
-  const ContactMoment at{scales, position.contact, result.figures};
+  const ContactMoment at{scales, position.contact, result.figures, friction, problem.roughness};
+  const Given given = given_figures(true, problem.traction, problem.roughness);
   for (const auto& figure : contact_figures) {
-    if (figure.needs == Needs::gears && !problem.pair.line) continue;
+    if (!given.has(figure.needs)) continue;
     summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
   }
   summary["H0"] = result.solution.H0;
@@ -106,11 +112,16 @@ Summary film_summary(const Case& problem, const Position& position, const Grid& 
   summary["krylov_iterations_all_grids"] = total.krylov;
   summary["convolutions_all_grids"] = total.convolutions;
   summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);
+  const SurfaceVelocities velocities = velocities_of(scales, position.contact);
+  summary["predictions"].update(
+      friction_predictions(problem, position.solids, position.operation, velocities, friction.coefficient));
+  summary["predictions"].update(
+      heating_predictions(problem, position.solids, position.operation, velocities.sliding / velocities.mean));
   return summary;
 }
 
 void write_results(MPI_Comm comm, const Case& problem, const Position& position, const ContactFilm& film,
-                   const Summary& summary) {
+                   const TractionFields& friction, const Summary& summary) {
   const std::string group = "/contact0";
   ResultsFile file(comm, problem.run.directory / "results.h5");
   write_identity(file, problem, "steady");
@@ -119,6 +130,15 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.grid(group, domain, scales);
   file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure);
   file.field(group, "H", "m", domain, film.thickness(), scales.thickness);
+  std::vector<std::string> datasets = {"P", "H"};
+  for (const field::OfTraction& kind : field::traction) {
+    const std::vector<double>& values = friction.*kind.values;
+    if (values.empty()) continue;
+    Field<double> whole(film.grid());
+    whole.load(values);
+    datasets.emplace_back(kind.field.dataset);
+    file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0);
+  }
   file.attribute(group, "xi", problem.steady.position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
@@ -129,8 +149,22 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
   write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
-             {{0.0, {{group, group + "/mesh", film.grid().shape(), {"P", "H"}}}}});
+             {{0.0, {{group, group + "/mesh", film.grid().shape(), datasets}}}});
   write_summary(comm, problem.run.directory, summary);
+}
+
+void print_friction(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("friction_coefficient")) return;
+  std::ostringstream text;
+  text.precision(4);
+  text << "friction coefficient " << summary["friction_coefficient"].get<double>() << "; lost by sliding "
+       << summary["power_sliding"].get<double>() << " W, by rolling " << summary["power_rolling"].get<double>() << " W";
+  if (summary.contains("film_temperature_max")) {
+    text << "; largest temperature of the film " << summary["film_temperature_max"].get<double>()
+         << " K, of the flanks " << summary["surface_temperature_pinion"].get<double>() << " K and "
+         << summary["surface_temperature_wheel"].get<double>() << " K";
+  }
+  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
 }
 
 void print_result(MPI_Comm comm, const Position& position, const Summary& summary) {
@@ -218,11 +252,19 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
     solved = solve_on(Grid(comm, refined(shape, factor)), problem, position);
   }
-  Summary summary = film_summary(problem, position, solved.film->grid(), solved.result);
+  Traction friction;
+  if (problem.traction) {
+    const SurfaceVelocities velocities = velocities_of(problem.scales, position.contact);
+    friction = located(position.label, [&] { return traction(*problem.traction, *solved.film, velocities); });
+  }
+  Summary summary = film_summary(problem, position, solved.film->grid(), solved.result, friction.figures);
   add_errors(problem.scales, solved.errors, summary);
-  write_results(comm, problem, position, *solved.film, summary);
+  write_results(comm, problem, position, *solved.film, friction.fields, summary);
   print_result(comm, position, summary);
+  print_friction(comm, summary);
   warn_of_errors(comm, problem, solved.errors);
+  warn_of_heating(comm, summary["predictions"]);
+  warn_of_roughness(comm, summary, "lambda");
 }
 
 }  // namespace gearfilm

@@ -92,11 +92,12 @@ double number(const Summary& point, const char* name) {
   return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
 }
 
-std::vector<TableColumn> point_columns() {
+std::vector<TableColumn> point_columns(const Given& given) {
   std::vector<TableColumn> columns = {{"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"},
                                       {"I_n", "-"},         {"f_m", "Hz"},     {"f_n", "Hz"}};
   for (const PeriodFigure& figure : period_figures) {
-    if (figure.of_sweep()) columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
+    if (figure.of_sweep() && given.has(figure.needs))
+      columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
   }
   columns.insert(columns.end(), {{"transmission_error_peak_to_peak", "m"},
                                  {"transmission_error_rms", "m"},
@@ -116,7 +117,7 @@ std::vector<TableColumn> point_columns() {
 
 /// One row a point; what a failed point lacks is not a number.
 void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
-  const std::vector<TableColumn> figures = point_columns();
+  const std::vector<TableColumn> figures = point_columns(given_figures(true, problem.traction, problem.roughness));
   std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
   columns.insert(columns.end(), figures.begin(), figures.end());
   for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})

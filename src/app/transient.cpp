@@ -1,5 +1,6 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
@@ -71,6 +72,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     throw;
   }
   write(true);
+  if (lubricated) warn_of_heating(comm, heating_at_pitch(problem));
   run.complete();
 }
 

@@ -10,12 +10,21 @@ double hertz_pressure_of(const ContactMoment& at) {
   return dry_contact(at.scales, at.contact.conditions, at.film.pressure_integral).pressure / at.scales.pressure;
 }
 
+Given given_figures(bool lubricated, const std::optional<TractionModel>& traction,
+                    const std::optional<double>& roughness) {
+  return {.film = lubricated,
+          .friction = traction.has_value(),
+          .heat = traction && traction->heat,
+          .roughness = roughness.has_value()};
+}
+
+double film_ratio(const ContactMoment& at) {
+  return at.roughness ? at.scales.thickness * at.film.smallest_film / *at.roughness : 0.0;
+}
+
 ContactFigures figures_of(const ContactMoment& at) {
   ContactFigures figures;
-  for (std::size_t n = 0; n < contact_figures.size(); ++n) {
-    if (contact_figures[n].needs == Needs::gears && !at.contact.sliding) continue;
-    figures.values[n] = contact_figures[n].value(at);
-  }
+  for (std::size_t n = 0; n < contact_figures.size(); ++n) figures.values[n] = contact_figures[n].value(at);
   return figures;
 }
 

@@ -92,7 +92,7 @@ void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double s
 
 std::vector<ContactRecord> LubricatedPair::records(Vec state, double T) {
   place(T);
-  return contact_records(mesh_, numbers_, T, system_.figures(state));
+  return contact_records(mesh_, numbers_, T, films_, system_.figures(state));
 }
 
 }  // namespace gearfilm

@@ -31,6 +31,8 @@ void reduce(std::optional<double>& kept, Reduction reduction, double value, cons
     case Reduction::last:
       kept = value;
       break;
+    case Reduction::mean:  // of steps only: add_to_mean
+      break;
     case Reduction::at_pitch:
       if (moments.nearest_pitch) kept = value;
       break;
@@ -42,10 +44,16 @@ void reduce(std::optional<double>& kept, Reduction reduction, double value, cons
 
 }  // namespace
 
-void MarchStatistics::add(const StepRecord& record, bool lubricated) {
+void MarchStatistics::add(const StepRecord& record, const Given& given) {
   add_events(record);
   add_loss(record);
-  if (record.dT > 0.0) add_to_period(record, lubricated);
+  if (record.dT > 0.0) add_to_period(record, given);
+  for (std::size_t n = 0; n < step_figures.size(); ++n) last_[n] = step_figures[n].value(record);
+}
+
+void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t figure, double value, double dT) {
+  const double step = 0.5 * (last_[figure] + value) * dT;
+  mean = (mean.value_or(0.0) * elapsed_ + step) / (elapsed_ + dT);
 }
 
 void MarchStatistics::add_events(const StepRecord& record) {
@@ -84,28 +92,36 @@ bool MarchStatistics::contact_lost(double T_begin, double T_end) const {
                      [&](const ContactLoss& loss) { return loss.begin <= T_end && loss.end > T_begin; });
 }
 
-void MarchStatistics::add_to_period(const StepRecord& record, bool lubricated) {
+void MarchStatistics::add_to_period(const StepRecord& record, const Given& given) {
   // A step that ends within round-off of the period's end still belongs to it.
   const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(record.T / mesh_period_ - 1e-9) - 1.0));
   if (index >= periods_.size()) {
     periods_.resize(index + 1);
     pitch_distance_ = HUGE_VAL;
+    elapsed_ = 0.0;
   }
   PeriodFigures& period = periods_[index];
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
-    if (!figure.of_contact) reduce(period.values[n], figure.reduction, step_figures[figure.source].value(record));
+    if (figure.of_contact || !given.has(figure.needs)) continue;
+    const double value = step_figures[figure.source].value(record);
+    if (figure.reduction == Reduction::mean) {
+      add_to_mean(period.values[n], figure.source, value, record.dT);
+    } else {
+      reduce(period.values[n], figure.reduction, value);
+    }
   }
-  for (const ContactRecord& contact : record.contacts) add_contact(contact, lubricated, period);
+  elapsed_ += record.dT;
+  for (const ContactRecord& contact : record.contacts) add_contact(contact, given, period);
 }
 
-void MarchStatistics::add_contact(const ContactRecord& contact, bool lubricated, PeriodFigures& period) {
+void MarchStatistics::add_contact(const ContactRecord& contact, const Given& given, PeriodFigures& period) {
   const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.number};
   if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
   if (moments.entered) entered_.reset();
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
-    if (!figure.of_contact || (figure.needs == Needs::film && !lubricated)) continue;
+    if (!figure.of_contact || !given.has(figure.needs)) continue;
     reduce(period.values[n], figure.reduction, contact.figures.values[figure.source], moments);
   }
 }

@@ -14,6 +14,11 @@ MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, dou
           .sliding = line.sliding_velocity(xi, pinion_speed) / u_m};
 }
 
+SurfaceVelocities velocities_of(const Scales& scales, const MeshedContact& contact) {
+  const double u_m = scales.operation.entrainment_velocity;
+  return {.mean = u_m * contact.conditions.entrainment, .sliding = u_m * contact.sliding};
+}
+
 MeshedContact MeshModel::contact_at(int number, double xi) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;

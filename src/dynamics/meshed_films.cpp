@@ -217,7 +217,10 @@ std::vector<FilmFigures> MeshedFilms::figures() const {
   return all;
 }
 
-std::vector<ContactRecord> MeshedFilms::records() const { return contact_records(mesh_, numbers(), T_, figures()); }
+std::vector<ContactRecord> MeshedFilms::records() const {
+  const std::vector<FilmFigures> present = figures();
+  return contact_records(mesh_, numbers(), T_, present_films(), present);
+}
 
 std::map<int, double> MeshedFilms::displacement_by_number() const {
   const std::vector<double> displaced = displacements();

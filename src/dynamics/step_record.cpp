@@ -4,15 +4,21 @@
 
 namespace gearfilm {
 
-ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& film) {
+ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures) {
   const MeshedContact contact = mesh.contact(number, T);
-  return {number, contact.position, figures_of({mesh.scales, contact, film})};
+  return {number, contact.position, figures_of({mesh.scales, contact, figures})};
 }
 
 std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<int>& numbers, double T,
-                                           const std::vector<FilmFigures>& films) {
+                                           const std::vector<ContactFilm*>& films,
+                                           const std::vector<FilmFigures>& figures) {
   std::vector<ContactRecord> records;
-  for (std::size_t k = 0; k < numbers.size(); ++k) records.push_back(contact_record(mesh, numbers[k], T, films[k]));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const MeshedContact contact = mesh.contact(numbers[k], T);
+    ContactMoment at{mesh.scales, contact, figures[k], {}, mesh.roughness};
+    if (mesh.traction) at.traction = traction(*mesh.traction, *films[k], velocities_of(mesh.scales, contact)).figures;
+    records.push_back({numbers[k], contact.position, figures_of(at)});
+  }
   return records;
 }
 

@@ -198,6 +198,21 @@ std::vector<double> LineOfAction::contact_positions(double xi) const {
   return positions;
 }
 
+double LineOfAction::loss_factor() const {
+  std::vector<double> ends;
+  for (double place = 0.0; place < exit_ - entry_; place += base_pitch_) {
+    ends.insert(ends.end(), {entry_ + place, exit_ - place});
+  }
+  std::ranges::sort(ends);
+  const auto primitive = [](double xi) { return 0.5 * xi * std::abs(xi); };  // of |xi|
+  double sum = 0.0;
+  for (std::size_t n = 1; n < ends.size(); ++n) {
+    const auto contacts = static_cast<double>(contact_positions(0.5 * (ends[n - 1] + ends[n])).size());
+    sum += (primitive(ends[n]) - primitive(ends[n - 1])) / contacts;
+  }
+  return (1.0 + speed_ratio_) / (base_radius_pinion_ * base_pitch_) * sum;
+}
+
 double mesh_frequency(const SpurGearPair& pair, double pinion_speed) {
   return pinion_speed * pair.pinion.teeth / (2.0 * pi);
 }

@@ -11,6 +11,7 @@
 #include "gearfilm/input/case_file.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_teeth.hpp"
+#include "gearfilm/input/case_traction.hpp"
 #include "gearfilm/input/point_table.hpp"
 
 namespace gearfilm {
@@ -314,6 +315,9 @@ Case make_case(const ParameterValues& values) {
     result.scales = make_scales(reference.solids, oil, reference.operation);
     check_strain(result.scales);
   });
+  result.traction = read_traction(values);
+  result.thermal_oil = read_thermal_oil(values);
+  result.roughness = read_roughness(values);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

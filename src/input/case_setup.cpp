@@ -55,6 +55,8 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
           .load = problem.march.load,
           .teeth = problem.pair.teeth,
+          .traction = problem.traction,
+          .roughness = problem.roughness,
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
           .order = problem.search.order};
 }

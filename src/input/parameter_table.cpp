@@ -25,28 +25,31 @@ Records contact_records() {
   const std::string unless_reduced = "needed without contact.reduced_modulus";
   const Range modulus = left_open(1e5, 1e13);
   const Range ratio = right_open(0, 0.5);
-  return section(
-      "contact", Scope::contact,
-      {number("radius_x", "R_x", "m", closed(1e-6, 1000), "reduced radius along the entrainment"),
-       number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"),
-       optional(
-           "from the moduli and ratios of both bodies",
-           number("reduced_modulus", "E'", "Pa", modulus, "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
-       optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
-       optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
-       optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
-       optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
-       number("load", "w", "N", closed(1e-9, 1e9), "load"),
-       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces")});
+  Records records = {
+      number("radius_x", "R_x", "m", closed(1e-6, 1000), "reduced radius along the entrainment"),
+      number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"),
+      optional(
+          "from the moduli and ratios of both bodies",
+          number("reduced_modulus", "E'", "Pa", modulus, "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
+      optional(unless_reduced, number("youngs_modulus_1", "E_1", "Pa", modulus, "Young's modulus, body 1")),
+      optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
+      optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
+      optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
+      number("load", "w", "N", closed(1e-9, 1e9), "load"),
+      number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces"),
+      preset(0.0, number("sliding_velocity", "u_1 - u_2", "m/s", closed(-2e4, 2e4),
+                         "velocity of body 1 less that of body 2"))};
+  for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body));
+  return section("contact", Scope::contact, std::move(records));
 }
 
 Records lubricant_records() {
-  return section(
-      "lubricant", Scope::any,
-      {number("viscosity", "eta_0", "Pa s", closed(1e-5, 1e4), "viscosity at ambient pressure"),
-       number("pressure_viscosity", "alpha_B", "1/Pa", closed(1e-11, 1e-6), "pressure-viscosity coefficient"),
-       choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
-       choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")});
+  Records records = {
+      number("viscosity", "eta_0", "Pa s", closed(1e-5, 1e4), "viscosity at ambient pressure"),
+      number("pressure_viscosity", "alpha_B", "1/Pa", closed(1e-11, 1e-6), "pressure-viscosity coefficient"),
+      choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
+      choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")};
+  return section("lubricant", Scope::any, joined(std::move(records), thermal_oil_records()));
 }
 
 Records grid_records() {
@@ -247,9 +250,9 @@ const std::vector<Parameter>& parameter_table() {
     Records all;
     for (Records& records :
          std::vector<Records>{case_records(), gear_pair_records(), contact_records(), lubricant_records(),
-                              grid_records(), steady_records(), static_records(), march_records(), run_records(),
-                              load_sharing_records(), start_records(), time_records(), periodic_records(),
-                              eigen_records(), sweep_records(), solver_records(), output_records()})
+                              traction_records(), grid_records(), steady_records(), static_records(), march_records(),
+                              run_records(), load_sharing_records(), start_records(), time_records(),
+                              periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

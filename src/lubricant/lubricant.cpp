@@ -18,8 +18,6 @@ constexpr double roelands_log = 9.67;         // -ln of the viscosity 6.315e-5 P
 constexpr double density_pressure = 5.9e8;    // A [Pa]
 constexpr double density_limit = 1.34;        // rho/rho_0 for p -> infinity
 
-double log_viscosity_span(const Lubricant& oil) { return std::log(oil.viscosity) + roelands_log; }
-
 void require_positive(double value, const std::string& parameter, const std::string& unit) {
   if (value > 0.0 && std::isfinite(value)) return;
   std::ostringstream message;
@@ -30,10 +28,12 @@ void require_positive(double value, const std::string& parameter, const std::str
 
 }  // namespace
 
+double roelands_span(const Lubricant& oil) { return std::log(oil.viscosity) + roelands_log; }
+
 void check(const Lubricant& oil) {
   require_positive(oil.viscosity, "lubricant_viscosity", "Pa s");
   require_positive(oil.pressure_viscosity, "lubricant_pressure_viscosity", "1/Pa");
-  if (oil.viscosity_law == ViscosityLaw::roelands && !(log_viscosity_span(oil) > 0.0)) {
+  if (oil.viscosity_law == ViscosityLaw::roelands && !(roelands_span(oil) > 0.0)) {
     std::ostringstream message;
     message << "lubricant_viscosity = " << oil.viscosity << " Pa s is not above " << std::exp(-roelands_log)
             << " Pa s, the lower limit of Roelands' law: give it in Pa s, or use the Barus law";
@@ -42,7 +42,7 @@ void check(const Lubricant& oil) {
 }
 
 double roelands_exponent(const Lubricant& oil) {
-  return oil.pressure_viscosity * roelands_pressure / log_viscosity_span(oil);
+  return oil.pressure_viscosity * roelands_pressure / roelands_span(oil);
 }
 
 OilLaws::OilLaws(const Lubricant& oil)
@@ -52,7 +52,7 @@ OilLaws::OilLaws(const Lubricant& oil)
       alpha_(oil.pressure_viscosity),
       inverse_roelands_pressure_(1.0 / roelands_pressure) {
   if (oil.viscosity_law == ViscosityLaw::barus) return;
-  span_ = log_viscosity_span(oil);
+  span_ = roelands_span(oil);
   exponent_ = roelands_exponent(oil);
 }
 

@@ -1,9 +1,24 @@
 #include "gearfilm/output/film_snapshot.hpp"
 
 namespace gearfilm {
+namespace {
+
+void add_traction(const MeshModel& mesh, double T, const LiveContact& live, ContactSnapshot& snapshot) {
+  const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(live.number, T));
+  const TractionFields fields = traction(*mesh.traction, *live.film, velocities).fields;
+  for (const field::OfTraction& kind : field::traction) {
+    const std::vector<double>& values = fields.*kind.values;
+    if (values.empty()) continue;
+    Field<double> field(live.film->grid());
+    field.load(values);
+    snapshot.fields.push_back({std::string(kind.field.name), std::move(field)});
+  }
+}
+
+}  // namespace
 
 // The film itself has the pressure of the step; what else a contact carries is in its fields.
-FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts) {
   FilmSnapshot snapshot{record.T, {}};
   if (!contacts.empty()) snapshot.shape = contacts.front().film->grid().shape();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -16,6 +31,7 @@ FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveConta
       field.load(values);
       contact.fields.push_back({name, std::move(field)});
     }
+    if (mesh.traction) add_traction(mesh, record.T, contacts[k], contact);
     snapshot.contacts.push_back(std::move(contact));
   }
   return snapshot;

@@ -7,24 +7,13 @@ TableColumn column_of(std::string_view name, const Unit& unit) {
   return {std::string(name), std::string(unit.name), unit.whole};
 }
 
-std::vector<TableColumn> step_columns() {
+template <class Keys, class Figures>
+std::vector<TableColumn> columns_of(const Keys& keys, const Figures& figures, const Given& given) {
   std::vector<TableColumn> columns;
-  columns.reserve(step_keys.size() + step_figures.size());
-  for (const RowKey& key : step_keys) columns.push_back(column_of(key.name, key.unit));
-  for (const auto& figure : step_figures) columns.push_back(column_of(figure.name, figure.unit));
-  return columns;
-}
-
-bool is_there(const Figure<ContactMoment>& figure, bool lubricated) {
-  return lubricated || figure.needs != Needs::film;
-}
-
-std::vector<TableColumn> contact_columns(bool lubricated) {
-  std::vector<TableColumn> columns;
-  columns.reserve(contact_keys.size() + contact_figures.size());
-  for (const RowKey& key : contact_keys) columns.push_back(column_of(key.name, key.unit));
-  for (const auto& figure : contact_figures) {
-    if (is_there(figure, lubricated)) columns.push_back(column_of(figure.name, figure.unit));
+  columns.reserve(keys.size() + figures.size());
+  for (const RowKey& key : keys) columns.push_back(column_of(key.name, key.unit));
+  for (const auto& figure : figures) {
+    if (given.has(figure.needs)) columns.push_back(column_of(figure.name, figure.unit));
   }
   return columns;
 }
@@ -33,9 +22,9 @@ std::vector<TableColumn> contact_columns(bool lubricated) {
 
 History::History(ResultsFile& file, const MeshModel& mesh, bool lubricated)
     : mesh_(mesh),
-      lubricated_(lubricated),
-      steps_(file, "/history/steps", step_columns()),
-      contacts_(file, "/history/contacts", contact_columns(lubricated)) {}
+      given_(mesh.given(lubricated)),
+      steps_(file, "/history/steps", columns_of(step_keys, step_figures, given_)),
+      contacts_(file, "/history/contacts", columns_of(contact_keys, contact_figures, given_)) {}
 
 void History::append(const StepRecord& record) {
   std::vector<double> rows;
@@ -43,14 +32,16 @@ void History::append(const StepRecord& record) {
     rows.insert(rows.end(),
                 {static_cast<double>(step_), static_cast<double>(contact.number), record.T, contact.position});
     for (std::size_t n = 0; n < contact_figures.size(); ++n) {
-      if (!is_there(contact_figures[n], lubricated_)) continue;
+      if (!given_.has(contact_figures[n].needs)) continue;
       rows.push_back(contact_figures[n].unit.in_si(mesh_.scales, contact.figures.values[n]));
     }
   }
   if (!rows.empty()) contacts_.append(rows);
   std::vector<double> row = {static_cast<double>(step_), record.T, mesh_.scales.time * record.T, record.dT,
                              mesh_.path.distance(record.T)};
-  for (const auto& figure : step_figures) row.push_back(figure.unit.in_si(mesh_.scales, figure.value(record)));
+  for (const auto& figure : step_figures) {
+    if (given_.has(figure.needs)) row.push_back(figure.unit.in_si(mesh_.scales, figure.value(record)));
+  }
   steps_.append(row);
   ++step_;
 }

@@ -14,7 +14,21 @@ std::string code(std::string_view text) {
   return quoted;
 }
 
-std::string condition(Needs needs) { return needs == Needs::film ? "; not in the dry model" : ""; }
+std::string condition(Needs needs) {
+  switch (needs) {
+    case Needs::film:
+      return "; not in the dry model";
+    case Needs::friction:
+      return "; with `friction.law`";
+    case Needs::heat:
+      return "; with `thermal.model`";
+    case Needs::roughness:
+      return "; with `pinion.roughness` or `wheel.roughness`";
+    case Needs::nothing:
+      break;
+  }
+  return "";
+}
 
 template <class Keys, class Figures>
 void describe_table(std::ostream& text, std::string_view name, std::string_view rows, const Keys& keys,
@@ -52,7 +66,7 @@ std::string figures_markdown() {
           "The history of `transient` and `periodic` in `results.h5`, and what mesh periods keep of it. Everything is "
           "SI\n"
           "but for the pure numbers. The summary of `steady` has the figures of its contact under the names of the\n"
-          "columns of `/history/contacts`; a bare contact has no sliding velocity.\n";
+          "columns of `/history/contacts`.\n";
   describe_table(text, "/history/steps", "One row a time step.", step_keys, step_figures);
   describe_table(text, "/history/contacts", "One row a contact and time step.", contact_keys, contact_figures);
   describe_periods(text);

@@ -111,7 +111,7 @@ private:
 /// What the march has passed through, in figures.
 inline MarchStatistics statistics_of(const RecordedMarch& march) {
   MarchStatistics statistics(march.path().mesh_period(), march.static_force());
-  for (const StepRecord& record : march.records()) statistics.add(record, true);
+  for (const StepRecord& record : march.records()) statistics.add(record, {});
   return statistics;
 }
 

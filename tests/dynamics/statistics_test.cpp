@@ -31,9 +31,9 @@ StepRecord step(double T, double dT, const std::vector<ContactRecord>& contacts,
   return record;
 }
 
-MarchStatistics statistics_of(const std::vector<StepRecord>& records, bool lubricated = true) {
+MarchStatistics statistics_of(const std::vector<StepRecord>& records, const Given& given = {}) {
   MarchStatistics statistics(mesh_period, static_force);
-  for (const StepRecord& record : records) statistics.add(record, lubricated);
+  for (const StepRecord& record : records) statistics.add(record, given);
   return statistics;
 }
 
@@ -156,7 +156,8 @@ TEST(MarchStatistics, contact_is_lost_below_a_fiftieth_of_the_static_force) {
 
 TEST(MarchStatistics, a_dry_march_has_no_films) {
   const MarchStatistics statistics = statistics_of(
-      {step(0.0, 0.0, {contact(0, 0.0, 10.0)}), step(0.5, 0.5, {contact(0, 0.1, 5.0), contact(1, -0.9, 5.0)})}, false);
+      {step(0.0, 0.0, {contact(0, 0.0, 10.0)}), step(0.5, 0.5, {contact(0, 0.1, 5.0), contact(1, -0.9, 5.0)})},
+      Given{.film = false});
   const PeriodFigures& period = statistics.periods().at(0);
   EXPECT_FALSE(period["h_min"]);
   EXPECT_FALSE(period["pitch_h_central"]);

@@ -50,6 +50,27 @@ TEST(LineOfAction, reproduces_table3_entry_and_exit) {
   EXPECT_NEAR(line.entry() + line.base_pitch(), 3.217e-3, printed);
 }
 
+TEST(LineOfAction, loss_factor_is_ohlendorfs_up_to_two_contacts) {
+  const LineOfAction line(table3::gear_pair());
+  const double eps_1 = line.exit() / line.base_pitch(), eps_2 = -line.entry() / line.base_pitch(), u = 43.0 / 28.0;
+  const double ohlendorf = pi * (u + 1.0) / (28.0 * u) * (1.0 - eps_1 - eps_2 + eps_1 * eps_1 + eps_2 * eps_2);
+  EXPECT_NEAR(line.loss_factor(), ohlendorf, round_off);
+  EXPECT_NEAR(line.loss_factor(), 0.1002022, 1e-6);  // from an independent program
+}
+
+TEST(LineOfAction, loss_factor_of_three_contacts_is_the_mean_of_their_sliding) {
+  const LineOfAction line(symmetric_pair(2.4));
+  constexpr int steps = 20000;
+  double sum = 0.0;
+  for (int n = 0; n < steps; ++n) {
+    const double xi = line.entry() + (line.exit() - line.entry()) * (n + 0.5) / steps;
+    sum += std::abs(xi) / static_cast<double>(line.contact_positions(xi).size());
+  }
+  sum *= (line.exit() - line.entry()) / steps;
+  EXPECT_NEAR(line.loss_factor(), (1.0 + line.speed_ratio()) * sum / (line.base_radius_pinion() * line.base_pitch()),
+              1e-5);
+}
+
 TEST(LineOfAction, pitch_radius_has_its_closed_form) {
   // R_x* = R_b1 tan(alpha')/(1+tau)
   const LineOfAction line(table3::gear_pair());

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gearfilm/dynamics/figure.hpp"
+#include "gearfilm/traction/film_heat.hpp"
 
 namespace gearfilm {
 
@@ -33,6 +34,27 @@ inline constexpr ContactField pressure{.name = "pressure", .dataset = "P", .unit
 inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = units::metre};
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
+
+/// What follows from a film for friction and heat: of results only.
+struct OfTraction {
+  ContactField field;
+  std::vector<double> TractionFields::*values;
+};
+
+constexpr OfTraction of_traction(std::string_view name, Unit unit, std::vector<double> TractionFields::*values) {
+  return {{.name = name, .dataset = name, .unit = unit, .compared = false}, values};
+}
+
+inline constexpr auto traction =
+    std::to_array<OfTraction>({of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress),
+                               of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion),
+                               of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel),
+                               of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean),
+                               of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
+                               of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
+                               of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
+                               of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel)});
+
 inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field
 
@@ -40,6 +62,9 @@ inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, ra
 constexpr ContactField field_named(std::string_view name) {
   for (const ContactField& known : field::all) {
     if (known.name == name) return known;
+  }
+  for (const field::OfTraction& known : field::traction) {
+    if (known.field.name == name) return known.field;
   }
   return {.name = name, .dataset = name};
 }

@@ -1,9 +1,12 @@
 // The table of a contact's figures, one record each: a new figure is a new record (figure.hpp).
 #pragma once
 
+#include <optional>
+
 #include "gearfilm/dynamics/figure.hpp"
 #include "gearfilm/dynamics/meshed_contact.hpp"
 #include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/traction/traction.hpp"
 
 namespace gearfilm {
 
@@ -12,8 +15,16 @@ struct ContactMoment {
   const Scales& scales;
   MeshedContact contact;
   FilmFigures film;  ///< of a dry contact: its pressure integral and pressures only
+  TractionFigures traction{};
+  std::optional<double> roughness{};  ///< of both flanks together [m]
 };
 
+/// Which figures there are.
+Given given_figures(bool lubricated, const std::optional<TractionModel>& traction,
+                    const std::optional<double>& roughness);
+
+/// h_min/Rq; zero without roughness.
+double film_ratio(const ContactMoment& at);
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const ContactMoment& at);
 inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
@@ -67,15 +78,99 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
     {.name = "sliding_velocity",
      .symbol = "u_1 - u_2",
      .unit = units::velocity,
-     .value = [](const ContactMoment& at) { return at.contact.sliding.value(); },
+     .value = [](const ContactMoment& at) { return at.contact.sliding; },
      .meaning = "surface velocity of the pinion less that of the wheel: negative before the pitch point, positive "
                 "behind it",
-     .needs = Needs::gears,
      .reduced = {{{"sliding_velocity_max", Reduction::largest, units::velocity,
                    "largest sliding velocity, of a contact behind the pitch point", Shown::everywhere},
                   {"sliding_velocity_min", Reduction::smallest, units::velocity,
                    "smallest sliding velocity, negative where a contact is before the pitch point",
                    Shown::everywhere}}}},
+    {.name = "lambda",
+     .symbol = "h_min/Rq",
+     .value = film_ratio,
+     .meaning = "smallest film over the roughness of both flanks together",
+     .needs = Needs::roughness,
+     .reduced = {{{"lambda_min", Reduction::smallest, units::number, "smallest film over the roughness",
+                   Shown::everywhere}}}},
+    {.name = "friction_force",
+     .symbol = "F_s",
+     .unit = units::si_newton,
+     .value = [](const ContactMoment& at) { return at.traction.sliding_force; },
+     .meaning = "force of sliding friction, with the sign of the sliding velocity",
+     .needs = Needs::friction},
+    {.name = "friction_coefficient",
+     .symbol = "mu",
+     .value = [](const ContactMoment& at) { return at.traction.coefficient; },
+     .meaning = "that over the force on the contact",
+     .needs = Needs::friction},
+    {.name = "power_sliding",
+     .symbol = "u_s F_s",
+     .unit = units::watt,
+     .value = [](const ContactMoment& at) { return at.traction.power_sliding; },
+     .meaning = "power lost by sliding",
+     .needs = Needs::friction},
+    {.name = "power_rolling",
+     .symbol = "2 u_m F_r",
+     .unit = units::watt,
+     .value = [](const ContactMoment& at) { return at.traction.power_rolling; },
+     .meaning = "power lost by rolling: of the oil that pressure drives",
+     .needs = Needs::friction},
+    {.name = "flash_temperature",
+     .symbol = "T_f",
+     .unit = units::kelvin,
+     .value = [](const ContactMoment& at) { return at.traction.flash; },
+     .meaning = "largest rise of the surfaces if both were equally warm and took all heat of sliding",
+     .needs = Needs::friction},
+    {.name = "surface_temperature_pinion",
+     .symbol = "T_1",
+     .unit = units::kelvin,
+     .value = [](const ContactMoment& at) { return at.traction.surface_pinion; },
+     .meaning = "largest temperature of the pinion's flank",
+     .needs = Needs::heat,
+     .reduced = {{{"surface_temperature_pinion_max", Reduction::largest, units::kelvin,
+                   "largest temperature of the pinion's flank", Shown::everywhere}}}},
+    {.name = "surface_temperature_wheel",
+     .symbol = "T_2",
+     .unit = units::kelvin,
+     .value = [](const ContactMoment& at) { return at.traction.surface_wheel; },
+     .meaning = "largest temperature of the wheel's flank",
+     .needs = Needs::heat,
+     .reduced = {{{"surface_temperature_wheel_max", Reduction::largest, units::kelvin,
+                   "largest temperature of the wheel's flank", Shown::everywhere}}}},
+    {.name = "film_temperature_max",
+     .symbol = "T",
+     .unit = units::kelvin,
+     .value = [](const ContactMoment& at) { return at.traction.film_max; },
+     .meaning = "largest temperature in the film",
+     .needs = Needs::heat,
+     .reduced = {{{"film_temperature_max", Reduction::largest, units::kelvin, "largest temperature in the film",
+                   Shown::everywhere}}}},
+    {.name = "film_temperature_mean_max",
+     .symbol = "T",
+     .unit = units::kelvin,
+     .value = [](const ContactMoment& at) { return at.traction.film_mean; },
+     .meaning = "largest temperature of the film, each place's mean across it",
+     .needs = Needs::heat},
+    {.name = "heat_pinion",
+     .unit = units::watt,
+     .value = [](const ContactMoment& at) { return at.traction.heat_pinion; },
+     .meaning = "heat from the film into the pinion",
+     .needs = Needs::heat},
+    {.name = "heat_wheel",
+     .unit = units::watt,
+     .value = [](const ContactMoment& at) { return at.traction.heat_wheel; },
+     .meaning = "heat from the film into the wheel",
+     .needs = Needs::heat},
+    {.name = "heat_oil",
+     .unit = units::watt,
+     .value = [](const ContactMoment& at) { return at.traction.heat_oil; },
+     .meaning = "heat that the oil takes away",
+     .needs = Needs::heat},
+    {.name = "heat_balance",
+     .value = [](const ContactMoment& at) { return at.traction.heat_balance; },
+     .meaning = "heat that is made in the film and goes nowhere, over all that is made",
+     .needs = Needs::heat},
 });
 
 /// A figure by its name: one that does not exist ends the compilation.
@@ -92,7 +187,7 @@ struct ContactFigures {
   double operator[](ContactFigureName name) const { return values[name.place]; }
 };
 
-/// All that the moment has. Those of gears are zero for a bare contact.
+/// All of them; those that nothing was given for are zero.
 ContactFigures figures_of(const ContactMoment& at);
 
 /// What the film itself gave, out of the figures.

@@ -2,7 +2,7 @@
 //
 // The records stand in contact_figures.hpp and step_figures.hpp. Columns of the history, their units, the journal, the
 // figures of mesh periods, summaries, the columns of a sweep and docs/results.md follow from them. Values are
-// dimensionless; the unit of a record leads to SI.
+// dimensionless, those of friction and heat SI; the unit of a record leads to SI.
 #pragma once
 
 #include <array>
@@ -30,13 +30,19 @@ inline constexpr Unit pascal{"Pa", [](const Scales& scales, double value) { retu
 inline constexpr Unit newton{"N", [](const Scales& scales, double value) { return scales.force(value); }};
 /// A force over the static force.
 inline constexpr Unit static_force{"-", [](const Scales& scales, double value) { return value / scales.static_force; }};
+// Of values that are in SI as they are.
+inline constexpr Unit si_newton{"N", [](const Scales&, double value) { return value; }};
+inline constexpr Unit si_pascal{"Pa", [](const Scales&, double value) { return value; }};
+inline constexpr Unit heat_flux{"W/m^2", [](const Scales&, double value) { return value; }};
+inline constexpr Unit watt{"W", [](const Scales&, double value) { return value; }};
+inline constexpr Unit kelvin{"K", [](const Scales&, double value) { return value; }};
 inline constexpr Unit velocity{
     "m/s", [](const Scales& scales, double value) { return scales.operation.entrainment_velocity * value; }};
 }  // namespace units
 
 /// What a mesh period keeps of a figure. at_pitch: at the step nearest xi = 0; at_entry: at the first step after the
-/// last entry.
-enum class Reduction { largest, smallest, sum, steps, last, at_pitch, at_entry };
+/// last entry; mean: in time, of the sum over contacts.
+enum class Reduction { largest, smallest, sum, steps, last, at_pitch, at_entry, mean };
 
 /// Where the figure of a mesh period is shown besides: nowhere, in the summary of a march over all its periods, in the
 /// table of a sweep, or both.
@@ -55,7 +61,31 @@ struct Reduced {
 };
 
 /// What there must be for a figure to have a value.
-enum class Needs { nothing, film, gears };
+enum class Needs { nothing, film, friction, heat, roughness };
+
+/// What there is: a film, friction on it, heat in it, roughness of the flanks.
+struct Given {
+  bool film = true;
+  bool friction = false;
+  bool heat = false;
+  bool roughness = false;
+
+  constexpr bool has(Needs needs) const {
+    switch (needs) {
+      case Needs::film:
+        return film;
+      case Needs::friction:
+        return film && friction;
+      case Needs::heat:
+        return film && heat;
+      case Needs::roughness:
+        return film && roughness;
+      case Needs::nothing:
+        break;
+    }
+    return true;
+  }
+};
 
 template <class Source>
 struct Figure {

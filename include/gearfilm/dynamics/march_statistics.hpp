@@ -29,7 +29,8 @@ public:
   /// Contact counts as lost below 0.02 of the static force F*.
   MarchStatistics(double mesh_period, double static_force) : mesh_period_(mesh_period), static_force_(static_force) {}
 
-  void add(const StepRecord& record, bool lubricated);
+  /// given: which figures there are.
+  void add(const StepRecord& record, const Given& given);
 
   const std::vector<PeriodFigures>& periods() const { return periods_; }
   const std::vector<MeshEvent>& events() const { return events_; }
@@ -40,15 +41,20 @@ public:
 private:
   void add_events(const StepRecord& record);
   void add_loss(const StepRecord& record);
-  void add_to_period(const StepRecord& record, bool lubricated);
-  void add_contact(const ContactRecord& contact, bool lubricated, PeriodFigures& period);
+  void add_to_period(const StepRecord& record, const Given& given);
+  void add_contact(const ContactRecord& contact, const Given& given, PeriodFigures& period);
+
+  /// Mean in time over the present period, by the trapezoidal rule.
+  void add_to_mean(std::optional<double>& mean, std::size_t figure, double value, double dT);
 
   double mesh_period_;
   double static_force_;
   std::vector<PeriodFigures> periods_;
   std::vector<MeshEvent> events_;
   std::vector<ContactLoss> losses_;
-  std::vector<int> present_;  ///< contacts of the last record
+  std::array<double, step_figures.size()> last_{};  ///< values of the last record
+  double elapsed_ = 0.0;                            ///< of the present period, before the last step
+  std::vector<int> present_;                        ///< contacts of the last record
   bool lost_ = false;
   std::optional<int> entered_;   ///< contact whose first step is still to come
   double pitch_distance_ = 0.0;  ///< |xi| of the nearest contact of the present period so far [m]

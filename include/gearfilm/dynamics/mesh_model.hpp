@@ -6,12 +6,14 @@
 #include <optional>
 #include <span>
 
+#include "gearfilm/dynamics/contact_figures.hpp"
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/meshed_contact.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/ehl/compliance.hpp"
 #include "gearfilm/gear/teeth.hpp"
+#include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
 
@@ -21,8 +23,10 @@ struct MeshModel {
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
-  int pattern = 1;  ///< mesh periods after which the same teeth meet again
-  int order = 1;    ///< patterns after which a periodic motion repeats
+  std::optional<TractionModel> traction{};  ///< absent: no friction is computed
+  std::optional<double> roughness{};        ///< of both flanks together [m]
+  int pattern = 1;                          ///< mesh periods after which the same teeth meet again
+  int order = 1;                            ///< patterns after which a periodic motion repeats
 
   /// A contact at time T, and one at a place xi [m].
   MeshedContact contact(int number, double T) const { return contact_at(number, path.position(number, T)); }
@@ -31,6 +35,9 @@ struct MeshModel {
   Compliance compliance(std::span<const int> numbers, double T) const;
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
+
+  /// Which figures there are.
+  Given given(bool lubricated) const { return given_figures(lubricated, traction, roughness); }
 
   /// Of a periodic motion, in mesh periods and in T, and its next beginning from T on.
   int periods() const { return order * pattern; }
@@ -52,6 +59,9 @@ struct MeshModel {
   double frequency_si() const { return frequency() / scales.time; }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
+
+  /// By the static force [W].
+  double transmitted_power() const { return scales.operation.load * path.line().travel_velocity(path.pinion_speed()); }
 
   /// [N/m]: c[-] = c[m/N] p_h R_x*.
   double compliance_scale() const { return scales.pressure * scales.solids.radius_x; }

@@ -3,18 +3,20 @@
 //   Rbar = R_x(xi)/R_x* ,   U = u_m(xi)/u_m* ,   sliding (u_1 - u_2)(xi)/u_m*          line_of_action.hpp, scales.hpp
 #pragma once
 
-#include <optional>
-
 #include "gearfilm/ehl/contact_conditions.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
+#include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
 
 struct MeshedContact {
   double position = 0.0;  ///< xi [m]
   ContactConditions conditions;
-  std::optional<double> sliding;  ///< absent for a bare contact
+  double sliding = 0.0;  ///< (u_1 - u_2)/u_m* [-]
 };
+
+/// In SI.
+SurfaceVelocities velocities_of(const Scales& scales, const MeshedContact& contact);
 
 /// Beyond either end of the path of contact the conditions are those of the end.
 MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, double pinion_speed, double xi);

@@ -28,11 +28,12 @@ struct ContactRecord {
   ContactFigures figures;
 };
 
-/// The record of a contact of which the film, or the dry contact, gave these figures at time T.
-ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& film);
-/// The same of several.
+/// The record of a dry contact that gave these figures at time T.
+ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures);
+/// Of the contacts of these numbers, on films at their present state and with their figures. Collective.
 std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<int>& numbers, double T,
-                                           const std::vector<FilmFigures>& films);
+                                           const std::vector<ContactFilm*>& films,
+                                           const std::vector<FilmFigures>& figures);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -45,9 +46,15 @@ struct StepRecord {
   double wall_seconds = 0.0;
   bool recalled = false;  ///< computed by an earlier program (march_keeper.hpp): its films are not at hand
 
-  double pressure_integral() const {
+  double pressure_integral() const { return sum_of("force"); }
+  /// Lost by sliding and by rolling [W].
+  double power_sliding() const { return sum_of("power_sliding"); }
+  double power_rolling() const { return sum_of("power_rolling"); }
+
+private:
+  double sum_of(ContactFigureName figure) const {
     double sum = 0.0;
-    for (const ContactRecord& contact : contacts) sum += contact.figures["force"];
+    for (const ContactRecord& contact : contacts) sum += contact.figures[figure];
     return sum;
   }
 };

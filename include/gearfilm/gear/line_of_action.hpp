@@ -41,6 +41,11 @@ public:
   /// Velocity of the contact along the line of action, d(xi)/dt [m/s].
   double travel_velocity(double pinion_speed) const;
 
+  /// H_v: power lost by sliding over the power transmitted and a friction coefficient that is the same everywhere,
+  /// while n contacts share the load equally: (1+tau)/(R_b1 p_b) Int |xi|/n d(xi). For 1 <= eps <= 2 that is
+  /// Ohlendorf's pi (u+1)/(Z_1 u) (1 - eps + eps_1^2 + eps_2^2), u = Z_2/Z_1, eps_1 = xi_e/p_b, eps_2 = -xi_s/p_b.
+  double loss_factor() const;
+
   /// Positions of all contacts when one of them is at xi: xi + n p_b within [entry, exit], leading
   /// (largest) first; an end of the path counts despite round-off. Empty only if no such position exists.
   std::vector<double> contact_positions(double xi) const;

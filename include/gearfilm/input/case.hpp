@@ -19,6 +19,7 @@
 #include "gearfilm/input/sweep_options.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
 
@@ -98,6 +99,9 @@ struct Case {
   std::string name;
   CaseKind kind = CaseKind::gear_pair;
   PairCase pair;
+  std::optional<TractionModel> traction;  ///< absent: no friction is computed
+  std::optional<double> roughness;        ///< of both flanks together [m]
+  std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   NumericsCase numerics;
   SteadyCase steady;

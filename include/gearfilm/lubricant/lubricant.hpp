@@ -26,6 +26,8 @@ struct Lubricant {
 /// Throws InputError unless eta_0 and alpha_B are positive and, for Roelands, ln eta_0 + 9.67 > 0.
 void check(const Lubricant& oil);
 
+/// c = ln eta_0 + 9.67 of Roelands' law [-].
+double roelands_span(const Lubricant& oil);
 /// Roelands' exponent z [-].
 double roelands_exponent(const Lubricant& oil);
 

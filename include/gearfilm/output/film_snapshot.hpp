@@ -28,7 +28,7 @@ struct FilmSnapshot {
   GridShape shape{};  ///< of the grid that they are on
 };
 
-/// Copies the fields of a step that have a dataset in the results.
-FilmSnapshot film_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
+/// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
+FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
 
 }  // namespace gearfilm

@@ -44,7 +44,7 @@ public:
 
 private:
   const MeshModel& mesh_;
-  bool lubricated_;
+  Given given_;
   ResultsTable steps_;
   ResultsTable contacts_;
   int step_ = 0;

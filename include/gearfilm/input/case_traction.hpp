@@ -1,0 +1,20 @@
+// Friction, heat and roughness of a case.
+#pragma once
+
+#include <optional>
+
+#include "gearfilm/input/parameter_values.hpp"
+#include "gearfilm/traction/traction_model.hpp"
+
+namespace gearfilm {
+
+/// Absent where no law of friction is given. Throws InputError for laws without what they need.
+std::optional<TractionModel> read_traction(const ParameterValues& values);
+
+/// Absent where lubricant.temperature_viscosity is.
+std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values);
+
+/// sqrt(Rq_1^2 + Rq_2^2) [m]; absent where neither flank has a roughness.
+std::optional<double> read_roughness(const ParameterValues& values);
+
+}  // namespace gearfilm

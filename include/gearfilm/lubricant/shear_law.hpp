@@ -1,0 +1,49 @@
+// Shear laws of the oil: how fast it shears under a stress, and the mean shear stress that drags one surface past the
+// other.
+//
+//   gamma' = g(tau)/eta(p, T),  tau(z) = tau_m + (z - h/2) p_x,  u_s = Int_0^h gamma' dz
+//   newtonian   g = tau                                    tau_m = eta u_s/h
+//   eyring      g = tau_0 sinh(tau/tau_0)                  tau_m = tau_0 asinh[(eta u_s/(h tau_0)) S/sinh S]
+//   carreau     g = tau (1 + (tau/G)^2)^((1/n-1)/2)        tau_m by Newton's method
+//   coulomb     -                                          tau_m = mu_c p
+// with S = h p_x/(2 tau_0), and |tau_m| <= max(tau_L0, Lambda p). Eyring: Johnson and Tevaarwerk 1977
+// (doi 10.1098/rspa.1977.0129), with a pressure gradient Conry, Wang and Cusano 1987 (doi 10.1115/1.3261551);
+// Carreau's law in terms of stress and the limit in proportion to pressure as Bair uses them. No source was looked up:
+// the formulas follow from the laws, which stand above.
+//
+// eta spans more decades than a double has: its logarithm is what goes in.
+#pragma once
+
+#include <cstdint>
+
+namespace gearfilm {
+
+enum class ShearLawKind : std::uint8_t { newtonian, eyring, carreau, coulomb };
+
+struct ShearLaw {
+  ShearLawKind kind = ShearLawKind::eyring;
+  double eyring_stress = 8e6;     ///< tau_0 [Pa]
+  double carreau_modulus = 8e6;   ///< G [Pa]
+  double carreau_exponent = 0.6;  ///< n [-]
+  double coefficient = 0.0;       ///< mu_c of coulomb [-]
+  double limiting_ratio = 0.045;  ///< Lambda [-]; 0: no limit
+  double limiting_stress = 5e6;   ///< tau_L0 [Pa]
+
+  /// tau_L at a pressure [Pa]; infinite without limit.
+  double limit(double pressure) const;
+};
+
+/// A mean stress and how it follows the shear rate.
+struct MeanShear {
+  double stress = 0.0;   ///< tau_m >= 0 [Pa]
+  double by_rate = 0.0;  ///< d tau_m/d ln(eta u_s/h) [Pa]; 0 at the limit
+};
+
+/// tau_m of a film of uniform viscosity, from ln(eta |u_s|/h), the shear stress that a Newtonian oil would have
+/// [ln Pa]; h p_x/2 [Pa], of either sign; and the pressure [Pa], which limits it. The sign of tau_m is that of u_s.
+MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure);
+
+/// g(tau) [Pa], of a stress of either sign; not of coulomb.
+double fluidity(const ShearLaw& law, double stress);
+
+}  // namespace gearfilm

@@ -1,0 +1,37 @@
+// Heat in the film of one contact: the energy equation across it, marched along the entrainment, between surfaces that
+// the heat warms as they pass.
+//
+// The equation across the film stands in across_film.hpp. Here: upwind along x; the Poiseuille flow and its heat as
+// Reynolds' equation fixed them, q_P = -h^3 p_x/(12 eta(p, T_0)), Phi = (z - h/2)^2 p_x^2/eta(p, T_0); the surfaces by
+// moving_source.hpp, implicit in the heat at the place itself. The film does not feel the heat. u(z) carries the mass
+// flow rho (u_m h + q_P), a tenth of rho u_m h at least. Where the film is torn the oil that went past the last wet
+// node fills a part of the gap, and conducts by that part. Oil enters with T_0, surfaces with the temperatures of
+// their bodies. Stationary: in a march, that of the film at the moment.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/traction/traction_model.hpp"
+
+namespace gearfilm {
+
+/// Compact fields of a contact's own nodes, SI.
+struct TractionFields {
+  std::vector<double> shear_stress;  ///< tau_m, of the sign of u_s [Pa]
+  // With heat only; empty without.
+  std::vector<double> temperature_pinion;  ///< [K]
+  std::vector<double> temperature_wheel;
+  std::vector<double> temperature_mean;  ///< over the film
+  std::vector<double> temperature_mid;   ///< at z = h/2
+  std::vector<double> temperature_max;   ///< across the film
+  std::vector<double> heat_flux_pinion;  ///< from the film [W/m^2]
+  std::vector<double> heat_flux_wheel;
+  std::vector<double> heat_generated;  ///< in the film [W/m^2]
+  std::vector<double> heat_carried;    ///< away by the oil [W/m^2]
+};
+
+/// Of the film at its present state. Throws SolveError where a temperature is not found.
+TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
+
+}  // namespace gearfilm

@@ -1,0 +1,31 @@
+// The film along one line of nodes across the entrainment, in SI units, as shear and heat need it.
+#pragma once
+
+#include <vector>
+
+#include "gearfilm/ehl/contact_film.hpp"
+
+namespace gearfilm {
+
+struct FilmLine {
+  explicit FilmLine(const ContactFilm& film);
+
+  /// Line i of the film at its present state.
+  void load(int i);
+
+  std::vector<double> pressure;       ///< p [Pa]
+  std::vector<double> thickness;      ///< h [m]
+  std::vector<double> log_viscosity;  ///< ln(eta/1 Pa s) at the oil's reference temperature
+  std::vector<double> density;        ///< rho/rho_0
+  std::vector<double> gradient;       ///< dp/dx [Pa/m], central
+  std::vector<char> wet;              ///< p > 0
+
+private:
+  template <ViscosityLaw law>
+  void set_viscosity();
+
+  const ContactFilm& film_;
+  OilLaws laws_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,107 @@
+#include "gearfilm/input/case_traction.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Keys of both bodies: sections pinion and wheel of a pair, section contact of a bare contact.
+std::array<std::string, 2> body_keys(const ParameterValues& values, const std::string& name) {
+  if (values.text("case.kind") == "contact") return {"contact." + name + "_1", "contact." + name + "_2"};
+  return {"pinion." + name, "wheel." + name};
+}
+
+ShearLawKind law_named(const std::string& name) {
+  if (name == "newtonian") return ShearLawKind::newtonian;
+  if (name == "carreau") return ShearLawKind::carreau;
+  return name == "coulomb" ? ShearLawKind::coulomb : ShearLawKind::eyring;
+}
+
+ShearLaw read_law(const ParameterValues& values) {
+  ShearLaw law{.kind = law_named(values.text("friction.law")),
+               .eyring_stress = values.real("friction.eyring_stress"),
+               .carreau_modulus = values.real("friction.carreau_modulus"),
+               .carreau_exponent = values.real("friction.carreau_exponent"),
+               .limiting_ratio = values.real("friction.limiting_ratio"),
+               .limiting_stress = values.real("friction.limiting_stress")};
+  if (law.kind != ShearLawKind::coulomb) return law;
+  if (!values.has("friction.coefficient")) {
+    throw InputError(values.origin("friction.law") +
+                     ": 'friction.law' is coulomb, but 'friction.coefficient' is missing; give a number in [0, 1]");
+  }
+  law.coefficient = values.real("friction.coefficient");
+  return law;
+}
+
+HeatOptions read_heat(const ParameterValues& values) {
+  const std::optional<ThermalOil> oil = read_thermal_oil(values);
+  if (!oil) {
+    throw InputError(values.origin("thermal.model") + ": 'thermal.model' is " + values.text("thermal.model") +
+                     ", but 'lubricant.temperature_viscosity' is missing; give -d ln eta/dT in 1/K (about 0.04 for a "
+                     "mineral oil)");
+  }
+  return {.oil = *oil, .points = values.integer("thermal.points")};
+}
+
+// A surface that stands still or runs against the film is warmed by what lies before it.
+void check_sliding(const ParameterValues& values) {
+  const std::string sliding = "contact.sliding_velocity";
+  if (values.text("case.kind") != "contact") return;
+  const double largest = 2.0 * values.real("contact.entrainment_velocity");
+  if (std::abs(values.real(sliding)) < largest) return;
+  throw InputError(values.origin(sliding) + ": '" + sliding + "' is " + format_value(values.real(sliding)) +
+                   " m/s, at which one surface stands still or moves backwards; give less than twice "
+                   "contact.entrainment_velocity, " +
+                   format_value(largest) + " m/s");
+}
+
+}  // namespace
+
+std::optional<TractionModel> read_traction(const ParameterValues& values) {
+  const bool heated = values.text("thermal.model") != "none";
+  if (values.text("friction.law") == "none") {
+    if (!heated) return {};
+    throw InputError(values.origin("thermal.model") + ": 'thermal.model' is " + values.text("thermal.model") +
+                     ", but 'friction.law' is none; give the law that makes the heat");
+  }
+  check_sliding(values);
+  TractionModel model;
+  model.law = read_law(values);
+  const std::array<std::string, 2> conductivity = body_keys(values, "conductivity");
+  const std::array<std::string, 2> density = body_keys(values, "density");
+  const std::array<std::string, 2> heat_capacity = body_keys(values, "heat_capacity");
+  const std::array<std::string, 2> bulk = {"thermal.bulk_pinion", "thermal.bulk_wheel"};
+  for (std::size_t k = 0; k < bulk.size(); ++k) {
+    model.bodies[k] = {.temperature = values.has(bulk[k]) ? values.real(bulk[k]) : values.real("thermal.temperature"),
+                       .conductivity = values.real(conductivity[k]),
+                       .density = values.real(density[k]),
+                       .heat_capacity = values.real(heat_capacity[k])};
+  }
+  if (heated) model.heat = read_heat(values);
+  return model;
+}
+
+std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values) {
+  if (!values.has("lubricant.temperature_viscosity")) return {};
+  return ThermalOil{.temperature = values.real("thermal.temperature"),
+                    .temperature_viscosity = values.real("lubricant.temperature_viscosity"),
+                    .conductivity = values.real("lubricant.conductivity"),
+                    .conductivity_pressure_1 = values.real("lubricant.conductivity_pressure_1"),
+                    .conductivity_pressure_2 = values.real("lubricant.conductivity_pressure_2"),
+                    .density = values.real("lubricant.density"),
+                    .heat_capacity = values.real("lubricant.heat_capacity")};
+}
+
+std::optional<double> read_roughness(const ParameterValues& values) {
+  std::optional<double> squares;
+  for (const std::string& key : body_keys(values, "roughness")) {
+    if (values.has(key)) squares = squares.value_or(0.0) + values.real(key) * values.real(key);
+  }
+  if (!squares || *squares == 0.0) return {};
+  return std::sqrt(*squares);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,84 @@
+// What friction and heat in the films depend on.
+#include <algorithm>
+#include <iterator>
+
+#include "gearfilm/input/parameter_records.hpp"
+#include "gearfilm/traction/traction_model.hpp"
+
+namespace gearfilm {
+namespace {
+
+Records friction_records() {
+  const ShearLaw standard;
+  return section(
+      "friction", Scope::any,
+      {choice("law", {"none", "newtonian", "eyring", "carreau", "coulomb"},
+              "how the oil gives way to shear: no friction is computed; in proportion to stress; by Eyring's sinh; by "
+              "Carreau's power; a given coefficient of friction"),
+       preset(standard.eyring_stress, number("eyring_stress", "tau_0", "Pa", left_open(1e5, 1e8),
+                                             "eyring: stress at which the oil begins to thin (an assumption)")),
+       preset(standard.carreau_modulus, number("carreau_modulus", "G", "Pa", left_open(1e3, 1e9),
+                                               "carreau: stress at which the oil begins to thin (an assumption)")),
+       preset(standard.carreau_exponent,
+              number("carreau_exponent", "n", "-", left_open(0.1, 1), "carreau: exponent (an assumption)")),
+       preset(standard.limiting_ratio, number("limiting_ratio", "Lambda", "-", closed(0, 0.5),
+                                              "largest shear stress over pressure; 0: no limit (an assumption)")),
+       preset(standard.limiting_stress, number("limiting_stress", "tau_L0", "Pa", closed(0, 1e9),
+                                               "below which the shear stress is not limited (an assumption)")),
+       optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient"))});
+}
+
+Records thermal_records() {
+  const HeatOptions standard;
+  const Range kelvin = closed(200, 800);
+  return section(
+      "thermal", Scope::any,
+      {choice("model", {"none", "friction"},
+              "heat: the film is as warm everywhere; the energy equation across the film makes temperatures and "
+              "friction, but the film does not feel them"),
+       preset(standard.oil.temperature,
+              number("temperature", "T_0", "K", kelvin, "of the oil that enters, at which lubricant.viscosity holds")),
+       optional("thermal.temperature",
+                number("bulk_pinion", "T_b1", "K", kelvin, "temperature of the pinion's teeth, or of body 1")),
+       optional("thermal.temperature",
+                number("bulk_wheel", "T_b2", "K", kelvin, "temperature of the wheel's teeth, or of body 2")),
+       preset(standard.points, whole("points", "N_z", odd(5, 129), "points across the film"))});
+}
+
+}  // namespace
+
+std::vector<Parameter> heated_body_records(const std::string& subscript, const std::string& ending) {
+  const HeatedBody steel;
+  return {
+      preset(steel.conductivity,
+             number("conductivity" + ending, "k_" + subscript, "W/(m K)", closed(0.01, 1000), "thermal conductivity")),
+      preset(steel.density, number("density" + ending, "rho_" + subscript, "kg/m^3", closed(100, 30000), "density")),
+      preset(steel.heat_capacity, number("heat_capacity" + ending, "c_" + subscript, "J/(kg K)", closed(50, 10000),
+                                         "specific heat capacity")),
+      optional("smooth", number("roughness" + ending, "Rq_" + subscript, "m", closed(0, 1e-4),
+                                "roughness of the flank, root mean square"))};
+}
+
+std::vector<Parameter> thermal_oil_records() {
+  const ThermalOil standard;
+  return {optional("needed by thermal.model", number("temperature_viscosity", "beta", "1/K", closed(0.001, 0.2),
+                                                     "-d ln eta/dT at thermal.temperature and ambient pressure")),
+          preset(standard.conductivity, number("conductivity", "k_0", "W/(m K)", left_open(0.01, 10),
+                                               "thermal conductivity at ambient pressure (an assumption)")),
+          preset(standard.conductivity_pressure_1, number("conductivity_pressure_1", "c_1", "1/Pa", closed(0, 1e-8),
+                                                          "k = k_0 (1 + c_1 p/(1 + c_2 p)) (an assumption)")),
+          preset(standard.conductivity_pressure_2,
+                 number("conductivity_pressure_2", "c_2", "1/Pa", closed(0, 1e-8), "see c_1 (an assumption)")),
+          preset(standard.density,
+                 number("density", "rho_0", "kg/m^3", closed(100, 10000), "at ambient pressure (an assumption)")),
+          preset(standard.heat_capacity,
+                 number("heat_capacity", "c", "J/(kg K)", closed(100, 10000), "specific heat (an assumption)"))};
+}
+
+std::vector<Parameter> traction_records() {
+  Records all = friction_records();
+  std::ranges::move(thermal_records(), std::back_inserter(all));
+  return all;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,121 @@
+#include "gearfilm/lubricant/shear_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gearfilm {
+namespace {
+
+constexpr double beyond_exp = 30.0;  // asinh(e^A) = A + ln 2 to the last digit
+
+/// ln(sinh S/S), S of either sign.
+double log_sinhc(double S) {
+  const double s = std::abs(S);
+  if (s < 0.01) return s * s / 6.0;
+  return s + std::log1p(-std::exp(-2.0 * s)) - std::log(2.0 * s);
+}
+
+/// asinh(e^A) and its derivative.
+MeanShear asinh_of_exp(double A) {
+  if (A > beyond_exp) return {A + std::numbers::ln2, 1.0};
+  const double e = std::exp(A);
+  return {std::asinh(e), e / std::sqrt(1.0 + e * e)};
+}
+
+/// ln g of Carreau's law and d ln g/d ln tau, of a stress given as ln(tau/G); ln g is relative to G too.
+MeanShear log_carreau(const ShearLaw& law, double log_stress) {
+  const double power = 1.0 / law.carreau_exponent - 1.0;
+  // ln sqrt(1 + t^2) without overflow.
+  const double larger = std::max(log_stress, 0.0), t = std::exp(-2.0 * std::abs(log_stress));
+  const double log_root = larger + 0.5 * std::log1p(t);
+  const double share = 1.0 / (1.0 + std::exp(-2.0 * log_stress));  // t^2/(1 + t^2)
+  return {log_stress + power * log_root, 1.0 + power * share};
+}
+
+/// Mean of g over the film and its derivative by tau_m, in units of G: with t from b = tau_m - |S| to a = tau_m + |S|,
+/// Int t (1+t^2)^(q-1) dt = [(1+a^2)^q - (1+b^2)^q]/(2 q), and a^2 - b^2 = 4 tau_m |S|.
+MeanShear carreau_mean(const ShearLaw& law, double mean, double gradient) {
+  const double q = 0.5 * (1.0 / law.carreau_exponent + 1.0);
+  const double a = mean + gradient, b = mean - gradient, low = 1.0 + b * b;
+  const double integral = std::pow(low, q) * std::expm1(q * std::log1p(4.0 * mean * gradient / low)) / (2.0 * q);
+  const double slope = a * std::pow(1.0 + a * a, q - 1.0) - b * std::pow(low, q - 1.0);
+  return {integral / (2.0 * gradient), slope / (2.0 * gradient)};
+}
+
+/// tau_m/G of Carreau's law.
+MeanShear carreau_shear(const ShearLaw& law, double log_newtonian, double half_gradient) {
+  const double wanted = log_newtonian - std::log(law.carreau_modulus),
+               S = std::abs(half_gradient) / law.carreau_modulus;
+  // Without gradient, which the law's two asymptotes enclose: their smaller one lies above.
+  double log_stress = std::min(wanted, law.carreau_exponent * wanted);
+  for (int n = 0; n < 60; ++n) {
+    const MeanShear log_g = log_carreau(law, log_stress);
+    const double change = (wanted - log_g.stress) / log_g.by_rate;
+    log_stress += change;
+    if (std::abs(change) < 1e-14 * (1.0 + std::abs(log_stress))) break;
+  }
+  const double alone = std::exp(log_stress);
+  if (S < 1e-6 * (1.0 + alone)) return {alone, alone / log_carreau(law, log_stress).by_rate};
+  // The mean of g over the film grows with tau_m from zero, and with the gradient: the answer lies below.
+  const double rate = std::exp(wanted);
+  double mean = alone, low = 0.0, high = alone;
+  MeanShear now = carreau_mean(law, mean, S);
+  for (int n = 0; n < 200; ++n) {
+    (now.stress > rate ? high : low) = mean;
+    const double newton =
+        std::exp(std::log(mean) + (std::log(rate) - std::log(now.stress)) * now.stress / (mean * now.by_rate));
+    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    const double change = next - mean;
+    mean = next;
+    now = carreau_mean(law, mean, S);
+    if (std::abs(change) < 1e-14 * mean) break;
+  }
+  return {mean, rate / now.by_rate};
+}
+
+MeanShear unlimited(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure) {
+  switch (law.kind) {
+    case ShearLawKind::newtonian: {
+      const double stress = std::exp(log_newtonian);
+      return {stress, stress};
+    }
+    case ShearLawKind::eyring: {
+      const double tau_0 = law.eyring_stress;
+      const MeanShear relative = asinh_of_exp(log_newtonian - std::log(tau_0) - log_sinhc(half_gradient / tau_0));
+      return {tau_0 * relative.stress, tau_0 * relative.by_rate};
+    }
+    case ShearLawKind::carreau: {
+      const MeanShear relative = carreau_shear(law, log_newtonian, half_gradient);
+      return {law.carreau_modulus * relative.stress, law.carreau_modulus * relative.by_rate};
+    }
+    case ShearLawKind::coulomb:
+      break;
+  }
+  return {law.coefficient * pressure, 0.0};
+}
+
+}  // namespace
+
+double ShearLaw::limit(double pressure) const {
+  if (kind == ShearLawKind::coulomb || limiting_ratio == 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(limiting_stress, limiting_ratio * pressure);
+}
+
+MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure) {
+  const MeanShear free = unlimited(law, log_newtonian, half_gradient, pressure);
+  const double limit = law.limit(pressure);
+  return free.stress < limit ? free : MeanShear{limit, 0.0};
+}
+
+double fluidity(const ShearLaw& law, double stress) {
+  if (law.kind == ShearLawKind::eyring) return law.eyring_stress * std::sinh(stress / law.eyring_stress);
+  if (law.kind == ShearLawKind::carreau) {
+    const double t = stress / law.carreau_modulus;
+    return stress * std::pow(1.0 + t * t, 0.5 * (1.0 / law.carreau_exponent - 1.0));
+  }
+  return stress;
+}
+
+}  // namespace gearfilm

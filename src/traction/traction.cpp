@@ -1,0 +1,145 @@
+#include "gearfilm/traction/traction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+#include "gearfilm/traction/film_line.hpp"
+#include "gearfilm/traction/moving_source.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// tau_m of a film that is as warm everywhere.
+TractionFields isothermal_film(const TractionModel& model, const ContactFilm& film,
+                               const SurfaceVelocities& velocities) {
+  const Grid& grid = film.grid();
+  TractionFields fields;
+  fields.shear_stress.assign(grid.local_size(), 0.0);
+  if (velocities.sliding == 0.0) return fields;
+  FilmLine line(film);
+  const double log_sliding = std::log(std::abs(velocities.sliding));
+  for (int i = 0; i < grid.nx(); ++i) {
+    line.load(i);
+    for (int j = 0; j < grid.y_count(); ++j) {
+      if (!line.wet[j]) continue;
+      const double h = line.thickness[j], log_newtonian = line.log_viscosity[j] + log_sliding - std::log(h);
+      const double stress = mean_shear(model.law, log_newtonian, 0.5 * h * line.gradient[j], line.pressure[j]).stress;
+      fields.shear_stress[static_cast<std::size_t>(i) * grid.y_count() + j] = std::copysign(stress, velocities.sliding);
+    }
+  }
+  return fields;
+}
+
+/// h p_x/2 [Pa], compact; p is zero on the edges of the grid.
+std::vector<double> rolling_stress(const ContactFilm& film) {
+  const Grid& grid = film.grid();
+  const Scales& scales = film.scales();
+  const double scale = scales.thickness * scales.pressure / (4.0 * scales.length * grid.h_x());
+  std::vector<double> stress(grid.local_size(), 0.0);
+  for (int i = 1; i < grid.nx() - 1; ++i) {
+    const double *west = film.pressure().row(i - 1), *east = film.pressure().row(i + 1), *H = film.thickness().row(i);
+    double* line = stress.data() + static_cast<std::size_t>(i) * grid.y_count();
+    for (int j = 0; j < grid.y_count(); ++j) line[j] = scale * H[j] * (east[j] - west[j]);
+  }
+  return stress;
+}
+
+/// The largest flash temperature of the own rows: both surfaces under the heat together.
+double common_flash(const TractionModel& model, const Grid& grid, double h_x, const SurfaceVelocities& velocities,
+                    const std::vector<double>& shear_stress) {
+  std::vector<double> heat(shear_stress.size()), rise(grid.y_count());
+  std::ranges::transform(shear_stress, heat.begin(), [&](double stress) { return stress * velocities.sliding; });
+  const MovingSource source(grid.nx(), h_x);
+  const double response = 1.0 / (1.0 / surface_response(model.bodies[0], velocities.pinion()) +
+                                 1.0 / surface_response(model.bodies[1], velocities.wheel()));
+  double largest = 0.0;
+  for (int i = 0; i < grid.nx(); ++i) {
+    source.earlier(heat, i, rise);
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double own = source.own_weight() * heat[static_cast<std::size_t>(i) * grid.y_count() + j];
+      largest = std::max(largest, response * (rise[j] + own));
+    }
+  }
+  return largest;
+}
+
+/// All processes fail together.
+TractionFields fields_of(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+  if (!model.heat) return isothermal_film(model, film, velocities);
+  TractionFields fields;
+  std::string reason;
+  try {
+    fields = heated_film(model, film, velocities);
+  } catch (const SolveError& error) {
+    reason = error.what();
+  }
+  reason = first_reason(film.grid().comm(), reason);
+  if (!reason.empty()) throw SolveError(reason);
+  return fields;
+}
+
+double largest_of(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::ranges::max_element(values);
+}
+
+}  // namespace
+
+Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+  const Grid& grid = film.grid();
+  const Scales& scales = film.scales();
+  Traction result;
+  TractionFields& fields = result.fields;
+  TractionFigures& figures = result.figures;
+  fields = fields_of(model, film, velocities);
+
+  enum Sum { stress, rolling, pressure, pinion, wheel, oil, generated, sums };
+  const std::size_t size = grid.local_size();
+  std::vector<double> values(sums * size, 0.0);
+  const auto put = [&](Sum sum, const std::vector<double>& field) {
+    std::ranges::copy(field, values.begin() + static_cast<std::ptrdiff_t>(sum * size));
+  };
+  put(stress, fields.shear_stress);
+  put(rolling, rolling_stress(film));
+  std::vector<double> own(size);
+  film.pressure().store(own);
+  put(pressure, own);
+  put(pinion, fields.heat_flux_pinion);
+  put(wheel, fields.heat_flux_wheel);
+  put(oil, fields.heat_carried);
+  put(generated, fields.heat_generated);
+  std::vector<double> total = integrals(grid, values, sums);
+  for (double& integral : total) integral *= scales.length * scales.length;
+
+  figures.sliding_force = total[stress];
+  figures.rolling_force = total[rolling];
+  const double force = scales.pressure * total[pressure];
+  figures.coefficient = force > 0.0 ? figures.sliding_force / force : 0.0;
+  figures.power_sliding = velocities.sliding * figures.sliding_force;
+  figures.power_rolling = 2.0 * velocities.mean * figures.rolling_force;
+
+  std::array<double, 5> maxima = {
+      common_flash(model, grid, scales.length * grid.h_x(), velocities, fields.shear_stress),
+      largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel), largest_of(fields.temperature_mean),
+      largest_of(fields.temperature_max)};
+  MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
+  figures.flash = maxima[0];
+  if (!model.heat) return result;
+  figures.surface_pinion = maxima[1];
+  figures.surface_wheel = maxima[2];
+  figures.film_mean = maxima[3];
+  figures.film_max = maxima[4];
+  figures.heat_pinion = total[pinion];
+  figures.heat_wheel = total[wheel];
+  figures.heat_oil = total[oil];
+  if (total[generated] > 0.0) {
+    figures.heat_balance = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
+  }
+  return result;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,90 @@
+"""Friction, heat and losses in what commands write, and wrong input for them."""
+import unittest
+
+import h5py
+import numpy
+
+from films import BARBIERI, CIRCULAR, summary_in
+from program import ProgramTest
+from restarts import SMALL
+
+HEAT = ["-friction_law", "eyring", "-thermal_model", "friction", "-lubricant_temperature_viscosity", 0.04]
+OF_FRICTION = {"friction_force", "friction_coefficient", "power_sliding", "power_rolling", "flash_temperature"}
+OF_HEAT = {"surface_temperature_pinion", "surface_temperature_wheel", "film_temperature_max", "heat_balance"}
+FIELDS = {"shear_stress", "temperature_pinion", "temperature_wheel", "temperature_mean", "temperature_mid",
+          "temperature_max", "heat_flux_pinion", "heat_flux_wheel"}
+
+
+class Friction(ProgramTest):
+    def summary(self, command, case, *options, processes=1):
+        run = self.run_program(command, case, *options, "-output_dir", "out", processes=processes)
+        self.assertEqual(run.status, 0, run)
+        return summary_in(self.folder / "out"), run
+
+    def test_without_the_keys_there_is_none(self):
+        summary, _ = self.summary("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33)
+        self.assertFalse((OF_FRICTION | OF_HEAT | {"lambda"}) & summary.keys())
+
+    def test_a_stationary_film_has_friction_fields_and_predictions(self):
+        summary, run = self.summary("steady", BARBIERI, *HEAT, "-grid_nx", 65, "-grid_ny", 33, "-steady_position",
+                                    0.002, "-pinion_roughness", 2e-6, "-wheel_roughness", 2e-6)
+        self.assertLess(OF_FRICTION | OF_HEAT, summary.keys())
+        self.assertIn("friction coefficient", run.stdout)
+        self.assertIn("inlet", run.stderr)  # heated far too much for an isothermal film
+        self.assertIn("asperities", run.stderr)
+        self.assertAlmostEqual(summary["lambda"], summary["h_min"] / (2e-6 * 2 ** 0.5), delta=1e-9)
+        self.assertLess({"xu_kahraman_friction", "blok_flash_temperature", "schlenk_mean_friction",
+                         "murch_wilson_thermal_factor"}, summary["predictions"].keys())
+        with h5py.File(self.folder / "out/results.h5") as file:
+            contact = file["contact0"]
+            self.assertLess(FIELDS, set(contact))
+            stress, pressure = contact["shear_stress"][:], contact["P"][:]
+            self.assertAlmostEqual(stress.sum() / pressure.sum() / summary["friction_coefficient"], 1, delta=1e-9)
+            self.assertEqual(contact["temperature_mid"].attrs["unit"], b"K")
+
+    def test_coulombs_friction_loses_what_the_loss_factor_says(self):
+        """One contact with the share 1/n, along the whole line of action: exact but for the quadrature in time."""
+        _, _ = self.summary("transient", BARBIERI, *SMALL, "-model", "quasistatic", "-friction_law", "coulomb",
+                            "-friction_coefficient", 0.05, "-load_sharing_jump_time", 1e-3)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            steps = file["history/steps"][:]
+        energy = numpy.trapezoid(steps["power_sliding"], steps["t"]) if hasattr(numpy, "trapezoid") else numpy.trapz(
+            steps["power_sliding"], steps["t"])
+        period = summary_in(self.folder / "out")["mesh_period"]
+        self.assertAlmostEqual(energy / period / (0.05 * 0.1002022 * 738274.27), 1, delta=1e-3)
+
+    def test_a_periodic_state_has_losses_and_an_efficiency(self):
+        alone, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no")
+        self.assertAlmostEqual(alone["power_loss"], alone["power_sliding"] + alone["power_rolling"], delta=1e-6)
+        self.assertAlmostEqual(alone["efficiency"], 1 - alone["power_loss"] / alone["transmitted_power"], delta=1e-12)
+        self.assertAlmostEqual(alone["mean_friction_coefficient"],
+                               alone["power_sliding"] / (0.1002022 * alone["transmitted_power"]), delta=1e-6)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            self.assertLess(FIELDS, set(next(iter(file["snapshots/0000"].values()))))
+        together, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no", processes=2)
+        for name in ("power_loss", "film_temperature_max", "surface_temperature_pinion_max"):
+            self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-4, msg=name)
+
+    def test_a_bare_contact_slides_as_it_is_told(self):
+        summary, _ = self.summary("steady", CIRCULAR, "-friction_law", "newtonian", "-contact_sliding_velocity", 0.1,
+                                  "-grid_nx", 33, "-grid_ny", 33)
+        self.assertGreater(summary["power_sliding"], 0)
+        self.assertNotIn("schlenk_mean_friction", summary["predictions"])
+
+    def test_wrong_input_is_named_in_one_line(self):
+        heat = ["-thermal_model", "friction", "-friction_law", "eyring"]
+        for words, options in (
+                (["'friction.law'", "none"], ["-thermal_model", "friction"]),
+                (["'lubricant.temperature_viscosity'", "missing"], heat),
+                (["'friction.coefficient'", "missing"], ["-friction_law", "coulomb"]),
+                (["'thermal.temperature'", "200"], [*heat, "-thermal_temperature", -5]),
+                (["'thermal.points'", "odd"], [*heat, "-thermal_points", 16]),
+                (["'friction.law'", "sinh"], ["-friction_law", "sinh"])):
+            with self.subTest(options=options):
+                self.assert_wrong(words, "steady", BARBIERI, *options)
+        self.assert_wrong(["'contact.sliding_velocity'", "twice"], "steady", CIRCULAR, "-friction_law", "eyring",
+                          "-contact_sliding_velocity", 1e4)
+
+
+if __name__ == "__main__":
+    unittest.main()

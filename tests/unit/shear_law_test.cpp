@@ -1,0 +1,101 @@
+// Mean shear stresses against values computed by hand, and put back into their laws.
+#include "gearfilm/lubricant/shear_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+
+namespace gearfilm {
+namespace {
+
+constexpr double film = 1e-6;                             // [m]
+const double log_newtonian = std::log(3.0 * 2.0 / film);  // 3 Pa s, 2 m/s
+
+ShearLaw unlimited(ShearLawKind kind) { return {.kind = kind, .limiting_ratio = 0.0}; }
+
+/// tau_m under a pressure gradient [MPa].
+double stress_under(const ShearLaw& law, double gradient) {
+  return 1e-6 * mean_shear(law, log_newtonian, 0.5 * film * gradient, 0.0).stress;
+}
+
+TEST(ShearLaw, eyring_with_a_pressure_gradient) {
+  const ShearLaw law = unlimited(ShearLawKind::eyring);
+  EXPECT_NEAR(stress_under(law, 0.0), 5.545177, 1e-6);
+  EXPECT_NEAR(stress_under(law, 5e12), 5.467710, 1e-6);
+  EXPECT_NEAR(stress_under(law, -4e13), 2.441193, 1e-6);
+}
+
+TEST(ShearLaw, carreau_with_a_pressure_gradient) {
+  ShearLaw law = unlimited(ShearLawKind::carreau);
+  law.carreau_modulus = 7e6;
+  law.carreau_exponent = 0.4;
+  EXPECT_NEAR(stress_under(law, 0.0), 4.588874, 1e-6);
+  EXPECT_NEAR(stress_under(law, 5e12), 4.392290, 1e-6);
+}
+
+// Int g(tau) dz of both laws in closed form, with t from b to a.
+double mean_rate(const ShearLaw& law, double stress, double S) {
+  if (law.kind == ShearLawKind::eyring) {
+    const double t = stress / law.eyring_stress, s = S / law.eyring_stress;
+    return law.eyring_stress * std::sinh(t) * (s == 0.0 ? 1.0 : std::sinh(s) / s);
+  }
+  constexpr int intervals = 20000;  // Simpson
+  double sum = 0.0;
+  for (int n = 0; n <= intervals; ++n) {
+    const double weight = n == 0 || n == intervals ? 1.0 : n % 2 == 1 ? 4.0 : 2.0;
+    sum += weight * fluidity(law, stress + S * (2.0 * n / intervals - 1.0));
+  }
+  return sum / (3.0 * intervals);
+}
+
+TEST(ShearLaw, the_mean_stress_shears_the_oil_as_fast_as_the_surfaces_slide) {
+  for (const ShearLawKind kind : {ShearLawKind::eyring, ShearLawKind::carreau}) {
+    const ShearLaw law = unlimited(kind);
+    for (const double sigma : {-24.0, -3.0, -0.02, 0.0, 1e-4, 0.5, 24.0}) {
+      for (const double rate : {1e-6, 1e-2, 1.0, 1e5, 1e20}) {
+        const double newtonian = rate * law.eyring_stress, S = sigma * law.eyring_stress;
+        const MeanShear found = mean_shear(law, std::log(newtonian), S, 0.0);
+        // The rates of both halves of the film cancel, for the most part, where the gradient is strong.
+        const double round_off = 1e-14 * std::abs(fluidity(law, found.stress + std::abs(S))) / newtonian;
+        EXPECT_NEAR(mean_rate(law, found.stress, S) / newtonian, 1.0, 1e-10 + round_off) << sigma << " " << rate;
+        constexpr double step = 1e-5;
+        const double above = mean_shear(law, std::log(newtonian) + step, S, 0.0).stress;
+        const double below = mean_shear(law, std::log(newtonian) - step, S, 0.0).stress;
+        EXPECT_NEAR((above - below) / (2.0 * step) / found.by_rate, 1.0, 1e-6) << sigma << " " << rate;
+      }
+    }
+  }
+}
+
+TEST(ShearLaw, a_newtonian_oil_and_one_that_hardly_thins) {
+  const ShearLaw newtonian = unlimited(ShearLawKind::newtonian);
+  EXPECT_NEAR(mean_shear(newtonian, log_newtonian, 1e6, 0.0).stress, 6e6, 6e-4);
+  ShearLaw stiff = unlimited(ShearLawKind::eyring);
+  stiff.eyring_stress = 1e12;
+  EXPECT_NEAR(mean_shear(stiff, log_newtonian, 1e6, 0.0).stress / 6e6, 1.0, 1e-10);
+}
+
+TEST(ShearLaw, viscosities_beyond_any_number_give_a_stress) {
+  const ShearLaw law = unlimited(ShearLawKind::eyring);
+  EXPECT_NEAR(mean_shear(law, 1000.0, 0.0, 0.0).stress,
+              law.eyring_stress * (1000.0 - std::log(law.eyring_stress) + std::numbers::ln2), 1.0);
+  EXPECT_TRUE(std::isfinite(mean_shear(unlimited(ShearLawKind::carreau), 600.0, 0.0, 0.0).stress));
+}
+
+TEST(ShearLaw, the_stress_ends_at_its_limit) {
+  const ShearLaw law;
+  const MeanShear limited = mean_shear(law, 40.0, 0.0, 2e9);
+  EXPECT_DOUBLE_EQ(limited.stress, 0.045 * 2e9);
+  EXPECT_EQ(limited.by_rate, 0.0);
+  EXPECT_DOUBLE_EQ(mean_shear(law, 40.0, 0.0, 1e6).stress, law.limiting_stress);  // in the inlet
+}
+
+TEST(ShearLaw, coulomb_knows_pressure_only) {
+  const ShearLaw law{.kind = ShearLawKind::coulomb, .coefficient = 0.05};
+  EXPECT_DOUBLE_EQ(mean_shear(law, -5.0, 1e7, 1e9).stress, 0.05e9);
+}
+
+}  // namespace
+}  // namespace gearfilm
