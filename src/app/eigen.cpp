@@ -18,8 +18,7 @@ Summary dry_pair_summary(const Case& problem) {
   const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(),
                                             problem.pair.line->base_radius_wheel()};
   const double k_el = mesh_after_leaving(problem).stiffness_si();
-  const GearInertias inertias =
-      problem.pair.inertias.value_or(disc_inertias(base_radii, *problem.pair.equivalent_mass));
+  const GearInertias inertias = inertias_of(problem);
   const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
   return {{"k_el", k_el},
           {"m_ge", *problem.pair.equivalent_mass},

@@ -80,8 +80,16 @@ void LubricatedPair::place(double T) {
       return FilmSystem::Opposing{force.value, force.slope};
     };
   }
-  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T)), mesh_.compliance(numbers_, T),
-                     std::move(back_flanks));
+  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
+                     mesh_.compliance(numbers_, T), std::move(back_flanks));
+}
+
+void LubricatedPair::begin_friction(double T, const std::vector<ContactRecord>& contacts) {
+  if (mesh_.friction_in_motion) friction_.begin(T, friction_on_motion(mesh_, contacts));
+}
+
+void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord>& contacts) {
+  if (mesh_.friction_in_motion) friction_.add(T, friction_on_motion(mesh_, contacts));
 }
 
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {

@@ -152,6 +152,7 @@ void SegmentStepper::finish_step() {
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = now - wall_start_;
   last_contacts_ = record.contacts;
+  pair_.continue_friction(T, record.contacts);
   on_step_(record);
   last_time_ = T;
   newton_so_far_ = newton;
@@ -172,6 +173,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   at_start_ = true;
   stopped_ = false;
   wall_start_ = MPI_Wtime();
+  if (pair_.mesh().friction_in_motion) pair_.begin_friction(T0, pair_.records(state, T0));
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetMaxTime(ts_, T1));
   petsc_check(TSSetTimeStep(ts_, step_));

@@ -39,11 +39,11 @@ Border given_force(double force) {
   return {.mass = {0.0}, .stiffness = {0.0}, .force = {1.0 / force}, .constant = {1.0}, .displacement = {1.0}};
 }
 
-Border rigid_pair(double inertia, double static_force, double share) {
+Border rigid_pair(double inertia, double static_force, double share, double pressing) {
   return {.mass = {1.0, 0.0, 0.0, inertia / static_force},
           .stiffness = {0.0, -1.0, 0.0, 0.0},
           .force = {0.0, 1.0 / (share * static_force)},
-          .constant = {0.0, 1.0},
+          .constant = {0.0, 1.0 + pressing / static_force},
           .displacement = {1.0, 0.0}};
 }
 

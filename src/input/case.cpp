@@ -268,6 +268,20 @@ void set_single_contact(Case& result) {
   if (values.text("start.place") != "position") result.march.start_position = result.pair.line->entry();
 }
 
+// Films make friction, and inertia answers to it.
+void check_friction_in_motion(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string name = "friction.in_motion";
+  if (values.text(name) == "no") return;
+  std::string lacking;
+  if (!result.traction) lacking = "'friction.law' is none; give the law";
+  if (result.march.model != MarchModel::dynamic) {
+    lacking = "'model' is " + values.text("model") + "; set it to dynamic";
+  }
+  if (!result.pair.equivalent_mass) lacking = "the gears have no inertia; give it";
+  if (!lacking.empty()) throw InputError(values.origin(name) + ": " + quoted(name) + " is yes, but " + lacking);
+}
+
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
   result.march.start_position = read_start_position(result);
@@ -280,6 +294,7 @@ void set_march(Case& result) {
   result.run.time_limit = optional_real(values, "time_limit");
   result.run.keep_checkpoint = values.text("keep_checkpoint") == "yes";
   result.march.start_motion = read_start_motion(values);
+  check_friction_in_motion(result);
   set_time_steps(result);
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),

@@ -48,6 +48,25 @@ void require_one_pattern(const Case& problem, const std::string& command) {
                    "', or march that long (transient)");
 }
 
+GearInertias inertias_of(const Case& problem) {
+  const LineOfAction& line = *problem.pair.line;
+  return problem.pair.inertias.value_or(
+      disc_inertias({line.base_radius_pinion(), line.base_radius_wheel()}, *problem.pair.equivalent_mass));
+}
+
+namespace {
+
+std::optional<InertiaShares> friction_in_motion(const Case& problem) {
+  if (problem.parameters.text("friction.in_motion") == "no") return {};
+  const LineOfAction& line = *problem.pair.line;
+  const auto [pinion, wheel] = inertias_of(problem);
+  const double m_ge = *problem.pair.equivalent_mass;
+  return InertiaShares{m_ge * line.base_radius_pinion() * line.base_radius_pinion() / pinion,
+                       m_ge * line.base_radius_wheel() * line.base_radius_wheel() / wheel};
+}
+
+}  // namespace
+
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
   const bool inert = problem.march.model != MarchModel::quasistatic && problem.pair.equivalent_mass;
   return {.scales = problem.scales,
@@ -57,6 +76,7 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
           .teeth = problem.pair.teeth,
           .traction = problem.traction,
           .roughness = problem.roughness,
+          .friction_in_motion = friction_in_motion(problem),
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
           .order = problem.search.order};
 }

@@ -28,6 +28,11 @@ Records friction_records() {
        optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient"))});
 }
 
+Records motion_records() {
+  return section("friction", Scope::gear_pair,
+                 {choice("in_motion", {"no", "yes"}, "friction acts on the motion of the pair too")});
+}
+
 Records thermal_records() {
   const HeatOptions standard;
   const Range kelvin = closed(200, 800);
@@ -77,7 +82,9 @@ std::vector<Parameter> thermal_oil_records() {
 
 std::vector<Parameter> traction_records() {
   Records all = friction_records();
-  std::ranges::move(thermal_records(), std::back_inserter(all));
+  for (Records& records : std::vector<Records>{motion_records(), thermal_records()}) {
+    std::ranges::move(records, std::back_inserter(all));
+  }
   return all;
 }
 

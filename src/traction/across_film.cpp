@@ -11,7 +11,10 @@ namespace {
 
 constexpr double tolerance = 1e-6;     // of a temperature [K]
 constexpr double largest_step = 25.0;  // of Newton's method [K]
-constexpr int most_iterations = 60;
+constexpr int most_iterations = 600;
+// Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
+// ever: so many iterations in turn are Newton's, and resisted.
+constexpr int patience = 20;
 constexpr int profile_iterations = 3;  // after which u(z) stays as it is
 
 template <class Operation>
@@ -92,8 +95,8 @@ void AcrossFilm::set_transport() {
   for (int k = 0; k < count; ++k) each_lane([&](int l) { transport_[k][l] *= mean[l]; });
 }
 
-/// One step of Newton's method; the largest change.
-double AcrossFilm::improve() {
+/// One step of Newton's method, or of one in pseudo-time whose changes are resisted; its largest change.
+double AcrossFilm::improve(double resistance) {
   const int count = points();
   const double sliding = std::abs(velocities_.sliding);
   Lanes coupling;
@@ -108,7 +111,7 @@ double AcrossFilm::improve() {
       const double heat = weight * sliding * stress_[l] * share_[k][l];
       right_[k][l] = heat + width * (bent_[k] * poiseuille_heat[l] - transport_[k][l] * (T - upstream[k][l])) +
                      coupling[l] * (below[l] - 2.0 * T + above[l]);
-      diagonal_[k][l] = width * transport_[k][l] + neighbours * coupling[l] + heat * slope_[k][l];
+      diagonal_[k][l] = width * transport_[k][l] + (neighbours + resistance) * coupling[l] + heat * slope_[k][l];
       bordered_[k][l] = -weight * sliding * (stress_[l] + by_rate_[l]) * share_[k][l];
     });
   }
@@ -142,16 +145,18 @@ double AcrossFilm::improve() {
       with_bordered[l] += b * bordered_[k][l];
     });
   }
-  Lanes factor, largest{};
+  Lanes factor, largest{}, kept;
   each_lane([&](int l) { factor[l] = with_right[l] / (1.0 + with_bordered[l]); });
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) {
-      const double change = right_[k][l] - factor[l] * bordered_[k][l];
-      const double size = std::abs(change), kept = size > largest_step ? largest_step / size * change : change;
-      T_[k][l] += kept;
+      right_[k][l] -= factor[l] * bordered_[k][l];
+      const double size = std::abs(right_[k][l]);
       largest[l] = largest[l] > size ? largest[l] : size;
     });
   }
+  // A change keeps its direction: limited point by point, it may lead round in a circle.
+  each_lane([&](int l) { kept[l] = largest[l] > largest_step ? largest_step / largest[l] : 1.0; });
+  for (int k = 0; k < count; ++k) each_lane([&](int l) { T_[k][l] += kept[l] * right_[k][l]; });
   // Not a number is larger than anything.
   double worst = 0.0;
   for (const double size : largest) worst = size <= worst ? worst : size;
@@ -170,7 +175,7 @@ void AcrossFilm::solve() {
     if (any_wet && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
     if (any_wet && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
     if (n < profile_iterations) set_transport();
-    if (improve() < tolerance) return;
+    if (improve(n / patience % 2 == 0 ? 0.0 : n / (2 * patience) + 1.0) < tolerance) return;
   }
   throw SolveError("the temperature across the film was not found");
 }

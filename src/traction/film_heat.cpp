@@ -73,7 +73,8 @@ private:
       across_.solve();
     } catch (const SolveError& error) {
       std::ostringstream message;
-      message << error.what() << " near x = " << grid_.x(i) << " a, y = " << grid_.y(first) << " a";
+      message << error.what() << " near x = " << grid_.x(i) << " a, y = " << grid_.y(first)
+              << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
     for (int l = 0; l < AcrossFilm::lanes && first + l < rows(); ++l) store_lane(l, at(i, first + l), first + l);

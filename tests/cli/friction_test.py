@@ -82,6 +82,9 @@ class Friction(ProgramTest):
                 (["'friction.law'", "sinh"], ["-friction_law", "sinh"])):
             with self.subTest(options=options):
                 self.assert_wrong(words, "steady", BARBIERI, *options)
+        self.assert_wrong(["'friction.in_motion'", "none"], "transient", BARBIERI, "-friction_in_motion", "yes")
+        self.assert_wrong(["'friction.in_motion'", "dynamic"], "transient", BARBIERI, "-friction_in_motion", "yes",
+                          "-friction_law", "eyring", "-model", "dry")
         self.assert_wrong(["'contact.sliding_velocity'", "twice"], "steady", CIRCULAR, "-friction_law", "eyring",
                           "-contact_sliding_velocity", 1e4)
 

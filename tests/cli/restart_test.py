@@ -46,6 +46,11 @@ class Continued(RestartTest):
                  "-wheel_tip_relief", 70e-6, "-wheel_tip_relief_length", 2.9e-3]
         self.assert_continued([*MARCH, *teeth], (5, signal.SIGUSR1), (9, signal.SIGKILL))
 
+    def test_march_with_friction_in_the_motion(self):
+        heat = ["-friction_law", "eyring", "-friction_in_motion", "yes", "-thermal_model", "friction",
+                "-lubricant_temperature_viscosity", 0.003]
+        self.assert_continued([*MARCH, *heat], (5, signal.SIGUSR1), (9, signal.SIGKILL))
+
     def test_march_with_a_spectrum(self):
         self.assert_continued([*MARCH, "-output_spectrum_periods", 1], (8, signal.SIGUSR1))
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/dynamics/friction_force.hpp"
 #include "gearfilm/ehl/film_system.hpp"
 
 namespace gearfilm {
@@ -37,6 +37,11 @@ public:
   /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step.
   void linearise(Vec state, const FilmSystem::Rate& rate, double shift);
 
+  /// What friction does to the motion in the time step to come: from the contacts of a step that begins or continues a
+  /// segment. Where friction acts on it.
+  void begin_friction(double T, const std::vector<ContactRecord>& contacts);
+  void continue_friction(double T, const std::vector<ContactRecord>& contacts);
+
   /// Of every contact, placed at T. Collective.
   std::vector<ContactRecord> records(Vec state, double T);
 
@@ -48,6 +53,7 @@ private:
   std::vector<int> numbers_;
   std::vector<ContactFilm*> films_;
   std::optional<LoadSharing::Piece> share_;
+  ExtrapolatedFriction friction_;
   FilmSystem system_;
 };
 

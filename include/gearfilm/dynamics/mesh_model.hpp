@@ -17,16 +17,23 @@
 
 namespace gearfilm {
 
+/// g_i = m_ge R_bi^2/I_i, by which forces on either gear count in the motion; together 1.
+struct InertiaShares {
+  double pinion = 0.0;
+  double wheel = 0.0;
+};
+
 struct MeshModel {
   Scales scales;
   ContactPath path;
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
-  std::optional<TractionModel> traction{};  ///< absent: no friction is computed
-  std::optional<double> roughness{};        ///< of both flanks together [m]
-  int pattern = 1;                          ///< mesh periods after which the same teeth meet again
-  int order = 1;                            ///< patterns after which a periodic motion repeats
+  std::optional<TractionModel> traction{};            ///< absent: no friction is computed
+  std::optional<double> roughness{};                  ///< of both flanks together [m]
+  std::optional<InertiaShares> friction_in_motion{};  ///< absent: friction does not act on the motion
+  int pattern = 1;                                    ///< mesh periods after which the same teeth meet again
+  int order = 1;                                      ///< patterns after which a periodic motion repeats
 
   /// A contact at time T, and one at a place xi [m].
   MeshedContact contact(int number, double T) const { return contact_at(number, path.position(number, T)); }

@@ -22,6 +22,9 @@ void require_inertia(const Case& problem);
 void require_moving_films(const Case& problem, const std::string& command);
 /// Throws InputError where pitch errors make a mesh period differ from the next.
 void require_one_pattern(const Case& problem, const std::string& command);
+/// The given ones, else those of two discs with the equivalent mass.
+GearInertias inertias_of(const Case& problem);
+
 /// The case's pair in mesh, with a contact at the given position at T = 0 [m]. It has an inertia where the case has
 /// one.
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry = MeshGeometry::moving);

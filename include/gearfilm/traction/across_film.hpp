@@ -58,7 +58,7 @@ private:
   template <ViscosityLaw law>
   void shear();
   void set_transport();
-  double improve();
+  double improve(double resistance);
 
   ShearLaw law_;
   ViscosityLaw viscosity_law_;

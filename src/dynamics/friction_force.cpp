@@ -1,0 +1,17 @@
+#include "gearfilm/dynamics/friction_force.hpp"
+
+namespace gearfilm {
+
+double friction_on_motion(const MeshModel& mesh, const std::vector<ContactRecord>& contacts) {
+  const LineOfAction& line = mesh.path.line();
+  const InertiaShares& g = *mesh.friction_in_motion;
+  double sum = 0.0;
+  for (const ContactRecord& contact : contacts) {
+    const double sliding = contact.figures["friction_force"], rolling = contact.figures["rolling_force"];
+    sum += g.pinion * line.radius_pinion(contact.position) / line.base_radius_pinion() * (-sliding - rolling) -
+           g.wheel * line.radius_wheel(contact.position) / line.base_radius_wheel() * (sliding - rolling);
+  }
+  return sum / mesh.scales.force(1.0);
+}
+
+}  // namespace gearfilm
