@@ -124,7 +124,7 @@ PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, c
 /// What depends on films, pressures or forces.
 bool has_error(const PeriodFigure& figure) {
   const auto of = [&](const Unit& unit) { return figure.unit.name == unit.name && !figure.unit.whole; };
-  return of(units::metre) || of(units::pascal) || figure.unit.in_si == units::static_force.in_si;
+  return of(units::metre) || of(units::pascal) || figure.unit.in_si == units::static_force.in_si || of(units::watt);
 }
 
 }  // namespace

@@ -125,6 +125,16 @@ void warn_of_heating(MPI_Comm comm, const Summary& heating) {
   warn(comm, text.str());
 }
 
+void warn_of_missed_temperatures(MPI_Comm comm, const Summary& summary, const char* missed) {
+  constexpr double tolerable = 0.01;
+  if (!summary.contains(missed) || summary[missed].get<double>() <= tolerable) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "in " << 100.0 * summary[missed].get<double>()
+       << " % of a contact's nodes the temperature across the film did not settle; raise thermal.points";
+  warn(comm, text.str());
+}
+
 void warn_of_roughness(MPI_Comm comm, const Summary& summary, const char* film_ratio) {
   if (!summary.contains(film_ratio) || summary[film_ratio].get<double>() >= 1.0) return;
   std::ostringstream text;

@@ -265,6 +265,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   warn_of_errors(comm, problem, solved.errors);
   warn_of_heating(comm, summary["predictions"]);
   warn_of_roughness(comm, summary, "lambda");
+  warn_of_missed_temperatures(comm, summary, "temperatures_missed");
 }
 
 }  // namespace gearfilm

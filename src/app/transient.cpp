@@ -59,6 +59,9 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     }
     output.finish();
     write_summary(comm, run.directory().path(), summary);
+    if (!completed) return;
+    warn_of_roughness(comm, summary, "lambda_min");
+    warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
   };
   try {
     if (lubricated) {

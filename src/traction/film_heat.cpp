@@ -87,9 +87,12 @@ private:
     const double inverse_viscosity = std::exp(-line_.log_viscosity[j]);
     double filled = 1.0;
     if (wet) {
-      across_.poiseuille_flow[l] = -h * h * p_x * inverse_viscosity / 12.0;
+      // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
+      const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -velocities_.mean;
+      const double part = poiseuille < back ? back / poiseuille : 1.0;
+      across_.poiseuille_flow[l] = part * poiseuille;
       across_.flow[l] = std::max(least_flow * velocities_.mean, velocities_.mean + across_.poiseuille_flow[l]);
-      across_.poiseuille_heat[l] = h * h * p_x * p_x * inverse_viscosity;
+      across_.poiseuille_heat[l] = part * part * h * h * p_x * p_x * inverse_viscosity;
       flow_[j] = line_.density[j] * across_.flow[l] * h;
     } else {
       filled = std::clamp(flow_[j] / (line_.density[j] * velocities_.mean * h), least_filled, 1.0);
@@ -118,6 +121,7 @@ private:
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
     fields_.heat_generated[node] = across_.heat_generated(l);
     fields_.heat_carried[node] = across_.heat_carried(l);
+    if (across_.missed(l)) fields_.missed += 1.0;
     store_profile(node, j, across_.mean_temperature(l));
   }
 

@@ -105,6 +105,7 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
   };
   put(stress, fields.shear_stress);
   put(rolling, rolling_stress(film));
+  double missed[] = {fields.missed, 0.0};
   std::vector<double> own(size);
   film.pressure().store(own);
   put(pressure, own);
@@ -127,6 +128,9 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
       largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel), largest_of(fields.temperature_mean),
       largest_of(fields.temperature_max)};
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
+  missed[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
+  MPI_Allreduce(MPI_IN_PLACE, missed, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
+  figures.missed = missed[0] > 0.0 ? missed[0] / missed[1] : 0.0;
   figures.flash = maxima[0];
   if (!model.heat) return result;
   figures.surface_pinion = maxima[1];

@@ -1,11 +1,13 @@
 """Friction, heat and losses in what commands write, and wrong input for them."""
+import subprocess
+import sys
 import unittest
 
 import h5py
 import numpy
 
 from films import BARBIERI, CIRCULAR, summary_in
-from program import ProgramTest
+from program import SOURCE, ProgramTest
 from restarts import SMALL
 
 HEAT = ["-friction_law", "eyring", "-thermal_model", "friction", "-lubricant_temperature_viscosity", 0.04]
@@ -61,6 +63,11 @@ class Friction(ProgramTest):
                                alone["power_sliding"] / (0.1002022 * alone["transmitted_power"]), delta=1e-6)
         with h5py.File(self.folder / "out/results.h5") as file:
             self.assertLess(FIELDS, set(next(iter(file["snapshots/0000"].values()))))
+        for options, status in ((["--at", "-3"], 0), (["--name", "no/folder"], 1)):
+            drawn = subprocess.run([sys.executable, "-B", SOURCE / "scripts/plot_friction.py", self.folder / "out",
+                                    *options], capture_output=True, text=True, check=False)
+            self.assertEqual(drawn.returncode, status, drawn.stderr)
+        self.assertTrue((self.folder / "out/friction.png").exists())
         together, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no", processes=2)
         for name in ("power_loss", "film_temperature_max", "surface_temperature_pinion_max"):
             self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-4, msg=name)

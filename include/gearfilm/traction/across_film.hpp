@@ -42,8 +42,10 @@ public:
   std::vector<Lanes> upstream;  ///< T_k there, the wheel's wall first [K]
 
   int points() const { return static_cast<int>(weights_.size()); }
-  /// Finds the temperatures, from those upstream. Throws SolveError.
+  /// Finds the temperatures, from those upstream, to 1e-6 K; lanes where that takes too long count as missed. Throws
+  /// SolveError where one is not finite.
   void solve();
+  bool missed(int lane) const;
 
   // Of the solution.
   const std::vector<Lanes>& temperatures() const { return T_; }  ///< T_k [K]
@@ -74,6 +76,7 @@ private:
   std::vector<Lanes> fluidity_, slope_, share_;  ///< 1/eta relative to ambient, d ln eta/dT, n
   std::vector<Lanes> diagonal_, right_, bordered_;
   Lanes stress_{}, by_rate_{};
+  Lanes change_{};  ///< largest of the last iteration
 };
 
 }  // namespace gearfilm

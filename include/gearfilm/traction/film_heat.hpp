@@ -29,6 +29,7 @@ struct TractionFields {
   std::vector<double> heat_flux_wheel;
   std::vector<double> heat_generated;  ///< in the film [W/m^2]
   std::vector<double> heat_carried;    ///< away by the oil [W/m^2]
+  double missed = 0.0;                 ///< own nodes whose temperatures were not found to the last digit
 };
 
 /// Of the film at its present state. Throws SolveError where a temperature is not found.

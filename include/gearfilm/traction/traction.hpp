@@ -27,6 +27,7 @@ struct TractionFigures {
   double heat_pinion = 0.0;  ///< into the bodies, and away with the oil [W]
   double heat_wheel = 0.0;
   double heat_oil = 0.0;
+  double missed = 0.0;        ///< part of the loaded nodes whose temperatures did not settle
   double heat_balance = 0.0;  ///< what is generated and goes nowhere, over what is generated [-]
 };
 
