@@ -9,9 +9,10 @@
 namespace gearfilm {
 namespace {
 
-constexpr double tolerance = 1e-6;     // of a temperature [K]
+// Of the last change of a temperature [K].
+constexpr double tolerance = 1e-6;
 constexpr double largest_step = 25.0;  // of Newton's method [K]
-constexpr int most_iterations = 240;
+constexpr int most_iterations = 260;
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
 // ever: so many iterations in turn are Newton's, and resisted.
 constexpr int patience = 20;
@@ -177,7 +178,8 @@ void AcrossFilm::solve() {
     if (any_wet && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
     if (any_wet && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
     if (n < profile_iterations) set_transport();
-    if (improve(n / patience % 2 == 0 ? 0.0 : n / (2 * patience) + 1.0) < tolerance) return;
+    const bool resisted = n / patience % 2 != 0;
+    if (improve(resisted ? n / (2 * patience) + 1.0 : 0.0) < tolerance && !resisted) return;
   }
   for (int l = 0; l < lanes; ++l) {
     if (!std::isfinite(change_[l])) {

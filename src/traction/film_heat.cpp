@@ -50,25 +50,29 @@ public:
   }
 
   TractionFields march() {
-    for (int j = 0; j < rows(); ++j) store_profile(at(0, j), j, model_.heat->oil.temperature);
+    const double entering = model_.heat->oil.temperature;
+    for (int j = 0; j < rows(); ++j) store_profile(at(0, j), j, entering);
+    const int edge = grid_.local_row(grid_.rows() - 1);  // nothing happens there
+    for (int i = 1; edge >= 0 && i < grid_.nx(); ++i) store_profile(at(i, edge), edge, entering);
     for (int i = 1; i < grid_.nx(); ++i) {
       line_.load(i);
       source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
       source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
-      for (int first = 0; first < rows(); first += AcrossFilm::lanes) solve_rows(i, first);
+      for (int first = 0; first < solved_rows(); first += AcrossFilm::lanes) solve_rows(i, first);
     }
     return std::move(fields_);
   }
 
 private:
   int rows() const { return grid_.y_count(); }
+  int solved_rows() const { return grid_.local_row(grid_.rows() - 1) >= 0 ? rows() - 1 : rows(); }
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
   double* profile(int j) { return profiles_.data() + static_cast<std::size_t>(j) * points(); }
 
   void solve_rows(int i, int first) {
     // Lanes beyond the last row repeat it.
-    for (int l = 0; l < AcrossFilm::lanes; ++l) load_lane(l, std::min(first + l, rows() - 1));
+    for (int l = 0; l < AcrossFilm::lanes; ++l) load_lane(l, std::min(first + l, solved_rows() - 1));
     try {
       across_.solve();
     } catch (const SolveError& error) {
@@ -77,7 +81,7 @@ private:
               << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
-    for (int l = 0; l < AcrossFilm::lanes && first + l < rows(); ++l) store_lane(l, at(i, first + l), first + l);
+    for (int l = 0; l < AcrossFilm::lanes && first + l < solved_rows(); ++l) store_lane(l, at(i, first + l), first + l);
   }
 
   void load_lane(int l, int j) {

@@ -175,7 +175,7 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
      .needs = Needs::heat},
     {.name = "temperatures_missed",
      .value = [](const ContactMoment& at) { return at.traction.missed; },
-     .meaning = "part of the loaded nodes where temperatures across the film did not settle to 1e-6 K: bands of shear "
+     .meaning = "part of the loaded nodes where temperatures across the film did not settle: bands of shear "
                 "as narrow as the points are apart",
      .needs = Needs::heat,
      .reduced = {{{"temperatures_missed_max", Reduction::largest, units::number,
