@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 
 namespace gearfilm {
 

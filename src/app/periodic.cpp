@@ -4,7 +4,7 @@
 
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"

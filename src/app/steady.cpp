@@ -5,6 +5,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"

@@ -1,6 +1,6 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
 #include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
