@@ -200,9 +200,8 @@ std::vector<double> LineOfAction::contact_positions(double xi) const {
 
 double LineOfAction::loss_factor() const {
   std::vector<double> ends;
-  for (double place = 0.0; place < exit_ - entry_; place += base_pitch_) {
-    ends.insert(ends.end(), {entry_ + place, exit_ - place});
-  }
+  for (int n = 0; n < contact_ratio(); ++n)
+    ends.insert(ends.end(), {entry_ + n * base_pitch_, exit_ - n * base_pitch_});
   std::ranges::sort(ends);
   const auto primitive = [](double xi) { return 0.5 * xi * std::abs(xi); };  // of |xi|
   double sum = 0.0;

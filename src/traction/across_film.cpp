@@ -12,7 +12,7 @@ namespace {
 // Of the last change of a temperature [K].
 constexpr double tolerance = 1e-6;
 constexpr double largest_step = 25.0;  // of Newton's method [K]
-constexpr int most_iterations = 260;
+constexpr int most_iterations = 240;   // the last ones resisted
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
 // ever: so many iterations in turn are Newton's, and resisted.
 constexpr int patience = 20;
@@ -178,8 +178,9 @@ void AcrossFilm::solve() {
     if (any_wet && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
     if (any_wet && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
     if (n < profile_iterations) set_transport();
-    const bool resisted = n / patience % 2 != 0;
-    if (improve(resisted ? n / (2 * patience) + 1.0 : 0.0) < tolerance && !resisted) return;
+    const int phase = n / patience;
+    const bool resisted = phase % 2 != 0;
+    if (improve(resisted ? 0.5 * (phase + 1) : 0.0) < tolerance && !resisted) return;
   }
   for (int l = 0; l < lanes; ++l) {
     if (!std::isfinite(change_[l])) {
