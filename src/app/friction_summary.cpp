@@ -57,7 +57,8 @@ void warn_of_heating(MPI_Comm comm, const Summary& heating) {
   std::ostringstream text;
   text.precision(2);
   text << "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is "
-       << factor << ", so that it may be thinner by " << 100.0 * (1.0 - factor) << " %";
+       << factor << ", so that it may be thinner by " << 100.0 * (1.0 - factor)
+       << " %; steady with -thermal_model film computes it";
   warn(comm, text.str());
 }
 

@@ -12,6 +12,7 @@
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_file.hpp"
+#include "gearfilm/traction/thermal_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -154,6 +155,18 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   write_summary(comm, problem.run.directory, summary);
 }
 
+void print_heating(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("thermal_factor")) return;
+  const auto real = [&](const char* name) { return summary[name].get<double>(); };
+  petsc_check(PetscPrintf(comm,
+                          "without heat in the film %.4f um central, %.4f um smallest: thermal factors %.3f and %.3f, "
+                          "Murch-Wilson's for rolling %.3f; settled to %.1e in %d turns\n",
+                          1e6 * real("h_central_isothermal"), 1e6 * real("h_min_isothermal"), real("thermal_factor"),
+                          real("thermal_factor_min"),
+                          summary["predictions"]["murch_wilson_thermal_factor"].get<double>(), real("thermal_change"),
+                          summary["thermal_turns"].get<int>()));
+}
+
 void print_friction(MPI_Comm comm, const Summary& summary) {
   if (!summary.contains("friction_coefficient")) return;
   std::ostringstream text;
@@ -200,7 +213,25 @@ struct FilmOnGrid {
   std::unique_ptr<ContactFilm> film;
   StationaryResult result;
   std::optional<GridErrors> errors;
+  // Where the film feels its heat; result and errors are then its own.
+  std::optional<ThermalFilm> thermal;
+  FilmFigures isothermal{};  ///< without heat
 };
+
+/// Goes on to the film that feels its heat.
+void heat_film(const Case& problem, const SurfaceVelocities& velocities, const LoadCondition& load,
+               FilmOnGrid& solved) {
+  const SolverOptions& options = problem.numerics.solver;
+  const TractionModel& model = *problem.traction;
+  solved.isothermal = solved.result.figures;
+  solved.thermal = solve_thermal(*solved.film, load, options, model, velocities, solved.result);
+  solved.result = solved.thermal->film;
+  solved.errors =
+      grid_errors(*solved.film, options, solved.result, [&](ContactFilm& coarse, const FilmSolution& guess) {
+        const StationaryResult cold = continue_stationary(coarse, load, options, guess);
+        return solve_thermal(coarse, load, options, model, velocities, cold).film;
+      });
+}
 
 FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& position) {
   FilmOnGrid solved;
@@ -211,9 +242,33 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
       LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance);
   solved.result =
       located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
+  if (problem.traction && problem.traction->heats_film()) {
+    located(position.label, [&] { heat_film(problem, velocities_of(problem.scales, position.contact), load, solved); });
+  } else {
+    solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
+  }
   check_validity(*solved.film, solved.result.figures, position.label);
-  solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
   return solved;
+}
+
+Traction traction_of(const Case& problem, const Position& position, const FilmOnGrid& solved) {
+  if (solved.thermal) return solved.thermal->traction;
+  if (!problem.traction) return {};
+  const SurfaceVelocities velocities = velocities_of(problem.scales, position.contact);
+  return located(position.label, [&] { return traction(*problem.traction, *solved.film, velocities); });
+}
+
+/// What heat has made of the film.
+void add_heating(const Scales& scales, const FilmOnGrid& solved, Summary& summary) {
+  if (!solved.thermal) return;
+  const FilmFigures &warm = solved.result.figures, &cold = solved.isothermal;
+  summary["h_central_isothermal"] = scales.thickness * cold.central_film;
+  summary["h_min_isothermal"] = scales.thickness * cold.smallest_film;
+  summary["thermal_factor"] = warm.central_film / cold.central_film;
+  summary["thermal_factor_min"] = warm.smallest_film / cold.smallest_film;
+  summary["thermal_turns"] = solved.thermal->turns;
+  summary["thermal_newton_iterations"] = solved.thermal->newton;
+  summary["thermal_change"] = solved.thermal->change;
 }
 
 /// The shape in steps shorter by so much.
@@ -253,18 +308,16 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
     solved = solve_on(Grid(comm, refined(shape, factor)), problem, position);
   }
-  Traction friction;
-  if (problem.traction) {
-    const SurfaceVelocities velocities = velocities_of(problem.scales, position.contact);
-    friction = located(position.label, [&] { return traction(*problem.traction, *solved.film, velocities); });
-  }
+  const Traction friction = traction_of(problem, position, solved);
   Summary summary = film_summary(problem, position, solved.film->grid(), solved.result, friction.figures);
   add_errors(problem.scales, solved.errors, summary);
+  add_heating(problem.scales, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
   print_result(comm, position, summary);
+  print_heating(comm, summary);
   print_friction(comm, summary);
   warn_of_errors(comm, problem, solved.errors);
-  warn_of_heating(comm, summary["predictions"]);
+  if (!solved.thermal) warn_of_heating(comm, summary["predictions"]);
   warn_of_roughness(comm, summary, "lambda");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed");
 }

@@ -28,6 +28,12 @@ void ContactFilm::set_conditions(const ContactConditions& conditions) {
   evaluated_ = false;
 }
 
+void ContactFilm::set_correction(FlowCorrection correction) {
+  correction_ = std::move(correction);
+  if (correction_.empty()) state_.entrained.fill(1.0);
+  evaluated_ = false;
+}
+
 // The processes must agree, since an evaluation is collective.
 bool ContactFilm::is_current(std::span<const double> pressure, double H0) const {
   int same = evaluated_ && H0 == evaluated_H0_;
@@ -54,7 +60,12 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
       thickness[j] += gap + 0.5 * scales_.radius_ratio * y * y;
     }
   }
-  properties_.evaluate(state_);
+  for (int i = 0; i < grid_.nx() && !correction_.empty(); ++i) {
+    double* entrained = state_.entrained.row(i);
+    const double* wedge = correction_.wedge.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) entrained[j] = 1.0 + wedge[j] / conditions_.entrainment;
+  }
+  properties_.evaluate(state_, correction_);
   exchange_ghosts(discretisation_->halo(), state_);
   evaluated_H0_ = H0;
   evaluated_ = true;

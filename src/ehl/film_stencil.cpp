@@ -6,9 +6,10 @@
 namespace gearfilm {
 namespace {
 
-/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: wedge and squeeze.
+/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: of the wedge, before its correction, and of the
+/// squeeze term.
 struct MassWeights {
-  double west_west, west, centre;
+  double west_west, west, centre, squeeze;
 };
 
 /// The fields of a state on one line.
@@ -20,9 +21,10 @@ struct StateLine {
         rho_p(state.density_by_pressure.row(i)),
         xi(state.conductance.row(i)),
         xi_p(state.conductance_by_pressure.row(i)),
-        xi_h(state.conductance_by_thickness.row(i)) {}
+        xi_h(state.conductance_by_thickness.row(i)),
+        entrained(state.entrained.row(i)) {}
 
-  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h;
+  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h, *entrained;
 };
 
 /// Derivatives of the flow through the face between this node (0) and a neighbour (n), out of this node's cell:
@@ -59,13 +61,15 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
     const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
     const double slopes = to_west.half_slope + to_east.half_slope + to_south.half_slope + to_north.half_slope;
     const double on = wet[j];
-    v[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho_p[j] * ww.h[j]);
-    u[west_west][j] = static_cast<Real>(on * mass.west_west * ww.rho[j]);
-    v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass.west * w.rho_p[j] * w.h[j]));
-    u[west][j] = static_cast<Real>(on * (to_west.by_thickness(w, j) + mass.west * w.rho[j]));
+    const double mass_ww = mass.west_west * ww.entrained[j], mass_w = mass.west * w.entrained[j];
+    const double mass_c = mass.centre * c.entrained[j] + mass.squeeze;
+    v[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho_p[j] * ww.h[j]);
+    u[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho[j]);
+    v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass_w * w.rho_p[j] * w.h[j]));
+    u[west][j] = static_cast<Real>(on * (to_west.by_thickness(w, j) + mass_w * w.rho[j]));
     v[centre][j] =
-        static_cast<Real>(on * (own - slopes * c.xi_p[j] + mass.centre * c.rho_p[j] * c.h[j]) + (1.0 - on) * scale[j]);
-    u[centre][j] = static_cast<Real>(on * (mass.centre * c.rho[j] - slopes * c.xi_h[j]));
+        static_cast<Real>(on * (own - slopes * c.xi_p[j] + mass_c * c.rho_p[j] * c.h[j]) + (1.0 - on) * scale[j]);
+    u[centre][j] = static_cast<Real>(on * (mass_c * c.rho[j] - slopes * c.xi_h[j]));
     v[east][j] = static_cast<Real>(on * to_east.by_pressure(e, j));
     u[east][j] = static_cast<Real>(on * to_east.by_thickness(e, j));
     v[south][j] = static_cast<Real>(on * to_south.by_pressure(c, j - 1));
@@ -96,7 +100,7 @@ void linearise(const Grid& grid, double entrainment, double shift, const FilmSta
   linearise_edge(state, 0, linear);
   for (int i = 1; i < grid.nx() - 1; ++i) {
     const MassWeights mass =
-        i == 1 ? MassWeights{0.0, -wedge, wedge + shift} : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge + shift};
+        i == 1 ? MassWeights{0.0, -wedge, wedge, shift} : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge, shift};
     linearise_line(state, weights, mass, i, linear);
   }
   linearise_edge(state, grid.nx() - 1, linear);

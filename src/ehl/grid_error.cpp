@@ -18,8 +18,8 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
 
 }  // namespace
 
-std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
-                                      const StationaryResult& result) {
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptions& options,
+                                      const StationaryResult& result, const CoarseSolver& solve) {
   const ScopedStage stage("Error of the grid");
   const Discretisation* coarser = film.discretisation()->coarser();
   if (!coarser) return {};
@@ -27,7 +27,7 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   coarse.set_conditions(film.conditions());
   StationaryResult found;
   try {
-    found = continue_stationary(coarse, load, options, on_coarser(film.grid(), coarser->grid(), result.solution));
+    found = solve(coarse, on_coarser(film.grid(), coarser->grid(), result.solution));
   } catch (const SolveError&) {
     return {};
   }
@@ -36,6 +36,13 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   return GridErrors{estimate(fine.central_film, half.central_film), estimate(fine.smallest_film, half.smallest_film),
                     estimate(fine.central_pressure, half.central_pressure),
                     estimate(fine.largest_pressure, half.largest_pressure)};
+}
+
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                      const StationaryResult& result) {
+  return grid_errors(film, options, result, [&](ContactFilm& coarse, const FilmSolution& guess) {
+    return continue_stationary(coarse, load, options, guess);
+  });
 }
 
 }  // namespace gearfilm

@@ -7,9 +7,11 @@
 namespace gearfilm {
 namespace {
 
-/// Wedge U d(rho H)/dX of line i in upwind differences.
+/// Wedge d(rho H (U + W))/dX of line i in upwind differences.
 void add_wedge(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
-  const auto mass = [&](int n, int j) { return state.density.row(n)[j] * state.thickness.row(n)[j]; };
+  const auto mass = [&](int n, int j) {
+    return state.density.row(n)[j] * state.thickness.row(n)[j] * state.entrained.row(n)[j];
+  };
   const int rows = state.thickness.y_count();
   if (i == 1) {
     for (int j = 0; j < rows; ++j) line[j] += weights.wedge * (mass(i, j) - mass(i - 1, j));

@@ -129,17 +129,35 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
   return result;
 }
 
+namespace {
+
+StationaryResult result_of(ContactFilm& film, const LoadCondition& load, FilmSolution solution,
+                           const SolveCounts& counts) {
+  StationaryResult result;
+  result.solution = std::move(solution);
+  result.by_grid.push_back(counts);
+  result.counts = counts;
+  result.figures = figures_of(film, load, result.solution);
+  return result;
+}
+
+}  // namespace
+
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess) {
   StationaryNewton newton({&film}, options.newton);
-  StationaryResult result;
-  result.solution = guess;
-  if (load.kind == LoadCondition::Kind::displacement) result.solution.H0 = load.value;
-  if (!solve_on_grid(newton, load, result.solution, true)) return solve_stationary(film, load, options);
-  result.by_grid.push_back(newton.counts());
-  result.counts = newton.counts();
-  result.figures = figures_of(film, load, result.solution);
-  return result;
+  FilmSolution solution = guess;
+  if (load.kind == LoadCondition::Kind::displacement) solution.H0 = load.value;
+  if (!solve_on_grid(newton, load, solution, true)) return solve_stationary(film, load, options);
+  return result_of(film, load, std::move(solution), newton.counts());
+}
+
+std::optional<StationaryResult> improve_stationary(ContactFilm& film, const LoadCondition& load,
+                                                   const SolverOptions& options, const FilmSolution& guess) {
+  StationaryNewton newton({&film}, options.newton);
+  FilmSolution solution = guess;
+  if (!newton.solve(load, solution)) return {};
+  return result_of(film, load, std::move(solution), newton.counts());
 }
 
 FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,

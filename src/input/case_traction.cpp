@@ -43,7 +43,7 @@ HeatOptions read_heat(const ParameterValues& values) {
                      ", but 'lubricant.temperature_viscosity' is missing; give -d ln eta/dT in 1/K (about 0.04 for a "
                      "mineral oil)");
   }
-  return {.oil = *oil, .points = values.integer("thermal.points")};
+  return {.oil = *oil, .points = values.integer("thermal.points"), .in_film = values.text("thermal.model") == "film"};
 }
 
 // A surface that stands still or runs against the film is warmed by what lies before it.
@@ -92,7 +92,8 @@ std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values) {
                     .conductivity_pressure_1 = values.real("lubricant.conductivity_pressure_1"),
                     .conductivity_pressure_2 = values.real("lubricant.conductivity_pressure_2"),
                     .density = values.real("lubricant.density"),
-                    .heat_capacity = values.real("lubricant.heat_capacity")};
+                    .heat_capacity = values.real("lubricant.heat_capacity"),
+                    .expansion = values.real("lubricant.expansion")};
 }
 
 std::optional<double> read_roughness(const ParameterValues& values) {

@@ -38,9 +38,9 @@ Records thermal_records() {
   const Range kelvin = closed(200, 800);
   return section(
       "thermal", Scope::any,
-      {choice("model", {"none", "friction"},
+      {choice("model", {"none", "friction", "film"},
               "heat: the film is as warm everywhere; the energy equation across the film makes temperatures and "
-              "friction, but the film does not feel them"),
+              "friction, but the film does not feel them; it does (steady)"),
        preset(standard.oil.temperature,
               number("temperature", "T_0", "K", kelvin, "of the oil that enters, at which lubricant.viscosity holds")),
        optional("thermal.temperature",
@@ -77,7 +77,9 @@ std::vector<Parameter> thermal_oil_records() {
           preset(standard.density,
                  number("density", "rho_0", "kg/m^3", closed(100, 10000), "at ambient pressure (an assumption)")),
           preset(standard.heat_capacity,
-                 number("heat_capacity", "c", "J/(kg K)", closed(100, 10000), "specific heat (an assumption)"))};
+                 number("heat_capacity", "c", "J/(kg K)", closed(100, 10000), "specific heat (an assumption)")),
+          preset(standard.expansion, number("expansion", "beta_rho", "1/K", closed(0, 0.01),
+                                            "-d ln rho/dT, which films feel that feel their heat"))};
 }
 
 std::vector<Parameter> traction_records() {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 namespace {
@@ -18,34 +17,54 @@ constexpr int most_iterations = 240;   // the last ones resisted
 constexpr int patience = 20;
 constexpr int profile_iterations = 3;  // after which u(z) stays as it is
 
-template <class Operation>
-inline void each_lane(Operation operation) {
-  GEARFILM_INDEPENDENT_ITERATIONS
-  for (int l = 0; l < AcrossFilm::lanes; ++l) operation(l);
+std::vector<double> trapezoidal_weights(int points) {
+  std::vector<double> weights(points, 1.0 / (points - 1));
+  weights.front() *= 0.5;
+  weights.back() *= 0.5;
+  return weights;
+}
+
+std::vector<double> evenly_spaced(int points) {
+  std::vector<double> places;
+  for (int k = 0; k < points; ++k) places.push_back(static_cast<double>(k) / (points - 1));
+  return places;
+}
+
+/// Coefficient of a neighbour's temperature, by conduction and by the flow that comes from it: centred where the one is
+/// strong enough, else upwind.
+inline double neighbour_coefficient(double conduction, double flow) {
+  const double centred = conduction + 0.5 * flow, most = flow > 0.0 ? flow : 0.0;
+  return centred > most ? centred : most;
 }
 
 }  // namespace
 
 AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
-                       const SurfaceVelocities& velocities, const std::array<double, 2>& conductances)
+                       const SurfaceVelocities& velocities, const std::array<double, 2>& conductances, FilmFlow kind)
     : upstream(heat.points),
+      downstream(heat.points),
+      before(heat.points),
+      arriving(heat.points),
+      upstream_factor(heat.points),
+      downstream_factor(heat.points),
       law_(law),
       viscosity_law_(oil.viscosity_law),
       viscosity_(oil, heat.oil),
       log_ambient_(std::log(oil.viscosity)),
       velocities_(velocities),
       conductances_(conductances),
-      weights_(heat.points, 1.0 / (heat.points - 1)) {
-  weights_.front() *= 0.5;
-  weights_.back() *= 0.5;
+      flow_(kind),
+      weights_(trapezoidal_weights(heat.points)),
+      places_(evenly_spaced(heat.points)),
+      own_(weights_, places_) {
   double second_moment = 0.0;
   for (int k = 0; k < points(); ++k) {
-    places_.push_back(static_cast<double>(k) / (points() - 1));
     second_moment += weights_[k] * (places_[k] - 0.5) * (places_[k] - 0.5);
   }
   // The mean of Phi is p_x^2 h^2/(12 eta) on any points.
   for (const double place : places_) bent_.push_back((place - 0.5) * (place - 0.5) / (12.0 * second_moment));
-  for (auto* field : {&T_, &transport_, &fluidity_, &slope_, &share_, &diagonal_, &right_, &bordered_}) {
+  for (auto* field : {&T_, &source_, &speed_, &transport_, &below_, &above_, &log_viscosities_, &fluidity_, &slope_,
+                      &share_, &diagonal_, &right_, &bordered_, &second_}) {
     field->assign(points(), Lanes{});
   }
 }
@@ -59,6 +78,7 @@ void AcrossFilm::shear() {
     const double weight = weights_[k];
     each_lane([&](int l) {
       const TemperatureFunction eta = viscosity_.log_viscosity<law>(log_viscosity[l], T_[k][l]);
+      log_viscosities_[k][l] = eta.value;
       fluidity_[k][l] = exp(-eta.value);
       slope_[k][l] = eta.derivative;
       mean[l] += weight * fluidity_[k][l];
@@ -78,11 +98,10 @@ void AcrossFilm::shear() {
   }
 }
 
-/// rho c u(z)/h_x.
 void AcrossFilm::set_transport() {
   const int count = points();
   const SurfaceVelocities& u = velocities_;
-  Lanes passed{}, mean{};
+  Lanes passed{}, mean{}, conduction;
   for (int k = 0; k < count; ++k) {
     const double place = places_[k], weight = weights_[k], half = 0.5 / (count - 1);
     each_lane([&](int l) {
@@ -92,28 +111,75 @@ void AcrossFilm::set_transport() {
       mean[l] += weight * transport_[k][l];
     });
   }
-  each_lane([&](int l) { mean[l] = flow[l] * carried[l] / mean[l]; });
-  for (int k = 0; k < count; ++k) each_lane([&](int l) { transport_[k][l] *= mean[l]; });
+  each_lane([&](int l) {
+    mean[l] = flow[l] * carried[l] * thickness[l] / mean[l];
+    conduction[l] = conductivity[l] * (count - 1) / thickness[l];
+  });
+  for (int k = 0; k < count; ++k) {
+    const double weight = weights_[k], from_below = k > 0 ? 1.0 : 0.0, from_above = k < count - 1 ? 1.0 : 0.0;
+    each_lane([&](int l) {
+      transport_[k][l] *= weight * mean[l];
+      below_[k][l] = from_below * conduction[l];
+      above_[k][l] = from_above * conduction[l];
+    });
+  }
+}
+
+/// That of film_flow.hpp; of a torn film the part that fills it, between walls that shear it evenly.
+void AcrossFilm::set_own_transport() {
+  const int count = points();
+  const SurfaceVelocities& u = velocities_;
+  Lanes passed{}, mean_change{}, flow_up{};
+  for (int k = 0; k < count; ++k) {
+    const double weight = weights_[k], half = 0.5 / (count - 1);
+    each_lane([&](int l) {
+      if (k > 0) passed[l] += half * (share_[k - 1][l] + share_[k][l]);
+      const double filled = wet[l] + (1.0 - wet[l]) * flow[l] / u.mean;
+      const double speed = filled * (u.wheel() + u.sliding * passed[l]) + own_.poiseuille[k][l];
+      const double passing = thickness[l] * carried[l] * speed;
+      speed_[k][l] = speed;
+      source_[k][l] = speed < 0.0 ? downstream[k][l] : upstream[k][l];
+      transport_[k][l] = weight * (speed < 0.0 ? -downstream_factor[k][l] * passing : upstream_factor[k][l] * passing);
+      // For a moment: what stays behind, or is added.
+      above_[k][l] = wet[l] * (step_factor[l] * passing - arriving[k][l]);
+      mean_change[l] += weight * above_[k][l];
+    });
+  }
+  for (int k = 0; k < count; ++k) {
+    const double weight = weights_[k], from_below = k > 0 ? 1.0 : 0.0, from_above = k < count - 1 ? 1.0 : 0.0;
+    each_lane([&](int l) {
+      const double conduction = conductivity[l] * (count - 1) / thickness[l];
+      below_[k][l] = from_below * neighbour_coefficient(conduction, flow_up[l]);
+      flow_up[l] -= weight * (above_[k][l] - mean_change[l]);
+      above_[k][l] = from_above * neighbour_coefficient(conduction, -flow_up[l]);
+    });
+  }
 }
 
 /// One step of Newton's method, or of one in pseudo-time whose changes are resisted; its largest change.
+template <bool own>
 double AcrossFilm::improve(double resistance) {
   const int count = points();
   const double sliding = std::abs(velocities_.sliding);
-  Lanes coupling;
-  each_lane([&](int l) { coupling[l] = conductivity[l] * (count - 1) / thickness[l]; });
   for (int k = 0; k < count; ++k) {
     const Lanes& below = T_[std::max(k - 1, 0)];
     const Lanes& above = T_[std::min(k + 1, count - 1)];
-    const double weight = weights_[k], neighbours = k == 0 || k == count - 1 ? 1.0 : 2.0;
+    const Lanes& source = own ? source_[k] : upstream[k];
+    const double weight = weights_[k];
     each_lane([&](int l) {
       const double width = weight * thickness[l], T = T_[k][l];
       // Heat of sliding in the cell: tau_m u_s n w.
       const double heat = weight * sliding * stress_[l] * share_[k][l];
-      right_[k][l] = heat + width * (bent_[k] * poiseuille_heat[l] - transport_[k][l] * (T - upstream[k][l])) +
-                     coupling[l] * (below[l] - 2.0 * T + above[l]);
-      diagonal_[k][l] = width * transport_[k][l] + (neighbours + resistance) * coupling[l] + heat * slope_[k][l];
+      const double bulk = own ? own_.heat[k][l] : bent_[k] * poiseuille_heat[l];
+      right_[k][l] = heat + width * bulk - transport_[k][l] * (T - source[l]) + below_[k][l] * (below[l] - T) +
+                     above_[k][l] * (above[l] - T);
+      diagonal_[k][l] =
+          transport_[k][l] + (1.0 + 0.5 * resistance) * (below_[k][l] + above_[k][l]) + heat * slope_[k][l];
       bordered_[k][l] = -weight * sliding * (stress_[l] + by_rate_[l]) * share_[k][l];
+      if constexpr (own) {
+        diagonal_[k][l] += width * own_.diagonal[k][l];
+        second_[k][l] = width * own_.column[k][l];
+      }
     });
   }
   each_lane([&](int l) {
@@ -122,37 +188,57 @@ double AcrossFilm::improve(double resistance) {
     right_.back()[l] -= (T_.back()[l] - base_pinion[l]) * conductances_[0];
     diagonal_.back()[l] += conductances_[0];
   });
-  // Gauss on the tridiagonal part, for both right sides.
+  // Gauss on the tridiagonal part, for all right sides.
   for (int k = 1; k < count; ++k) {
     each_lane([&](int l) {
-      const double factor = coupling[l] / diagonal_[k - 1][l];
-      diagonal_[k][l] -= factor * coupling[l];
+      const double factor = below_[k][l] / diagonal_[k - 1][l];
+      diagonal_[k][l] -= factor * above_[k - 1][l];
       right_[k][l] += factor * right_[k - 1][l];
       bordered_[k][l] += factor * bordered_[k - 1][l];
+      if constexpr (own) second_[k][l] += factor * second_[k - 1][l];
     });
   }
-  Lanes with_right{}, with_bordered{};  // b . y, b . z
+  Lanes b_right{}, b_bordered{}, b_second{}, d_right{}, d_bordered{}, d_second{};  // of tau_m's row and of Phi's
   for (int k = count - 1; k >= 0; --k) {
     const double weight = weights_[k];
     each_lane([&](int l) {
       if (k < count - 1) {
-        right_[k][l] += coupling[l] * right_[k + 1][l];
-        bordered_[k][l] += coupling[l] * bordered_[k + 1][l];
+        right_[k][l] += above_[k][l] * right_[k + 1][l];
+        bordered_[k][l] += above_[k][l] * bordered_[k + 1][l];
+        if constexpr (own) second_[k][l] += above_[k][l] * second_[k + 1][l];
       }
       right_[k][l] /= diagonal_[k][l];
       bordered_[k][l] /= diagonal_[k][l];
       const double b = weight * share_[k][l] * slope_[k][l];
-      with_right[l] += b * right_[k][l];
-      with_bordered[l] += b * bordered_[k][l];
+      b_right[l] += b * right_[k][l];
+      b_bordered[l] += b * bordered_[k][l];
+      if constexpr (own) {
+        second_[k][l] /= diagonal_[k][l];
+        const double d = own_.row[k][l];
+        b_second[l] += b * second_[k][l];
+        d_right[l] += d * right_[k][l];
+        d_bordered[l] += d * bordered_[k][l];
+        d_second[l] += d * second_[k][l];
+      }
     });
   }
-  Lanes factor, kept;
+  // Of b.x and d.x, from (1 + b.B) (b.x) + (b.S) (d.x) = b.r and so on.
+  Lanes by_stress, by_heat{}, kept;
+  each_lane([&](int l) {
+    if constexpr (own) {
+      const double determinant = (1.0 + b_bordered[l]) * (1.0 + d_second[l]) - b_second[l] * d_bordered[l];
+      by_stress[l] = (b_right[l] * (1.0 + d_second[l]) - b_second[l] * d_right[l]) / determinant;
+      by_heat[l] = (d_right[l] * (1.0 + b_bordered[l]) - d_bordered[l] * b_right[l]) / determinant;
+    } else {
+      by_stress[l] = b_right[l] / (1.0 + b_bordered[l]);
+    }
+  });
   Lanes& largest = change_;
   largest.fill(0.0);
-  each_lane([&](int l) { factor[l] = with_right[l] / (1.0 + with_bordered[l]); });
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) {
-      right_[k][l] -= factor[l] * bordered_[k][l];
+      right_[k][l] -= by_stress[l] * bordered_[k][l];
+      if constexpr (own) right_[k][l] -= by_heat[l] * second_[k][l];
       const double size = std::abs(right_[k][l]);
       largest[l] = largest[l] > size ? largest[l] : size;
     });
@@ -167,20 +253,28 @@ double AcrossFilm::improve(double resistance) {
 }
 
 void AcrossFilm::solve() {
-  const bool any_wet = std::ranges::any_of(wet, [](double value) { return value != 0.0; });
-  T_ = upstream;
-  if (!any_wet) {  // heat without a source: the equations are linear
+  const bool own = flow_ == FilmFlow::own;
+  const bool sheared = own || std::ranges::any_of(wet, [](double value) { return value != 0.0; });
+  T_ = own ? before : upstream;
+  if (!sheared) {  // heat without a source: the equations are linear
     for (Lanes& share : share_) share.fill(1.0);
     stress_.fill(0.0);
     by_rate_.fill(0.0);
   }
   for (int n = 0; n < most_iterations; ++n) {
-    if (any_wet && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
-    if (any_wet && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
-    if (n < profile_iterations) set_transport();
+    if (sheared && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
+    if (sheared && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
+    if (own) {
+      own_.update(
+          {fluidity_, slope_, log_viscosities_, share_},
+          {wet, thickness, log_viscosity, poiseuille_flow, stress_, std::exp(log_ambient_), velocities_.sliding});
+    }
+    if (n == 0 && own) set_own_transport();
+    if (n < profile_iterations && !own) set_transport();
     const int phase = n / patience;
     const bool resisted = phase % 2 != 0;
-    if (improve(resisted ? 0.5 * (phase + 1) : 0.0) < tolerance && !resisted) return;
+    const double resistance = resisted ? 0.5 * (phase + 1) : 0.0;
+    if ((own ? improve<true>(resistance) : improve<false>(resistance)) < tolerance && !resisted) return;
   }
   for (int l = 0; l < lanes; ++l) {
     if (!std::isfinite(change_[l])) {
@@ -192,15 +286,23 @@ void AcrossFilm::solve() {
 bool AcrossFilm::missed(int lane) const { return !(change_[lane] < tolerance); }
 
 double AcrossFilm::heat_generated(int lane) const {
+  const bool own = flow_ == FilmFlow::own;
   double sum = stress_[lane] * std::abs(velocities_.sliding);
-  for (int k = 0; k < points(); ++k) sum += weights_[k] * thickness[lane] * bent_[k] * poiseuille_heat[lane];
+  for (int k = 0; k < points(); ++k) {
+    sum += weights_[k] * thickness[lane] * (own ? own_.heat[k][lane] : bent_[k] * poiseuille_heat[lane]);
+  }
   return sum;
 }
 
 double AcrossFilm::heat_carried(int lane) const {
+  const bool own = flow_ == FilmFlow::own;
+  const double conduction = conductivity[lane] * (points() - 1) / thickness[lane];
   double sum = 0.0;
   for (int k = 0; k < points(); ++k) {
-    sum += weights_[k] * thickness[lane] * transport_[k][lane] * (T_[k][lane] - upstream[k][lane]);
+    const double T = T_[k][lane];
+    sum += transport_[k][lane] * (T - (own ? source_[k][lane] : upstream[k][lane]));
+    if (own && k > 0) sum += (below_[k][lane] - conduction) * (T - T_[k - 1][lane]);
+    if (own && k + 1 < points()) sum += (above_[k][lane] - conduction) * (T - T_[k + 1][lane]);
   }
   return sum;
 }

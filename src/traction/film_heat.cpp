@@ -22,44 +22,66 @@ std::array<double, 2> wall_conductances(const TractionModel& model, const Surfac
 }
 
 /// The march along x.
-class FilmHeat {
+class HeatMarch {
 public:
-  FilmHeat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities)
+  HeatMarch(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities, FilmFlow flow,
+            FilmHeat& heat)
       : grid_(film.grid()),
+        film_(film),
         model_(model),
         velocities_(velocities),
         log_ambient_(std::log(film.scales().oil.viscosity)),
         h_x_(film.scales().length * grid_.h_x()),
+        own_(flow == FilmFlow::own),
         source_(grid_.nx(), h_x_),
         line_(film),
-        across_(model.law, film.scales().oil, *model.heat, velocities, wall_conductances(model, velocities, source_)),
-        profiles_(static_cast<std::size_t>(rows()) * points(), model.heat->oil.temperature),
+        across_(model.law, film.scales().oil, *model.heat, velocities, wall_conductances(model, velocities, source_),
+                flow),
+        heat_(heat),
         flow_(rows(), HUGE_VAL),
         base_pinion_(rows()),
         base_wheel_(rows()) {
+    const std::size_t nodes = grid_.local_size();
+    if (heat.temperatures.empty()) heat.temperatures.assign(nodes * points(), model.heat->oil.temperature);
     for (int j = 0; j < rows(); ++j) {
-      profile(j)[0] = model.bodies[1].temperature;
-      profile(j)[points() - 1] = model.bodies[0].temperature;
+      std::fill_n(profile(0, j), points(), model.heat->oil.temperature);
+      profile(0, j)[0] = model.bodies[1].temperature;
+      profile(0, j)[points() - 1] = model.bodies[0].temperature;
     }
     for (auto* field :
          {&fields_.shear_stress, &fields_.temperature_pinion, &fields_.temperature_wheel, &fields_.temperature_mean,
           &fields_.temperature_mid, &fields_.temperature_max, &fields_.heat_flux_pinion, &fields_.heat_flux_wheel,
           &fields_.heat_generated, &fields_.heat_carried}) {
-      field->assign(grid_.local_size(), 0.0);
+      field->assign(nodes, 0.0);
     }
+    if (!own_) return;
+    heat.flow.log_flow_factor.assign(nodes, 0.0);
+    heat.flow.wedge.assign(nodes, 0.0);
+    heat.flow.density.assign(nodes, 1.0);
+    if (heat.passing.empty()) heat.passing.assign(nodes * points(), 0.0);
   }
 
   TractionFields march() {
-    const double entering = model_.heat->oil.temperature;
-    for (int j = 0; j < rows(); ++j) store_profile(at(0, j), j, entering);
     const int edge = grid_.local_row(grid_.rows() - 1);  // nothing happens there
-    for (int i = 1; edge >= 0 && i < grid_.nx(); ++i) store_profile(at(i, edge), edge, entering);
-    for (int i = 1; i < grid_.nx(); ++i) {
-      line_.load(i);
-      source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
-      source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
-      for (int first = 0; first < solved_rows(); first += AcrossFilm::lanes) solve_rows(i, first);
+    line_.load(0);
+    for (int j = 0; j < rows(); ++j) {
+      store_profile(0, j, model_.heat->oil.temperature);
+      for (int k = 0; own_ && k < points(); ++k) {
+        const double place = static_cast<double>(k) / (points() - 1);
+        passing(0, j)[k] = line_.density[j] * line_.thickness[j] * (velocities_.wheel() + place * velocities_.sliding);
+      }
     }
+    for (int i = 1; i < grid_.nx(); ++i) {
+      if (edge >= 0) {
+        std::copy_n(profile(0, edge), points(), profile(i, edge));
+        store_profile(i, edge, model_.heat->oil.temperature);
+      }
+      solve_line(i);
+    }
+    // Back again, so that what oil brings from downstream reaches the inlet in one sweep.
+    returning_ = true;
+    for (int i = last_returning_; i > 0; --i) solve_line(i);
+    fields_.log_flow_factor = heat_.flow.log_flow_factor;
     return std::move(fields_);
   }
 
@@ -68,11 +90,29 @@ private:
   int solved_rows() const { return grid_.local_row(grid_.rows() - 1) >= 0 ? rows() - 1 : rows(); }
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
-  double* profile(int j) { return profiles_.data() + static_cast<std::size_t>(j) * points(); }
+  double* profile(int i, int j) { return heat_.temperatures.data() + at(i, j) * points(); }
+  /// rho/rho_0 h u_k [m^2/s].
+  double* passing(int i, int j) { return heat_.passing.data() + at(i, j) * points(); }
+
+  void solve_line(int i) {
+    line_.load(i);
+    source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
+    source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
+    for (int first = 0; first < solved_rows(); first += AcrossFilm::lanes) solve_rows(i, first);
+  }
 
   void solve_rows(int i, int first) {
     // Lanes beyond the last row repeat it.
-    for (int l = 0; l < AcrossFilm::lanes; ++l) load_lane(l, std::min(first + l, solved_rows() - 1));
+    for (int l = 0; l < AcrossFilm::lanes; ++l) {
+      const int j = std::min(first + l, solved_rows() - 1);
+      load_lane(l, i, j);
+      if (own_) {
+        load_own_flow(l, i, j);
+      } else {
+        load_isothermal_flow(l, j);
+      }
+      load_profiles(l, i, j);
+    }
     try {
       across_.solve();
     } catch (const SolveError& error) {
@@ -81,56 +121,112 @@ private:
               << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
-    for (int l = 0; l < AcrossFilm::lanes && first + l < solved_rows(); ++l) store_lane(l, at(i, first + l), first + l);
+    for (int l = 0; l < AcrossFilm::lanes && first + l < solved_rows(); ++l) {
+      if (!returning_ || line_.wet[first + l]) store_lane(l, i, first + l);
+    }
   }
 
-  void load_lane(int l, int j) {
-    const ThermalOil& oil = model_.heat->oil;
-    const double h = line_.thickness[j], p = line_.pressure[j], p_x = line_.gradient[j];
+  void load_lane(int l, int i, int j) {
+    const double h = line_.thickness[j], p = line_.pressure[j], density = line_.density[j];
     const bool wet = line_.wet[j] != 0;
-    const double inverse_viscosity = std::exp(-line_.log_viscosity[j]);
-    double filled = 1.0;
-    if (wet) {
-      // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
-      const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -velocities_.mean;
-      const double part = poiseuille < back ? back / poiseuille : 1.0;
-      across_.poiseuille_flow[l] = part * poiseuille;
-      across_.flow[l] = std::max(least_flow * velocities_.mean, velocities_.mean + across_.poiseuille_flow[l]);
-      across_.poiseuille_heat[l] = part * part * h * h * p_x * p_x * inverse_viscosity;
-      flow_[j] = line_.density[j] * across_.flow[l] * h;
-    } else {
-      filled = std::clamp(flow_[j] / (line_.density[j] * velocities_.mean * h), least_filled, 1.0);
-      across_.poiseuille_flow[l] = 0.0;
-      across_.flow[l] = filled * velocities_.mean;
-      across_.poiseuille_heat[l] = 0.0;
-    }
+    const double filled = wet ? 1.0 : std::clamp(flow_[j] / (density * velocities_.mean * h), least_filled, 1.0);
     across_.wet[l] = wet ? 1.0 : 0.0;
     across_.pressure[l] = p;
     across_.thickness[l] = h;
     across_.log_viscosity[l] = line_.log_viscosity[j] - log_ambient_;
-    across_.half_gradient[l] = 0.5 * h * p_x;
-    across_.carried[l] = oil.density * line_.density[j] * oil.heat_capacity / h_x_;
-    across_.conductivity[l] = filled * oil.conductivity_at(p);
+    across_.half_gradient[l] = 0.5 * h * line_.gradient[j];
+    across_.carried[l] = density * heat_by_step();
+    across_.conductivity[l] = filled * model_.heat->oil.conductivity_at(p);
     across_.base_pinion[l] =
         model_.bodies[0].temperature + surface_response(model_.bodies[0], velocities_.pinion()) * base_pinion_[j];
     across_.base_wheel[l] =
         model_.bodies[1].temperature + surface_response(model_.bodies[1], velocities_.wheel()) * base_wheel_[j];
-    for (int k = 0; k < points(); ++k) across_.upstream[k][l] = profile(j)[k];
+    across_.poiseuille_flow[l] = 0.0;
+    across_.poiseuille_heat[l] = 0.0;
+    across_.flow[l] = filled * velocities_.mean;
   }
 
-  void store_lane(int l, std::size_t node, int j) {
-    for (int k = 0; k < points(); ++k) profile(j)[k] = across_.temperatures()[k][l];
+  // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
+  void load_isothermal_flow(int l, int j) {
+    if (!line_.wet[j]) return;
+    const double h = line_.thickness[j], p_x = line_.gradient[j], inverse_viscosity = std::exp(-line_.log_viscosity[j]);
+    const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -velocities_.mean;
+    const double part = poiseuille < back ? back / poiseuille : 1.0;
+    across_.poiseuille_flow[l] = part * poiseuille;
+    across_.flow[l] = std::max(least_flow * velocities_.mean, velocities_.mean + across_.poiseuille_flow[l]);
+    across_.poiseuille_heat[l] = part * part * h * h * p_x * p_x * inverse_viscosity;
+    flow_[j] = line_.density[j] * across_.flow[l] * h;
+  }
+
+  // At the last wet node of a row dp/dx = 0.
+  void load_own_flow(int l, int i, int j) {
+    if (!line_.wet[j] || film_.pressure().row(i + 1)[j] <= 0.0) return;
+    const FlowCorrection& correction = film_.correction();
+    const double h = line_.thickness[j], log_factor = correction.empty() ? 0.0 : correction.log_flow_factor[at(i, j)];
+    across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
+  }
+
+  /// rho_0 c/h_x [J/(m^4 K)].
+  double heat_by_step() const { return model_.heat->oil.density * model_.heat->oil.heat_capacity / h_x_; }
+
+  void load_profiles(int l, int i, int j) {
+    const double *near = profile(i - 1, j), *far = profile(std::max(i - 2, 0), j);
+    if (!own_) {
+      for (int k = 0; k < points(); ++k) across_.upstream[k][l] = near[k];
+      return;
+    }
+    // (3 T_i - 4 T_i-1 + T_i-2)/2 where the oil comes that way.
+    const bool wet = line_.wet[j] && i > 1;
+    const int last = grid_.nx() - 1;
+    const double *next = profile(std::min(i + 1, last), j), *next_far = profile(std::min(i + 2, last), j);
+    const double *returning = passing(std::min(i + 1, last), j), *returning_far = passing(std::min(i + 2, last), j);
+    const double *passed = passing(i - 1, j), *passed_far = passing(std::max(i - 2, 0), j);
+    across_.step_factor[l] = wet ? 1.5 : 1.0;
+    for (int k = 0; k < points(); ++k) {
+      const bool second_order = wet && passed[k] > 0.0 && passed_far[k] > 0.0;
+      across_.upstream_factor[k][l] = second_order ? 1.5 : 1.0;
+      across_.upstream[k][l] = second_order ? (4.0 * near[k] - far[k]) / 3.0 : near[k];
+      const bool returns = wet && returning[k] < 0.0 && returning_far[k] < 0.0;
+      across_.downstream_factor[k][l] = returns ? 1.5 : 1.0;
+      across_.downstream[k][l] = returns ? (4.0 * next[k] - next_far[k]) / 3.0 : next[k];
+      across_.before[k][l] = profile(i, j)[k];
+      across_.arriving[k][l] = heat_by_step() * (wet ? 2.0 * passed[k] - 0.5 * passed_far[k] : passed[k]);
+    }
+  }
+
+  void store_lane(int l, int i, int j) {
+    const std::size_t node = at(i, j);
+    double* T = profile(i, j);
+    for (int k = 0; k < points(); ++k) T[k] = across_.temperatures()[k][l];
     fields_.shear_stress[node] = std::copysign(across_.stress()[l], velocities_.sliding);
     fields_.heat_flux_pinion[node] = across_.heat_pinion(l);
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
     fields_.heat_generated[node] = across_.heat_generated(l);
     fields_.heat_carried[node] = across_.heat_carried(l);
     if (across_.missed(l)) fields_.missed += 1.0;
-    store_profile(node, j, across_.mean_temperature(l));
+    store_profile(i, j, across_.mean_temperature(l));
+    if (own_) store_flow(l, i, j);
   }
 
-  void store_profile(std::size_t node, int j, double mean) {
-    const double* T = profile(j);
+  void store_flow(int l, int i, int j) {
+    const std::size_t node = at(i, j);
+    const double mass = line_.density[j] * line_.thickness[j];
+    double* passed = passing(i, j);
+    for (int k = 0; k < points(); ++k) {
+      passed[k] = mass * across_.speeds()[k][l];
+      if (!returning_ && line_.wet[j] && passed[k] < 0.0) last_returning_ = i;
+    }
+    const ThermalOil& oil = model_.heat->oil;
+    heat_.flow.density[node] = 1.0 - oil.expansion * (fields_.temperature_mean[node] - oil.temperature);
+    const double wedge = velocities_.sliding * (0.5 - across_.own_flow().centre[l]);
+    heat_.flow.log_flow_factor[node] = across_.own_flow().log_factor[l];
+    heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
+    if (line_.wet[j]) flow_[j] = mass * (velocities_.mean + wedge + across_.poiseuille_flow[l]);
+  }
+
+  void store_profile(int i, int j, double mean) {
+    const std::size_t node = at(i, j);
+    const double* T = profile(i, j);
     fields_.temperature_wheel[node] = T[0];
     fields_.temperature_pinion[node] = T[points() - 1];
     fields_.temperature_mean[node] = mean;
@@ -139,23 +235,33 @@ private:
   }
 
   const Grid& grid_;
+  const ContactFilm& film_;
   const TractionModel& model_;
   SurfaceVelocities velocities_;
   double log_ambient_;
   double h_x_;  // [m]
+  bool own_;
+  bool returning_ = false;  // on the way back
   MovingSource source_;
   FilmLine line_;
   AcrossFilm across_;
-  std::vector<double> profiles_;                  // T_k of the last line, row by row
-  std::vector<double> flow_;                      // rho/rho_0 (u_m h + q_P) of the last wet node of every row
+  FilmHeat& heat_;
+  std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last wet node of every row
   std::vector<double> base_pinion_, base_wheel_;  // sums of moving_source.hpp
+  int last_returning_ = 0;                        // line where oil turns back
   TractionFields fields_;
 };
 
 }  // namespace
 
 TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
-  return FilmHeat(model, film, velocities).march();
+  FilmHeat heat;
+  return HeatMarch(model, film, velocities, FilmFlow::isothermal, heat).march();
+}
+
+TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                          FilmHeat& heat) {
+  return HeatMarch(model, film, velocities, FilmFlow::own, heat).march();
 }
 
 }  // namespace gearfilm

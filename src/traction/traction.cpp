@@ -69,12 +69,12 @@ double common_flash(const TractionModel& model, const Grid& grid, double h_x, co
 }
 
 /// All processes fail together.
-TractionFields fields_of(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
-  if (!model.heat) return isothermal_film(model, film, velocities);
+template <class Computation>
+TractionFields agreed(const ContactFilm& film, Computation computation) {
   TractionFields fields;
   std::string reason;
   try {
-    fields = heated_film(model, film, velocities);
+    fields = computation();
   } catch (const SolveError& error) {
     reason = error.what();
   }
@@ -87,15 +87,15 @@ double largest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::ranges::max_element(values);
 }
 
-}  // namespace
-
-Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+/// Figures of fields that are known.
+Traction summed(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                TractionFields known) {
   const Grid& grid = film.grid();
   const Scales& scales = film.scales();
   Traction result;
-  TractionFields& fields = result.fields;
+  result.fields = std::move(known);
+  const TractionFields& fields = result.fields;
   TractionFigures& figures = result.figures;
-  fields = fields_of(model, film, velocities);
 
   enum Sum { stress, rolling, pressure, pinion, wheel, oil, generated, sums };
   const std::size_t size = grid.local_size();
@@ -144,6 +144,18 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
     figures.heat_balance = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
   }
   return result;
+}
+
+}  // namespace
+
+Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+  if (!model.heat) return summed(model, film, velocities, isothermal_film(model, film, velocities));
+  return summed(model, film, velocities, agreed(film, [&] { return heated_film(model, film, velocities); }));
+}
+
+Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                         FilmHeat& heat) {
+  return summed(model, film, velocities, agreed(film, [&] { return sweep_heat(model, film, velocities, heat); }));
 }
 
 }  // namespace gearfilm

@@ -78,6 +78,23 @@ class Friction(ProgramTest):
         self.assertGreater(summary["power_sliding"], 0)
         self.assertNotIn("schlenk_mean_friction", summary["predictions"])
 
+    def test_a_film_feels_its_heat(self):
+        film = ["-thermal_model", "film", "-steady_position", 0.002, "-grid_nx", 129, "-grid_ny", 65]
+        alone, run = self.summary("steady", BARBIERI, *HEAT[:2], *HEAT[4:], *film)
+        self.assertIn("thermal factors", run.stdout)
+        self.assertNotIn("inlet", run.stderr)
+        self.assertAlmostEqual(alone["thermal_factor"], alone["h_central"] / alone["h_central_isothermal"], delta=1e-12)
+        self.assertTrue(0.45 < alone["thermal_factor"] < 0.55, alone["thermal_factor"])
+        self.assertLess(alone["thermal_factor_min"], 0.4)
+        self.assertGreater(alone["h_central_error"], 0)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            self.assertGreater(file["contact0/log_flow_factor"][:].max(), 10)
+        together, _ = self.summary("steady", BARBIERI, *HEAT[:2], *HEAT[4:], *film, processes=2)
+        for name in ("h_central", "h_min", "friction_coefficient"):
+            self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-3, msg=name)
+        self.assert_wrong(["'thermal.model'", "steady"], "periodic", BARBIERI, *HEAT[:2], *HEAT[4:], "-thermal_model",
+                          "film")
+
     def test_wrong_input_is_named_in_one_line(self):
         heat = ["-thermal_model", "friction", "-friction_law", "eyring"]
         for words, options in (

@@ -7,18 +7,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "film_case.hpp"
 #include "friction_reference.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/traction/across_film.hpp"
 #include "gearfilm/traction/moving_source.hpp"
+#include "placed_film.hpp"
 
 namespace gearfilm {
 namespace {
 
 const Lubricant barus{.viscosity = 0.1, .pressure_viscosity = 2e-8, .viscosity_law = ViscosityLaw::barus};
-
-HeatOptions heat_options(int points) { return {.oil = {.temperature_viscosity = 0.04}, .points = points}; }
 
 /// A film between walls that stay cold, of oil that stays where it is.
 AcrossFilm couette(const ShearLaw& law, double sliding, int points) {
@@ -84,32 +82,6 @@ TEST(MovingSource, under_a_band_and_a_semi_ellipse_of_heat) {
   EXPECT_NEAR(largest_rise([](double x) { return std::abs(x) <= 1.0 ? 1.0 : 0.0; }, 801), 2.0 * std::numbers::sqrt2,
               1e-3 * 2.8284);
   EXPECT_NEAR(largest_rise([](double x) { return std::sqrt(std::max(0.0, 1.0 - x * x)); }, 801), 2.1883, 1e-3 * 2.1883);
-}
-
-/// The stationary film of Table 3 at a place on the line of action.
-struct PlacedFilm {
-  PlacedFilm(double xi, double force_ratio) : pitch(table3_pitch()), grid(PETSC_COMM_WORLD, pitch.shape(129, 65)) {
-    const LineOfAction line(table3::gear_pair());
-    const double u_m = pitch.scales.operation.entrainment_velocity;
-    velocities = {.mean = line.entrainment_velocity(xi, table3::pinion_speed),
-                  .sliding = line.sliding_velocity(xi, table3::pinion_speed)};
-    film = std::make_unique<ContactFilm>(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
-    film->set_conditions(
-        {.relative_radius = line.radius_x(xi) / pitch.scales.solids.radius_x, .entrainment = velocities.mean / u_m});
-    result = solve_stationary(*film, LoadCondition::force(force_ratio * pitch.scales.static_force), SolverOptions{});
-  }
-
-  FilmCase pitch;
-  Grid grid;
-  SurfaceVelocities velocities;
-  std::unique_ptr<ContactFilm> film;
-  StationaryResult result;
-};
-
-TractionModel heated(int points = 17) {
-  TractionModel model;
-  model.heat = heat_options(points);
-  return model;
 }
 
 TEST(Traction, of_the_case_study_as_the_reference_has_it) {

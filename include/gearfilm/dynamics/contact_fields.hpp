@@ -53,7 +53,8 @@ inline constexpr auto traction =
                                of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
                                of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
                                of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
-                               of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel)});
+                               of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
+                               of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
 
 inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field

@@ -37,6 +37,8 @@ public:
   const Scales& scales() const { return scales_; }
   const ContactConditions& conditions() const { return conditions_; }
   void set_conditions(const ContactConditions& conditions);
+  const FlowCorrection& correction() const { return correction_; }
+  void set_correction(FlowCorrection correction);
 
   // Collective, all of them.
 
@@ -80,6 +82,7 @@ private:
   const Deformation<double>& deformation_;
   Scales scales_;
   ContactConditions conditions_;
+  FlowCorrection correction_;
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;

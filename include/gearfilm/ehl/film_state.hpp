@@ -1,13 +1,15 @@
 // The film at every node: pressure, film thickness, and the oil properties that enter Reynolds' equation.
 //
 //   conductance xi_R = rho H^3/(eta lambda)          (22) of doi 10.1016/j.triboint.2013.01.017
-// all dimensionless, rho and eta relative to ambient. Derivatives are kept beside the values: the exact Jacobian and
-// every coarser level of the preconditioner are made from them without evaluating the oil again.
+// with the corrections of flow_correction.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept
+// beside the values: the exact Jacobian and every coarser level of the preconditioner are made from them without
+// evaluating the oil again.
 #pragma once
 
 #include <array>
 
 #include "gearfilm/contact/scales.hpp"
+#include "gearfilm/ehl/flow_correction.hpp"
 #include "gearfilm/ehl/halo.hpp"
 
 namespace gearfilm {
@@ -21,8 +23,11 @@ struct FilmState {
         conductance(grid),
         conductance_by_pressure(grid),
         conductance_by_thickness(grid),
+        entrained(grid),
         wet(grid),
-        row_scale(grid) {}
+        row_scale(grid) {
+    entrained.fill(1.0);
+  }
 
   Field<double> pressure;                  ///< P
   Field<double> thickness;                 ///< H
@@ -31,20 +36,22 @@ struct FilmState {
   Field<double> conductance;               ///< xi_R
   Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
+  Field<double> entrained;                 ///< (U + W)/U, of what the wedge carries
   Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
 };
 
 /// All fields of a state, for what treats them alike (injection, gathering).
-inline constexpr std::array<Field<double> FilmState::*, 9> state_fields = {&FilmState::pressure,
-                                                                           &FilmState::thickness,
-                                                                           &FilmState::density,
-                                                                           &FilmState::density_by_pressure,
-                                                                           &FilmState::conductance,
-                                                                           &FilmState::conductance_by_pressure,
-                                                                           &FilmState::conductance_by_thickness,
-                                                                           &FilmState::wet,
-                                                                           &FilmState::row_scale};
+inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&FilmState::pressure,
+                                                                            &FilmState::thickness,
+                                                                            &FilmState::density,
+                                                                            &FilmState::density_by_pressure,
+                                                                            &FilmState::conductance,
+                                                                            &FilmState::conductance_by_pressure,
+                                                                            &FilmState::conductance_by_thickness,
+                                                                            &FilmState::entrained,
+                                                                            &FilmState::wet,
+                                                                            &FilmState::row_scale};
 
 /// Oil properties of one contact in dimensionless form.
 class FilmProperties {
@@ -57,11 +64,11 @@ public:
 
   /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
   /// only inside an iteration) conducts nothing.
-  void evaluate(FilmState& state) const;
+  void evaluate(FilmState& state, const FlowCorrection& correction = {}) const;
 
 private:
   template <ViscosityLaw law>
-  void evaluate_line(FilmState& state, int i) const;
+  void evaluate_line(FilmState& state, int i, const double* log_flow_factor, const double* density_factor) const;
 
   OilLaws laws_;
   ViscosityLaw viscosity_law_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "gearfilm/ehl/stationary.hpp"
@@ -38,8 +39,15 @@ struct GridErrors {
   double worst() const { return std::max(central_film.relative_error(), smallest_film.relative_error()); }
 };
 
-/// Of the film that was found under the load condition; nothing where the grid has no coarser one, or this no film that
-/// is positive. Collective.
+/// Finds a film on a coarser grid, from a guess.
+using CoarseSolver = std::function<StationaryResult(ContactFilm& coarse, const FilmSolution& guess)>;
+
+/// Of a film that was found so; nothing where the grid has no coarser one, or this no film that is positive.
+/// Collective.
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptions& options,
+                                      const StationaryResult& result, const CoarseSolver& solve);
+
+/// Of the film that was found under the load condition.
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                       const StationaryResult& result);
 

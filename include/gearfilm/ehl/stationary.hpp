@@ -4,6 +4,7 @@
 // step), then grid by grid with the coarser film as first guess; pseudo-time again wherever Newton alone fails.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearfilm/ehl/stationary_newton.hpp"
@@ -23,6 +24,10 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
 /// The same from a film that is near, on its own grid; from nothing where that fails.
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess);
+
+/// The same by Newton's method alone; nothing where that fails.
+std::optional<StationaryResult> improve_stationary(ContactFilm& film, const LoadCondition& load,
+                                                   const SolverOptions& options, const FilmSolution& guess);
 
 /// Several films under one condition, from films that are near, on their own grid. Throws SolveError.
 FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,

@@ -21,6 +21,7 @@ struct ThermalOil {
   double conductivity_pressure_2 = 5.4e-10;  ///< c_2 [1/Pa]
   double density = 870.0;                    ///< rho_0 [kg/m^3]
   double heat_capacity = 2000.0;             ///< c [J/(kg K)]
+  double expansion = 0.0;                    ///< beta_rho = -d ln rho/dT [1/K]
 
   double conductivity_at(double pressure) const {
     return conductivity * (1.0 + conductivity_pressure_1 * pressure / (1.0 + conductivity_pressure_2 * pressure));

@@ -1,30 +1,33 @@
 // The energy equation across the film at some places side by side.
 //
-//   rho c u(z) (T - T_upstream)/h_x = d/dz(k dT/dz) + tau_m gamma'(z) + Phi(z)
+//   rho c u(z) dT/dx + rho c w(z) dT/dz = d/dz(k dT/dz) + tau_m gamma'(z) + Phi(z)
 //   gamma'(z) = u_s n(z)/h,  n = (1/eta)/mean(1/eta),  eta = eta(p, T(z)),  tau_m of the law at u_s/(h mean(1/eta))
-//   Phi(z) = (z - h/2)^2 p_x^2/eta(p, T_0)
-//   u(z) = u_2 + u_s Int_0^z n dz'/h + 6 (q_P/h) (z/h)(1 - z/h), cut at zero from below, then scaled to the mean flow
+//   dT/dx = (T - T_upstream)/step, or towards downstream where u < 0
 //   q_i = (T_i - base_i) conductance_i                                heat into the wall i, and its temperature
-// Finite volumes, the walls' cells being half as wide: what is generated goes into the walls or away with the oil, to
-// round-off. Newton's method for the temperatures T_k: a tridiagonal matrix plus one of rank one, since tau_m sees all
-// of them. SI units.
+// The flow that pressure drives, q_P, is given. In a film that does not feel its heat (FilmFlow::isothermal)
+//   u(z) = u_2 + u_s Int_0^z n dz'/h + 6 (q_P/h) (z/h)(1 - z/h), cut at zero from below, then scaled to the mean flow
+//   Phi(z) = (z - h/2)^2 p_x^2/eta(p, T_0),  w = 0
+// In one that does (FilmFlow::own), film_flow.hpp. Finite volumes, the walls' cells being half as wide: what is
+// generated goes into the walls or away with the oil, to round-off. Newton's method for the temperatures T_k: a
+// tridiagonal matrix plus one of rank one, since tau_m sees all of them, and another where Phi does. SI units.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "gearfilm/traction/film_flow.hpp"
 #include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
 
 class AcrossFilm {
 public:
-  static constexpr int lanes = 8;  ///< places side by side, for vector instructions
-  using Lanes = std::array<double, lanes>;
+  static constexpr int lanes = film_lanes;  ///< places side by side, for vector instructions
+  using Lanes = FilmLanes;
 
   /// conductances: of pinion and wheel [W/(m^2 K)].
   AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, const SurfaceVelocities& velocities,
-             const std::array<double, 2>& conductances);
+             const std::array<double, 2>& conductances, FilmFlow kind = FilmFlow::isothermal);
 
   // To be given for every lane.
   Lanes wet{};              ///< 1; 0 where there is neither shear nor Poiseuille heat
@@ -32,14 +35,22 @@ public:
   Lanes thickness{};        ///< h [m]
   Lanes log_viscosity{};    ///< ln(eta/eta_0) at T_0
   Lanes half_gradient{};    ///< h p_x/2 [Pa]
-  Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
   Lanes poiseuille_flow{};  ///< q_P/h [m/s]
-  Lanes flow{};             ///< mean of u(z) [m/s]
-  Lanes carried{};          ///< rho c/h_x [J/(m^4 K)]
+  Lanes carried{};          ///< rho c/step [J/(m^4 K)]
   Lanes conductivity{};     ///< k [W/(m K)]
   Lanes base_pinion{};      ///< wall temperatures without heat [K]
   Lanes base_wheel{};
   std::vector<Lanes> upstream;  ///< T_k there, the wheel's wall first [K]
+  // Of a film that does not feel its heat, and of a torn one.
+  Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
+  Lanes flow{};             ///< mean of u(z) [m/s]
+  // Of a film that does.
+  std::vector<Lanes> downstream;  ///< T_k there [K]
+  std::vector<Lanes> before;      ///< T_k of the sweep before, which makes u(z)
+  std::vector<Lanes> arriving;    ///< what h u_k rho c/h_x is less by from upstream on, over step_factor [W/(m^2 K)]
+  Lanes step_factor{};            ///< 1.5 of steps of second order, else 1
+  std::vector<Lanes> upstream_factor;  ///< the same of T_k
+  std::vector<Lanes> downstream_factor;
 
   int points() const { return static_cast<int>(weights_.size()); }
   /// Finds the temperatures, from those upstream, to 1e-6 K; lanes where that takes too long count as missed. Throws
@@ -55,11 +66,16 @@ public:
   double heat_generated(int lane) const;
   double heat_carried(int lane) const;
   double mean_temperature(int lane) const;
+  // Of a film that feels its heat.
+  const OwnFlow& own_flow() const { return own_; }
+  const std::vector<Lanes>& speeds() const { return speed_; }  ///< u_k [m/s]
 
 private:
   template <ViscosityLaw law>
   void shear();
   void set_transport();
+  void set_own_transport();
+  template <bool own>
   double improve(double resistance);
 
   ShearLaw law_;
@@ -68,13 +84,17 @@ private:
   double log_ambient_;
   SurfaceVelocities velocities_;
   std::array<double, 2> conductances_;
+  FilmFlow flow_;
   std::vector<double> weights_;  ///< w_k, of a mean over the film
   std::vector<double> places_;   ///< z_k/h
   std::vector<double> bent_;     ///< Phi_k h^2/... of poiseuille_heat
-  std::vector<Lanes> T_;
-  std::vector<Lanes> transport_;                 ///< rho c u/h_x
-  std::vector<Lanes> fluidity_, slope_, share_;  ///< 1/eta relative to ambient, d ln eta/dT, n
-  std::vector<Lanes> diagonal_, right_, bordered_;
+  OwnFlow own_;
+  std::vector<Lanes> T_, source_;     ///< T_k, and where it comes from
+  std::vector<Lanes> speed_;          ///< u_k
+  std::vector<Lanes> transport_;      ///< w_k h rho c |u|/step
+  std::vector<Lanes> below_, above_;  ///< conduction, and the flow across, from the neighbours [W/(m^2 K)]
+  std::vector<Lanes> log_viscosities_, fluidity_, slope_, share_;  ///< ln eta, 1/eta to ambient, d ln eta/dT, n
+  std::vector<Lanes> diagonal_, right_, bordered_, second_;
   Lanes stress_{}, by_rate_{};
   Lanes change_{};  ///< largest of the last iteration
 };

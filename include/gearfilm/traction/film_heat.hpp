@@ -1,12 +1,14 @@
 // Heat in the film of one contact: the energy equation across it, marched along the entrainment, between surfaces that
 // the heat warms as they pass.
 //
-// The equation across the film stands in across_film.hpp. Here: upwind along x; the Poiseuille flow and its heat as
-// Reynolds' equation fixed them, q_P = -h^3 p_x/(12 eta(p, T_0)), Phi = (z - h/2)^2 p_x^2/eta(p, T_0); the surfaces by
-// moving_source.hpp, implicit in the heat at the place itself. The film does not feel the heat. u(z) carries the mass
-// flow rho (u_m h + q_P), a tenth of rho u_m h at least. Where the film is torn the oil that went past the last wet
-// node fills a part of the gap, and conducts by that part. Oil enters with T_0, surfaces with the temperatures of
-// their bodies. Stationary: in a march, that of the film at the moment.
+// The equation across the film stands in across_film.hpp. Here: upwind along x; the Poiseuille flow as Reynolds'
+// equation fixed it, q_P = -F h^3 p_x/(12 eta(p, T_0)); the surfaces by moving_source.hpp, implicit in the heat at the
+// place itself. Where the film is torn the oil that went past the last wet node fills a part of the gap, and conducts
+// by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a march, that of
+// the film at the moment.
+// A film that does not feel its heat: u(z) carries the mass flow rho (u_m h + q_P), a tenth of rho u_m h at least;
+// steps of first order. One that does (FilmFlow::own): its own flow, which may turn back in the inlet and brings the
+// temperatures of the sweep before from there; steps of second order, (3 T_i - 4 T_i-1 + T_i-2)/(2 h_x).
 #pragma once
 
 #include <vector>
@@ -27,12 +29,24 @@ struct TractionFields {
   std::vector<double> temperature_max;   ///< across the film
   std::vector<double> heat_flux_pinion;  ///< from the film [W/m^2]
   std::vector<double> heat_flux_wheel;
-  std::vector<double> heat_generated;  ///< in the film [W/m^2]
-  std::vector<double> heat_carried;    ///< away by the oil [W/m^2]
-  double missed = 0.0;                 ///< own nodes whose temperatures were not found to the last digit
+  std::vector<double> heat_generated;   ///< in the film [W/m^2]
+  std::vector<double> heat_carried;     ///< away by the oil [W/m^2]
+  std::vector<double> log_flow_factor;  ///< ln F of a film that feels its heat; empty without
+  double missed = 0.0;                  ///< own nodes whose temperatures were not found to the last digit
 };
 
-/// Of the film at its present state. Throws SolveError where a temperature is not found.
+/// Of the film at its present state, which does not feel it. Throws SolveError where a temperature is not found.
 TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
+
+/// The heat of a film and what it makes of the flow, from one sweep to the next.
+struct FilmHeat {
+  std::vector<double> temperatures;  ///< T_k of every own node, the wheel's wall first; empty before the first sweep
+  std::vector<double> passing;       ///< rho/rho_0 h u_k likewise [m^2/s]
+  FlowCorrection flow;               ///< that these temperatures make
+};
+
+/// One sweep over the film at its present state, solved with film.correction(). Throws SolveError likewise.
+TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                          FilmHeat& heat);
 
 }  // namespace gearfilm

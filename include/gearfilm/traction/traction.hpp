@@ -39,4 +39,8 @@ struct Traction {
 /// Of a film at its present state. Collective. Throws SolveError where temperatures are not found.
 Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
 
+/// The same with one sweep of a film that feels its heat.
+Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                         FilmHeat& heat);
+
 }  // namespace gearfilm

@@ -26,13 +26,16 @@ struct HeatedBody {
 /// The energy equation across the film (film_heat.hpp).
 struct HeatOptions {
   ThermalOil oil;
-  int points = 17;  ///< across the film, odd
+  int points = 17;       ///< across the film, odd
+  bool in_film = false;  ///< the film feels its heat
 };
 
 struct TractionModel {
   ShearLaw law;
   std::array<HeatedBody, 2> bodies;  ///< pinion, wheel
   std::optional<HeatOptions> heat;   ///< absent: friction of an isothermal film
+
+  bool heats_film() const { return heat && heat->in_film; }
 };
 
 /// [m/s].

@@ -1,0 +1,188 @@
+// Films that feel their heat: the flow in a film of uneven viscosity against closed integrals, the corrected Jacobian,
+// and the case study against an independent program.
+#include "gearfilm/traction/thermal_film.hpp"
+
+#include <gtest/gtest.h>
+
+#include "friction_reference.hpp"
+#include "gearfilm/traction/film_flow.hpp"
+#include "placed_film.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double viscosity = 0.04, film_height = 1e-6;
+
+/// The flow in a film whose fluidity is f(z/h) times that at T_0, with u_s = 2 m/s and q_P/h = q [m/s].
+struct KnownFlow {
+  template <class Fluidity>
+  KnownFlow(Fluidity f, double q, int points) : flow(weights_of(points), places_of(points)) {
+    using Lanes = FilmLanes;
+    const auto all = [](double value) {
+      Lanes lanes;
+      lanes.fill(value);
+      return lanes;
+    };
+    std::vector<Lanes> fluidity, slope, log_viscosity;
+    double mean = 0.0;
+    for (int k = 0; k < points; ++k) {
+      fluidity.push_back(all(f(places_of(points)[k])));
+      slope.push_back(all(-0.04));
+      log_viscosity.push_back(all(-std::log(f(places_of(points)[k]))));
+      mean += weights_of(points)[k] * fluidity.back()[0];
+    }
+    std::vector<Lanes> share = fluidity;
+    for (Lanes& lanes : share) lanes = all(lanes[0] / mean);
+    flow.update({fluidity, slope, log_viscosity, share},
+                {all(1.0), all(film_height), all(0.0), all(q), all(stress), viscosity, sliding});
+  }
+
+  static std::vector<double> places_of(int points) {
+    std::vector<double> places;
+    for (int k = 0; k < points; ++k) places.push_back(k / (points - 1.0));
+    return places;
+  }
+  static std::vector<double> weights_of(int points) {
+    std::vector<double> weights(points, 1.0 / (points - 1));
+    weights.front() *= 0.5;
+    weights.back() *= 0.5;
+    return weights;
+  }
+  double mean(const std::vector<FilmLanes>& values) const {
+    const std::vector<double> weights = weights_of(static_cast<int>(values.size()));
+    double sum = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) sum += weights[k] * values[k][0];
+    return sum;
+  }
+
+  static constexpr double sliding = 2.0, stress = 1e6;
+  OwnFlow flow;
+};
+
+TEST(OwnFlow, of_even_viscosity_is_that_of_reynolds_equation) {
+  for (const double q : {-3.0, 0.5}) {
+    const KnownFlow known([](double) { return 1.0; }, q, 17);
+    EXPECT_NEAR(known.flow.log_factor[0], 0.0, 1e-14);
+    EXPECT_NEAR(known.flow.centre[0], 0.5, 1e-14);
+    EXPECT_NEAR(known.mean(known.flow.poiseuille), q, 5e-3 * std::abs(q));  // 17 points
+    // 12 eta q_P^2/h^3 over the film.
+    const double heat = 12.0 * viscosity * q * q / (film_height * film_height);
+    EXPECT_NEAR(known.mean(known.flow.heat), heat, 1e-12 * heat);
+  }
+}
+
+// f = 1 + c z: J_0 = 1 + c/2, J_1 = 1/2 + c/3, J_2 = 1/3 + c/4.
+TEST(OwnFlow, of_viscosity_that_falls_towards_one_wall) {
+  for (const double c : {1.0, 30.0}) {
+    const double J_0 = 1.0 + c / 2.0, J_1 = 0.5 + c / 3.0, J_2 = 1.0 / 3.0 + c / 4.0;
+    const double factor = 12.0 * (J_2 - J_1 * J_1 / J_0), q = -2.0;
+    const KnownFlow known([c](double z) { return 1.0 + c * z; }, q, 257);
+    EXPECT_NEAR(known.flow.log_factor[0], std::log(factor), 1e-4);
+    EXPECT_NEAR(known.flow.centre[0], J_1 / J_0, 1e-5);
+    EXPECT_NEAR(known.mean(known.flow.poiseuille), q, 1e-10);
+    EXPECT_NEAR(known.flow.poiseuille.back()[0], 0.0, 1e-10);
+    // Its mean does not have the heat that stress and gradient make together.
+    const double heat = 12.0 * viscosity * q * q / (film_height * film_height * factor);
+    EXPECT_NEAR(known.mean(known.flow.heat), heat, 1e-4 * heat);
+  }
+}
+
+/// The thermal film at a place.
+struct HotFilm : PlacedFilm {
+  HotFilm(double xi, int nx, int ny, const TractionModel& model = heated(), Domain domain = wide)
+      : PlacedFilm(xi, 1.0, nx, ny, domain),
+        thermal(solve_thermal(*film, load, SolverOptions{}, model, velocities, result)) {}
+
+  double factor() const { return thermal.film.figures.central_film / result.figures.central_film; }
+
+  static constexpr Domain wide{-4.5, 1.5, 1.2};
+  ThermalFilm thermal;
+};
+
+// The reference marches along x in steps of first order: on the same grid its films are 2 to 3 % thicker, on twice as
+// many lines 1.7 %. One per cent is added to its tolerances.
+TEST(ThermalFilm, of_the_case_study_as_the_reference_has_it) {
+  const auto& reference = friction_case::reference().at("thermal_film");
+  const auto& tolerances = reference.at("tolerances");
+  for (const auto& at : reference.at("positions")) {
+    if (at.at("grid") != "257 x 65") continue;
+    const double xi = at.at("xi");
+    const HotFilm hot(xi, 257, 65);
+    const TractionFigures& figures = hot.thermal.traction.figures;
+    const double thickness = hot.film->scales().thickness, T_0 = 363.15;
+    const auto expect = [&](const char* name, double computed, const char* tolerance) {
+      const double expected = at.at(name);
+      EXPECT_NEAR(computed, expected, (0.01 + tolerances.at(tolerance).get<double>()) * std::abs(expected))
+          << name << " at " << xi;
+    };
+    expect("h_central", thickness * hot.thermal.film.figures.central_film, "h_central");
+    expect("h_min", thickness * hot.thermal.film.figures.smallest_film, "h_min");
+    expect("thermal_factor", hot.factor(), "thermal_factor");
+    expect("power_rolling_hpx", figures.power_rolling, "power_rolling_hpx");
+    if (xi != 0.0) {
+      expect("mu", figures.coefficient, "mu");
+      expect("power_sliding", figures.power_sliding, "power_sliding");
+      expect("surface_rise_pinion", figures.surface_pinion - T_0, "surface_rise");
+      expect("surface_rise_wheel", figures.surface_wheel - T_0, "surface_rise");
+      expect("heat_pinion", figures.heat_pinion, "heat");
+      expect("heat_wheel", figures.heat_wheel, "heat");
+    }
+    EXPECT_LT(std::abs(figures.heat_balance), 1e-8);
+    EXPECT_LT(hot.thermal.change, 1e-3);
+  }
+}
+
+TEST(ThermalFilm, of_oil_that_heat_does_not_thin_is_isothermal) {
+  TractionModel insensitive = heated();
+  insensitive.heat->oil.temperature_viscosity = 1e-5;
+  const HotFilm hot(0.002, 65, 33, insensitive, paper_domain(2400.0));
+  EXPECT_NEAR(hot.factor(), 1.0, 1e-3);
+}
+
+TEST(ThermalFilm, in_pure_rolling_has_no_sliding_friction_and_warms_both_bodies_alike) {
+  const HotFilm hot(0.0, 65, 33, heated(), paper_domain(2400.0));
+  EXPECT_EQ(hot.thermal.traction.figures.sliding_force, 0.0);
+  EXPECT_NEAR(hot.thermal.traction.figures.heat_pinion, hot.thermal.traction.figures.heat_wheel,
+              1e-9 * hot.thermal.traction.figures.heat_wheel);
+}
+
+// The same mass passes the middle, where it is hottest.
+TEST(ThermalFilm, that_expands_is_thicker) {
+  TractionModel expanding = heated();
+  expanding.heat->oil.expansion = 7e-4;
+  const Domain narrow = paper_domain(2400.0);
+  const HotFilm rigid(0.002, 65, 33, heated(), narrow), hot(0.002, 65, 33, expanding, narrow);
+  EXPECT_GT(hot.factor(), 1.05 * rigid.factor());
+  EXPECT_LT(hot.factor(), 1.25 * rigid.factor());
+}
+
+// |G(x + e v) - G(x) - e J v| falls like e^2 with F, W and r as they are.
+TEST(ThermalFilm, jacobian_knows_the_correction) {
+  TractionModel expanding = heated();
+  expanding.heat->oil.expansion = 7e-4;
+  const HotFilm hot(0.005, 129, 33, expanding, paper_domain(2400.0));
+  ContactFilm film(hot.film->discretisation(), hot.film->scales(), {.precision = Precision::double_precision});
+  film.set_conditions(hot.film->conditions());
+  film.set_correction(hot.film->correction());
+  const std::vector<double>& pressure = hot.thermal.film.solution.pressure;
+  const double H0 = hot.thermal.film.solution.H0;
+  std::vector<double> change(pressure), slope(pressure.size()), at_state(pressure.size());
+  for (std::size_t n = 0; n < change.size(); ++n) change[n] *= std::sin(0.7 * static_cast<double>(n));
+  film.residual(pressure, H0, {}, at_state);
+  film.linearise(pressure, H0, {}, 0.0);
+  film.multiply(change, 0.0, slope);
+  double before = 0.0;
+  for (const double step : {4e-3, 2e-3, 1e-3}) {
+    std::vector<double> moved(pressure), remainder(pressure.size());
+    for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += step * change[n];
+    film.residual(moved, H0, {}, remainder);
+    for (std::size_t n = 0; n < remainder.size(); ++n) remainder[n] -= at_state[n] + step * slope[n];
+    double size = film.merit(remainder);
+    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    if (before > 0.0) EXPECT_NEAR(std::log2(std::sqrt(before / size)), 2.0, 0.2);
+    before = size;
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm
