@@ -1,20 +1,14 @@
-#!/ usr / bin / env python3
-""
-    "How much thinner films become by the heat in their inlets: computed thermal factors beside formulas.
+#!/usr/bin/env python3
+"""How much thinner films become by the heat in their inlets: computed thermal factors beside formulas.
 
-    scripts /
-    thermal_factors.py FOLDER[--nx 257]
+    scripts/thermal_factors.py FOLDER [--nx 257]
 
-    Contacts in pure rolling over L_T = beta eta_0 u_m ^ 2 / k,
-                                  by their speed : circular ones of steel at 1 and 2.5 GPa,
-                                  and the pitch point of the case study.Each on NX lines and on half as many : factors,
-                                  what they tend to towards finer grids with its error,
-                                  the formulas of Murch and Wilson and of Gupta.Markdown tables are printed;
-cases and results stay in FOLDER.About five minutes.
+Contacts in pure rolling over L_T = beta eta_0 u_m^2/k, by their speed: circular ones of steel at 1 and 2.5 GPa, and the
+pitch point of the case study. Each on NX lines and on half as many: factors, what they tend to towards finer grids with
+its error, the formulas of Murch and Wilson and of Gupta. A Markdown table is printed; cases and results stay in FOLDER.
+About five minutes.
 
-    Environment : GEARFILM,
-    the binary;
-GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
+Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
 """
 import argparse
@@ -24,27 +18,22 @@ from runs import SOURCE, RunError, attempt, one_line_errors
 from tables import heading, row
 
 LOADINGS = (0.2, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)        # L_T
-VISCOSITY, PER_KELVIN, CONDUCTIVITY = 0.04, 0.04, 0.137
 LOADS = {"1": 80.1, "2.5": 1252.0}                     # N, by the Hertz pressure in GPa
+VISCOSITY, PER_KELVIN, CONDUCTIVITY = 0.04, 0.04, 0.137
 CASE_STUDY = SOURCE / "input/barbieri2013.yaml"
 PITCH_SPEED = 29.7445          # of the case study: m/s at SHAFT_SPEED
 SHAFT_SPEED = 15000.0          # rpm
 DOMAIN = ("-grid_x_min", -4.5, "-grid_x_max", 1.5)
-HEAT = ("-friction_law", "eyring", "-lubricant_temperature_viscosity", PER_KELVIN)
+HEAT = ("-friction_law", "eyring", "-thermal_model", "film", "-lubricant_temperature_viscosity", PER_KELVIN)
 CIRCULAR = """
-case: {
-  {
-  kind:
-    contact
-  }
-}
-contact : radius_x : 12.5e-3 radius_y : 12.5e-3 reduced_modulus : 226e9 load : {load !r} entrainment_velocity
-    : {speed !r} lubricant : {
-  {
-  viscosity:
-    0.04, pressure_viscosity : 2.2e-8
-  }
-}
+case: {{kind: contact}}
+contact:
+  radius_x: 12.5e-3
+  radius_y: 12.5e-3
+  reduced_modulus: 226e9
+  load: {load!r}
+  entrainment_velocity: {speed!r}
+lubricant: {{viscosity: 0.04, pressure_viscosity: 2.2e-8}}
 """
 
 
@@ -53,23 +42,21 @@ def speed_of(loading):
 
 
 def solved(case, folder, nx, ny, *options):
-    run = attempt("steady", case, folder, "-thermal_model", "film", *HEAT, "-grid_nx", nx, "-grid_ny", ny, *DOMAIN,
-                  *options)
+    run = attempt("steady", case, folder, *HEAT, "-grid_nx", nx, "-grid_ny", ny, *DOMAIN, *options)
     if run.status != 0:
         raise RunError(f"{case.name}, {nx} x {ny}: {run.message}")
     return run.summary
 
 
 def cells(case, folder, nx, ny, *options):
-    """Factor on both grids and their limit; films; formulas."""
+    """Films; factor on both grids and its limit, and that of the smallest film; formulas."""
     fine = solved(case, folder, nx, ny, *options)
     coarse = solved(case, folder, (nx + 1) // 2, (ny + 1) // 2, *options)
     factors = [summary["thermal_factor"] for summary in (coarse, fine)]
     error = (factors[1] - factors[0]) / 3
-    smallest = fine["thermal_factor_min"]
     predictions = fine["predictions"]
     return (f"{1e6 * fine['h_central_isothermal']:.4f}", f"{1e6 * fine['h_central']:.4f}", f"{factors[0]:.3f}",
-            f"{factors[1]:.3f}", f"{factors[1] + error:.3f} +- {abs(error):.3f}", f"{smallest:.3f}",
+            f"{factors[1]:.3f}", f"{factors[1] + error:.3f} +- {abs(error):.3f}", f"{fine['thermal_factor_min']:.3f}",
             f"{predictions['murch_wilson_thermal_factor']:.3f}", f"{predictions['gupta_thermal_factor']:.3f}",
             fine["thermal_turns"])
 

@@ -1,18 +1,14 @@
-#!/ usr / bin / env python3
-""
-    "The film of a gear pair with and without its heat over the line of action: table and figure.
+#!/usr/bin/env python3
+"""The film of a gear pair with and without its heat over the line of action: table and figure.
 
-    scripts /
-    thermal_line.py CASE FOLDER[--places 23][--name thermal_film][-option value...]
+    scripts/thermal_line.py CASE FOLDER [--places 23] [--name thermal_film] [-option value ...]
 
-`steady` at places from entry to exit,
-    under the static force where one pair of teeth meshes and half of it where two do,
-    with thermal.model film and friction.The case, or options of gearfilm behind all others,
-    give what heat needs(lubricant.temperature_viscosity).Prints a Markdown table;
-writes FOLDER / thermal_film.png and.pdf.Case and results of the last place stay in FOLDER.
+`steady` at places from entry to exit, under the static force where one pair of teeth meshes and half of it where two
+do, with thermal.model film and Eyring's friction. The case, or options of gearfilm behind all others, give what heat
+needs (lubricant.temperature_viscosity). Prints a Markdown table; writes FOLDER/thermal_film.png and .pdf. Results of
+the last place stay in FOLDER.
 
-                Environment : GEARFILM,
-    the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
+Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
 """
 import argparse
@@ -23,6 +19,9 @@ from runs import RunError, attempt, one_line_errors
 from tables import heading, row
 
 HEAT = ("-friction_law", "eyring", "-thermal_model", "film")
+LINES = (("h_central_isothermal", "central, without heat", BLUE, "--"),
+         ("h_min_isothermal", "smallest, without heat", VERMILLION, "--"),
+         ("h_central", "central", BLUE, "-"), ("h_min", "smallest", VERMILLION, "-"))
 
 
 def solved(command, case, folder, *options):
@@ -57,9 +56,7 @@ def cells(film):
 def draw(films):
     figure, (upper, lower) = pyplot.subplots(2, 1, figsize=(7, 6.5), sharex=True, constrained_layout=True)
     places = [1e3 * film["position"] for film in films]
-    for key, label, colour, style in (("h_central_isothermal", "central, without heat", BLUE, "--"),
-                                      ("h_min_isothermal", "smallest, without heat", VERMILLION, "--"),
-                                      ("h_central", "central", BLUE, "-"), ("h_min", "smallest", VERMILLION, "-")):
+    for key, label, colour, style in LINES:
         upper.plot(places, [1e6 * film[key] for film in films], style, color=colour, linewidth=1.4, label=label)
     upper.set_ylabel(r"film [$\mu$m]")
     upper.set_ylim(bottom=0)

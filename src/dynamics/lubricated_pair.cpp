@@ -18,11 +18,18 @@ std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   return films;
 }
 
+std::vector<LiveContact> without_fields(const std::vector<LiveContact>& contacts) {
+  std::vector<LiveContact> bare;
+  for (const LiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.heat});
+  return bare;
+}
+
 }  // namespace
 
 LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<LiveContact>& contacts,
                                const std::optional<LoadSharing::Piece>& share)
     : mesh_(mesh),
+      contacts_(without_fields(contacts)),
       numbers_(numbers_of(contacts)),
       films_(films_of(contacts)),
       share_(share),
@@ -98,9 +105,9 @@ void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double s
                     together ? FilmSystem::Elimination::exact : FilmSystem::Elimination::border_first);
 }
 
-std::vector<ContactRecord> LubricatedPair::records(Vec state, double T) {
+std::vector<ContactRecord> LubricatedPair::records(Vec state, double T, double dT) {
   place(T);
-  return contact_records(mesh_, numbers_, T, films_, system_.figures(state));
+  return contact_records(mesh_, contacts_, T, system_.figures(state), dT);
 }
 
 }  // namespace gearfilm

@@ -75,6 +75,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
   for (std::size_t k = 0; k < contacts().size(); ++k) {
     films_.set_fields(k, system.field(state, k), system.field(stepper.rate(), k));
   }
+  films_.adapt_rates();
 }
 
 void MeshMarch::run(double T_end) {

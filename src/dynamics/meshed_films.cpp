@@ -12,6 +12,7 @@
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
+#include "gearfilm/traction/thermal_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -70,10 +71,13 @@ void MeshedFilms::set_values(const ContactField& kind, std::span<const double> v
   }
 }
 
+// Films in wait still have the flow of the contact that left.
 ContactFilm* MeshedFilms::free_film() {
   for (const auto& film : films_) {
     const auto uses = [&](const LiveContact& contact) { return contact.film == film.get(); };
-    if (std::none_of(contacts_.begin(), contacts_.end(), uses)) return film.get();
+    if (std::any_of(contacts_.begin(), contacts_.end(), uses)) continue;
+    film->set_correction({});
+    return film.get();
   }
   films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, options_.films.multigrid));
   return films_.back().get();
@@ -88,7 +92,38 @@ void MeshedFilms::move_to(const GridShape& shape) {
   for (LiveContact& contact : contacts_) {
     contact.film = free_film();
     for (auto& [name, values] : contact.fields) values = refitted(values, before->grid(), discretisation_->grid());
+    warm(contact);
   }
+}
+
+LiveContact MeshedFilms::fresh(int number, ContactFilm* film, const LoadCondition& load,
+                               StationaryResult& found) const {
+  if (!heats_films()) return {number, film, still(found.solution.pressure), {}};
+  const SurfaceVelocities velocities = velocities_of(mesh_.scales, mesh_.contact(number, T_));
+  ThermalFilm heated = located(label(number), [&] {
+    return solve_thermal(*film, load, options_.films, *mesh_.traction, velocities, found);
+  });
+  found = std::move(heated.film);
+  LiveContact contact{number, film, still(found.solution.pressure), {}};
+  keep_heat(*mesh_.traction, heated.heat, contact.fields);
+  warm(contact);
+  return contact;
+}
+
+void MeshedFilms::warm(LiveContact& contact) const {
+  if (!heats_films()) return;
+  contact.heat = std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh_.traction, contact.fields)});
+  contact.film->set_correction(contact.heat->state.flow);
+}
+
+// What goes on is what is kept, to the bit.
+void MeshedFilms::set_fields(std::size_t number, std::vector<double> pressure, std::vector<double> rate) {
+  LiveContact& contact = contacts_[number];
+  values_of(contact.fields, field::pressure) = std::move(pressure);
+  values_of(contact.fields, field::rate) = std::move(rate);
+  if (!contact.heat) return;
+  keep_heat(*mesh_.traction, contact.heat->state, contact.fields);
+  warm(contact);
 }
 
 // The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
@@ -137,12 +172,12 @@ LiveContact MeshedFilms::enter(int number) {
     const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(contacts_.size()));
     ContactFilm* film = free_film();
     film->set_conditions(mesh_.contact(number, T_).conditions);
-    const StationaryResult entered =
+    StationaryResult entered =
         located(label(number) + ", entering", [&] { return solve_stationary(*film, load, options_.films); });
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));
-      return {number, film, still(entered.solution.pressure)};
+      return fresh(number, film, load, entered);
     }
     make_room(needed);
   }
@@ -171,10 +206,10 @@ void MeshedFilms::balance_at_rest() {
     const bool carries = dry_forces[k] > 0.01 * force;
     const LoadCondition load =
         carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
-    const StationaryResult found =
+    StationaryResult found =
         located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
+    contacts_.push_back(fresh(numbers[k], film, load, found));
     if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
-    contacts_.push_back({numbers[k], film, still(found.solution.pressure)});
   }
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
 }
@@ -219,7 +254,7 @@ std::vector<FilmFigures> MeshedFilms::figures() const {
 
 std::vector<ContactRecord> MeshedFilms::records() const {
   const std::vector<FilmFigures> present = figures();
-  return contact_records(mesh_, numbers(), T_, present_films(), present);
+  return contact_records(mesh_, contacts_, T_, present);
 }
 
 std::map<int, double> MeshedFilms::displacement_by_number() const {
@@ -307,6 +342,20 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
   set_values(field::rate, rate);
 }
 
+// By Reynolds' equation, in which the rate stands alone.
+void MeshedFilms::adapt_rates() {
+  if (!heats_films()) return;
+  const std::vector<double> displaced = displacements();
+  const std::vector<ContactFilm*> films = present_films();
+  std::vector<double> rows(discretisation_->grid().local_size());
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    const std::vector<double>& pressure = values_of(contacts_[k].fields, field::pressure);
+    std::vector<double>& rate = values_of(contacts_[k].fields, field::rate);
+    films[k]->residual(pressure, displaced[k], {rate, 1.0 / options_.steps.dT}, rows);
+    for (std::size_t n = 0; n < rows.size(); ++n) rate[n] -= pressure[n] > 0.0 ? rows[n] : 0.0;
+  }
+}
+
 std::vector<double> MeshedFilms::similar_pressures(const std::vector<double>& displaced) const {
   const std::vector<double> before = forces();
   DryContacts dry(DryForce(mesh_), mesh_, numbers(), T_);
@@ -357,7 +406,10 @@ void MeshedFilms::take_up(double T, const PairState& state, const std::vector<in
   contacts_.clear();
   if (!numbers.empty()) move_to(united(discretisation_->grid().shape(), state.shape));
   const PairState here = refitted(state, comm(), discretisation_->grid().shape());
-  for (std::size_t k = 0; k < numbers.size(); ++k) contacts_.push_back({numbers[k], free_film(), here.films[k]});
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    contacts_.push_back({numbers[k], free_film(), here.films[k], {}});
+    warm(contacts_.back());
+  }
 }
 
 }  // namespace gearfilm

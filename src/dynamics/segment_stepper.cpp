@@ -146,7 +146,7 @@ void SegmentStepper::finish_step() {
   record.T = T;
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);
-  record.contacts = pair_.records(state, T);
+  record.contacts = pair_.records(state, T, record.dT);
   record.back_force = back_force(pair_.mesh(), record.motion.H0, T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;

@@ -9,15 +9,36 @@ ContactRecord contact_record(const MeshModel& mesh, int number, double T, const 
   return {number, contact.position, figures_of({mesh.scales, contact, figures})};
 }
 
-std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<int>& numbers, double T,
-                                           const std::vector<ContactFilm*>& films,
-                                           const std::vector<FilmFigures>& figures) {
+namespace {
+
+// A step of no length: temperatures stay, and make their friction.
+constexpr double moment = 1e-15;  // [s]
+
+TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, const SurfaceVelocities& velocities,
+                            double dT) {
+  const TractionModel& model = *mesh.traction;
+  if (!live.heat) return traction(model, *live.film, velocities).figures;
+  LiveHeat& heat = *live.heat;
+  if (dT > 0.0) {
+    heat.traction = heated_traction(model, *live.film, velocities, heat.state, dT * mesh.scales.time);
+    live.film->set_correction(heat.state.flow);
+  } else {
+    FilmHeat still = heat.state;
+    heat.traction = heated_traction(model, *live.film, velocities, still, moment);
+  }
+  return heat.traction->figures;
+}
+
+}  // namespace
+
+std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<LiveContact>& contacts, double T,
+                                           const std::vector<FilmFigures>& figures, double dT) {
   std::vector<ContactRecord> records;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const MeshedContact contact = mesh.contact(numbers[k], T);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const MeshedContact contact = mesh.contact(contacts[k].number, T);
     ContactMoment at{mesh.scales, contact, figures[k], {}, mesh.roughness};
-    if (mesh.traction) at.traction = traction(*mesh.traction, *films[k], velocities_of(mesh.scales, contact)).figures;
-    records.push_back({numbers[k], contact.position, figures_of(at)});
+    if (mesh.traction) at.traction = traction_of(mesh, contacts[k], velocities_of(mesh.scales, contact), dT);
+    records.push_back({contacts[k].number, contact.position, figures_of(at)});
   }
   return records;
 }

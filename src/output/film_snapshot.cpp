@@ -5,7 +5,9 @@ namespace {
 
 void add_traction(const MeshModel& mesh, double T, const LiveContact& live, ContactSnapshot& snapshot) {
   const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(live.number, T));
-  const TractionFields fields = traction(*mesh.traction, *live.film, velocities).fields;
+  const bool known = live.heat && live.heat->traction;
+  const TractionFields fields =
+      known ? live.heat->traction->fields : traction(*mesh.traction, *live.film, velocities).fields;
   for (const field::OfTraction& kind : field::traction) {
     const std::vector<double>& values = fields.*kind.values;
     if (values.empty()) continue;

@@ -42,6 +42,7 @@ inline double neighbour_coefficient(double conduction, double flow) {
 AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
                        const SurfaceVelocities& velocities, const std::array<double, 2>& conductances, FilmFlow kind)
     : upstream(heat.points),
+      earlier(heat.points),
       downstream(heat.points),
       before(heat.points),
       arriving(heat.points),
@@ -177,7 +178,8 @@ double AcrossFilm::improve(double resistance) {
           transport_[k][l] + (1.0 + 0.5 * resistance) * (below_[k][l] + above_[k][l]) + heat * slope_[k][l];
       bordered_[k][l] = -weight * sliding * (stress_[l] + by_rate_[l]) * share_[k][l];
       if constexpr (own) {
-        diagonal_[k][l] += width * own_.diagonal[k][l];
+        right_[k][l] -= width * stored[l] * (T - earlier[k][l]);
+        diagonal_[k][l] += width * (stored[l] + own_.diagonal[k][l]);
         second_[k][l] = width * own_.column[k][l];
       }
     });
@@ -301,6 +303,7 @@ double AcrossFilm::heat_carried(int lane) const {
   for (int k = 0; k < points(); ++k) {
     const double T = T_[k][lane];
     sum += transport_[k][lane] * (T - (own ? source_[k][lane] : upstream[k][lane]));
+    if (own) sum += weights_[k] * thickness[lane] * stored[lane] * (T - earlier[k][lane]);
     if (own && k > 0) sum += (below_[k][lane] - conduction) * (T - T_[k - 1][lane]);
     if (own && k + 1 < points()) sum += (above_[k][lane] - conduction) * (T - T_[k + 1][lane]);
   }

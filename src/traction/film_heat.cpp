@@ -25,12 +25,13 @@ std::array<double, 2> wall_conductances(const TractionModel& model, const Surfac
 class HeatMarch {
 public:
   HeatMarch(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities, FilmFlow flow,
-            FilmHeat& heat)
+            FilmHeat& heat, std::optional<double> time_step = {})
       : grid_(film.grid()),
         film_(film),
         model_(model),
         velocities_(velocities),
         log_ambient_(std::log(film.scales().oil.viscosity)),
+        inverse_span_(inverse_roelands_span(film.scales().oil)),
         h_x_(film.scales().length * grid_.h_x()),
         own_(flow == FilmFlow::own),
         source_(grid_.nx(), h_x_),
@@ -42,6 +43,10 @@ public:
         base_pinion_(rows()),
         base_wheel_(rows()) {
     const std::size_t nodes = grid_.local_size();
+    if (time_step) {
+      storage_ = model.heat->oil.density * model.heat->oil.heat_capacity / *time_step;
+      earlier_ = heat.temperatures;
+    }
     if (heat.temperatures.empty()) heat.temperatures.assign(nodes * points(), model.heat->oil.temperature);
     for (int j = 0; j < rows(); ++j) {
       std::fill_n(profile(0, j), points(), model.heat->oil.temperature);
@@ -55,7 +60,8 @@ public:
       field->assign(nodes, 0.0);
     }
     if (!own_) return;
-    heat.flow.log_flow_factor.assign(nodes, 0.0);
+    heat.flow.thinning.assign(nodes, 0.0);
+    fields_.log_flow_factor.assign(nodes, 0.0);
     heat.flow.wedge.assign(nodes, 0.0);
     heat.flow.density.assign(nodes, 1.0);
     if (heat.passing.empty()) heat.passing.assign(nodes * points(), 0.0);
@@ -81,7 +87,6 @@ public:
     // Back again, so that what oil brings from downstream reaches the inlet in one sweep.
     returning_ = true;
     for (int i = last_returning_; i > 0; --i) solve_line(i);
-    fields_.log_flow_factor = heat_.flow.log_flow_factor;
     return std::move(fields_);
   }
 
@@ -158,11 +163,15 @@ private:
     flow_[j] = line_.density[j] * across_.flow[l] * h;
   }
 
+  /// ln F over theta (flow_correction.hpp).
+  double by_thinning(int l) const { return 1.0 + inverse_span_ * across_.log_viscosity[l]; }
+
   // At the last wet node of a row dp/dx = 0.
   void load_own_flow(int l, int i, int j) {
     if (!line_.wet[j] || film_.pressure().row(i + 1)[j] <= 0.0) return;
     const FlowCorrection& correction = film_.correction();
-    const double h = line_.thickness[j], log_factor = correction.empty() ? 0.0 : correction.log_flow_factor[at(i, j)];
+    const double h = line_.thickness[j];
+    const double log_factor = correction.empty() ? 0.0 : correction.thinning[at(i, j)] * by_thinning(l);
     across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }
 
@@ -181,15 +190,18 @@ private:
     const double *next = profile(std::min(i + 1, last), j), *next_far = profile(std::min(i + 2, last), j);
     const double *returning = passing(std::min(i + 1, last), j), *returning_far = passing(std::min(i + 2, last), j);
     const double *passed = passing(i - 1, j), *passed_far = passing(std::max(i - 2, 0), j);
+    const double* earlier = storage_ > 0.0 ? earlier_.data() + at(i, j) * points() : profile(i, j);
+    across_.stored[l] = storage_ * line_.density[j];
     across_.step_factor[l] = wet ? 1.5 : 1.0;
     for (int k = 0; k < points(); ++k) {
       const bool second_order = wet && passed[k] > 0.0 && passed_far[k] > 0.0;
       across_.upstream_factor[k][l] = second_order ? 1.5 : 1.0;
       across_.upstream[k][l] = second_order ? (4.0 * near[k] - far[k]) / 3.0 : near[k];
-      const bool returns = wet && returning[k] < 0.0 && returning_far[k] < 0.0;
+      const bool returns = wet && storage_ == 0.0 && returning[k] < 0.0 && returning_far[k] < 0.0;
       across_.downstream_factor[k][l] = returns ? 1.5 : 1.0;
       across_.downstream[k][l] = returns ? (4.0 * next[k] - next_far[k]) / 3.0 : next[k];
       across_.before[k][l] = profile(i, j)[k];
+      across_.earlier[k][l] = earlier[k];
       across_.arriving[k][l] = heat_by_step() * (wet ? 2.0 * passed[k] - 0.5 * passed_far[k] : passed[k]);
     }
   }
@@ -219,7 +231,8 @@ private:
     const ThermalOil& oil = model_.heat->oil;
     heat_.flow.density[node] = 1.0 - oil.expansion * (fields_.temperature_mean[node] - oil.temperature);
     const double wedge = velocities_.sliding * (0.5 - across_.own_flow().centre[l]);
-    heat_.flow.log_flow_factor[node] = across_.own_flow().log_factor[l];
+    fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
+    heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / by_thinning(l);
     heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
     if (line_.wet[j]) flow_[j] = mass * (velocities_.mean + wedge + across_.poiseuille_flow[l]);
   }
@@ -239,9 +252,12 @@ private:
   const TractionModel& model_;
   SurfaceVelocities velocities_;
   double log_ambient_;
+  double inverse_span_;
   double h_x_;  // [m]
   bool own_;
-  bool returning_ = false;  // on the way back
+  bool returning_ = false;        // on the way back
+  double storage_ = 0.0;          // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
+  std::vector<double> earlier_;   // T_k a time step ago
   MovingSource source_;
   FilmLine line_;
   AcrossFilm across_;
@@ -260,8 +276,8 @@ TractionFields heated_film(const TractionModel& model, const ContactFilm& film, 
 }
 
 TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat) {
-  return HeatMarch(model, film, velocities, FilmFlow::own, heat).march();
+                          FilmHeat& heat, std::optional<double> time_step) {
+  return HeatMarch(model, film, velocities, FilmFlow::own, heat, time_step).march();
 }
 
 }  // namespace gearfilm

@@ -17,7 +17,7 @@ constexpr double krylov_tolerance = 1e-5;
 constexpr double relaxation = 0.8;      // of the way to the new correction
 constexpr int memory = 10;              // turns that are mixed
 constexpr double near = 0.1;            // relative change of the film from which on they are
-constexpr double largest_change = 3.0;  // of ln F
+constexpr double largest_change = 1.0;  // of theta
 constexpr double coldest = 150.0;       // that mixing may make a temperature [K]
 constexpr double shortest_way = 1e-3;
 // Turns after which a film that has not settled goes on without mixing, part of the way.
@@ -54,7 +54,7 @@ public:
     std::vector<double> all;
     all.reserve(heat.temperatures.size() + 3 * heat.flow.wedge.size());
     for (const double T : heat.temperatures) all.push_back(T / kelvin_);
-    for (const double log_factor : heat.flow.log_flow_factor) all.push_back(log_factor);
+    for (const double theta : heat.flow.thinning) all.push_back(theta);
     for (const double W : heat.flow.wedge) all.push_back(W / wedge);
     for (const double r : heat.flow.density) all.push_back(r / density);
     return all;
@@ -64,15 +64,13 @@ public:
   void add(const std::vector<double>& change, double part, FilmHeat& heat) const {
     const double* value = change.data();
     for (double& T : heat.temperatures) T = std::max(T + part * kelvin_ * *value++, coldest);
-    for (double& log_factor : heat.flow.log_flow_factor) {
-      log_factor += std::clamp(part * *value++, -largest_change, largest_change);
-    }
+    for (double& theta : heat.flow.thinning) theta += std::clamp(part * *value++, -largest_change, largest_change);
     for (double& W : heat.flow.wedge) W += part * wedge * *value++;
     for (double& r : heat.flow.density) r += part * density * *value++;
   }
 
 private:
-  static constexpr double wedge = 0.1, density = 0.03;  // that weigh as much as ln F = 1
+  static constexpr double wedge = 0.1, density = 0.03;  // that weigh as much as theta = 1
   double kelvin_;
 };
 
@@ -130,7 +128,10 @@ ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const So
     found.traction = std::move(traction);
     unrest.push_back(
         std::max({found.change / settled_film, friction / settled_friction, warmed / settled_temperature}));
-    if (settled(unrest)) return found;
+    if (settled(unrest)) {
+      found.heat = std::move(present);
+      return found;
+    }
 
     const std::vector<double> before = unknowns.packed(present);
     std::vector<double> change = unknowns.packed(swept);

@@ -154,8 +154,9 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
 }
 
 Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                         FilmHeat& heat) {
-  return summed(model, film, velocities, agreed(film, [&] { return sweep_heat(model, film, velocities, heat); }));
+                         FilmHeat& heat, std::optional<double> time_step) {
+  return summed(model, film, velocities,
+                agreed(film, [&] { return sweep_heat(model, film, velocities, heat, time_step); }));
 }
 
 }  // namespace gearfilm

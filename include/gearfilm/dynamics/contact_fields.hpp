@@ -35,6 +35,11 @@ inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = 
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
 
+/// What temperatures make of the flow (flow_correction.hpp): nothing to compare, since temperatures are.
+inline constexpr ContactField thinning{.name = "thinning", .dataset = "", .compared = false};
+inline constexpr ContactField wedge{.name = "wedge", .dataset = "", .compared = false};
+inline constexpr ContactField density{.name = "density_factor", .dataset = "", .compared = false};
+
 /// What follows from a film for friction and heat: of results only.
 struct OfTraction {
   ContactField field;
@@ -56,7 +61,7 @@ inline constexpr auto traction =
                                of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
                                of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
 
-inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
+inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate, thinning, wedge, density});
 }  // namespace field
 
 /// A name that says nothing else of itself is a pure number, written under its name and compared.

@@ -42,14 +42,15 @@ public:
   void begin_friction(double T, const std::vector<ContactRecord>& contacts);
   void continue_friction(double T, const std::vector<ContactRecord>& contacts);
 
-  /// Of every contact, placed at T. Collective.
-  std::vector<ContactRecord> records(Vec state, double T);
+  /// Of every contact, placed at T, after a step of dT. Collective.
+  std::vector<ContactRecord> records(Vec state, double T, double dT = 0.0);
 
 private:
   /// f at time T; 1 where contacts share by themselves.
   double share_at(double T) const;
 
   const MeshModel& mesh_;
+  std::vector<LiveContact> contacts_;  ///< without fields
   std::vector<int> numbers_;
   std::vector<ContactFilm*> films_;
   std::optional<LoadSharing::Piece> share_;

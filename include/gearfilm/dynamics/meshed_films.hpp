@@ -41,10 +41,9 @@ public:
     T_ = T;
     motion_ = motion;
   }
-  void set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate) {
-    values_of(contacts_[contact].fields, field::pressure) = std::move(pressure);
-    values_of(contacts_[contact].fields, field::rate) = std::move(rate);
-  }
+  void set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate);
+  /// Makes the rates those of the present pressures in the flow that heat has made since, where films feel it.
+  void adapt_rates();
 
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
@@ -66,6 +65,7 @@ public:
 
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
+  bool heats_films() const { return mesh_.traction && mesh_.traction->heats_film(); }
   std::vector<int> numbers() const { return numbers_of(contacts_); }
   std::vector<double> forces() const;
   /// H_k.
@@ -91,6 +91,9 @@ private:
   void follow(const std::map<int, double>& before);
 
   ContactFilm* free_film();
+  /// A film that has just come, with its fields; and one whose heat is among its fields.
+  LiveContact fresh(int number, ContactFilm* film, const LoadCondition& load, StationaryResult& found) const;
+  void warm(LiveContact& contact) const;
   /// Puts the present contacts and their fields on a grid of another shape.
   void move_to(const GridShape& shape);
   void make_room(const Room& needed);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "gearfilm/dynamics/contact_fields.hpp"
 #include "gearfilm/dynamics/contact_figures.hpp"
+#include "gearfilm/dynamics/live_heat.hpp"
 #include "gearfilm/dynamics/mesh_model.hpp"
 
 namespace gearfilm {
@@ -30,10 +32,18 @@ struct ContactRecord {
 
 /// The record of a dry contact that gave these figures at time T.
 ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures);
-/// Of the contacts of these numbers, on films at their present state and with their figures. Collective.
-std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<int>& numbers, double T,
-                                           const std::vector<ContactFilm*>& films,
-                                           const std::vector<FilmFigures>& figures);
+/// A tooth contact that is being computed.
+struct LiveContact {
+  int number = 0;
+  ContactFilm* film = nullptr;  ///< at its present state; null in the dry model
+  ContactFields fields{};       ///< as the last segment left them
+  std::shared_ptr<LiveHeat> heat{};  ///< of a film that feels it; null without
+};
+
+/// Of contacts, on films at their present state and with their figures. Films that feel their heat get that of a step
+/// of dT, and the flow of the next. Collective.
+std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<LiveContact>& contacts, double T,
+                                           const std::vector<FilmFigures>& figures, double dT = 0.0);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -57,13 +67,6 @@ private:
     for (const ContactRecord& contact : contacts) sum += contact.figures[figure];
     return sum;
   }
-};
-
-/// A tooth contact that is being computed.
-struct LiveContact {
-  int number = 0;
-  ContactFilm* film = nullptr;  ///< at its present state; null in the dry model
-  ContactFields fields{};       ///< as the last segment left them
 };
 
 /// Of the contacts.

@@ -60,7 +60,8 @@ public:
       : laws_(scales.oil),
         viscosity_law_(scales.oil.viscosity_law),
         pressure_scale_(scales.pressure),
-        inverse_lambda_(1.0 / scales.lambda) {}
+        inverse_lambda_(1.0 / scales.lambda),
+        inverse_span_(inverse_roelands_span(scales.oil)) {}
 
   /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
   /// only inside an iteration) conducts nothing.
@@ -68,12 +69,13 @@ public:
 
 private:
   template <ViscosityLaw law>
-  void evaluate_line(FilmState& state, int i, const double* log_flow_factor, const double* density_factor) const;
+  void evaluate_line(FilmState& state, int i, const double* thinning, const double* density_factor) const;
 
   OilLaws laws_;
   ViscosityLaw viscosity_law_;
   double pressure_scale_;
   double inverse_lambda_;
+  double inverse_span_;  ///< 1/c of flow_correction.hpp
 };
 
 /// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives.

@@ -28,6 +28,10 @@ void check(const Lubricant& oil);
 
 /// c = ln eta_0 + 9.67 of Roelands' law [-].
 double roelands_span(const Lubricant& oil);
+/// Its inverse; 0 with Barus' law.
+inline double inverse_roelands_span(const Lubricant& oil) {
+  return oil.viscosity_law == ViscosityLaw::roelands ? 1.0 / roelands_span(oil) : 0.0;
+}
 /// Roelands' exponent z [-].
 double roelands_exponent(const Lubricant& oil);
 

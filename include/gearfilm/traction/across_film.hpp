@@ -1,6 +1,6 @@
 // The energy equation across the film at some places side by side.
 //
-//   rho c u(z) dT/dx + rho c w(z) dT/dz = d/dz(k dT/dz) + tau_m gamma'(z) + Phi(z)
+//   rho c dT/dt + rho c u(z) dT/dx + rho c w(z) dT/dz = d/dz(k dT/dz) + tau_m gamma'(z) + Phi(z)
 //   gamma'(z) = u_s n(z)/h,  n = (1/eta)/mean(1/eta),  eta = eta(p, T(z)),  tau_m of the law at u_s/(h mean(1/eta))
 //   dT/dx = (T - T_upstream)/step, or towards downstream where u < 0
 //   q_i = (T_i - base_i) conductance_i                                heat into the wall i, and its temperature
@@ -45,6 +45,8 @@ public:
   Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
   Lanes flow{};             ///< mean of u(z) [m/s]
   // Of a film that does.
+  Lanes stored{};                 ///< rho c over the time step [W/(m^3 K)]; 0 at rest
+  std::vector<Lanes> earlier;     ///< T_k a time step ago [K]
   std::vector<Lanes> downstream;  ///< T_k there [K]
   std::vector<Lanes> before;      ///< T_k of the sweep before, which makes u(z)
   std::vector<Lanes> arriving;    ///< what h u_k rho c/h_x is less by from upstream on, over step_factor [W/(m^2 K)]

@@ -11,6 +11,7 @@
 // temperatures of the sweep before from there; steps of second order, (3 T_i - 4 T_i-1 + T_i-2)/(2 h_x).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearfilm/ehl/contact_film.hpp"
@@ -45,8 +46,9 @@ struct FilmHeat {
   FlowCorrection flow;               ///< that these temperatures make
 };
 
-/// One sweep over the film at its present state, solved with film.correction(). Throws SolveError likewise.
+/// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or, with
+/// none, what it tends to. Throws SolveError likewise.
 TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat);
+                          FilmHeat& heat, std::optional<double> time_step = {});
 
 }  // namespace gearfilm

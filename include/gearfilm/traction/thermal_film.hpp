@@ -1,8 +1,8 @@
 // The stationary film of one contact that feels its heat: film and temperatures by turns.
 //
-//   (P, H_0) with F, W, r of the temperatures,  T with the flow of the film,  until both stay as they are
+//   (P, H_0) with theta, W, r of the temperatures,  T with the flow of the film,  until both stay as they are
 // Temperatures and correction move by 0.8 of the way to what the next sweep makes of them, the last turns mixed
-// (anderson_mixing.hpp) once the film is near; ln F by 3 at most, since in the middle of the contact F is e^20 and more.
+// (anderson_mixing.hpp) once the film is near.
 // Where Newton's method does not find the film a quarter of the way is tried. The slowest to settle is the oil that
 // turns round in the inlet: it loses its heat in many rounds only.
 #pragma once
@@ -15,6 +15,7 @@ namespace gearfilm {
 struct ThermalFilm {
   StationaryResult film;
   Traction traction;
+  FilmHeat heat;
   int turns = 0;        ///< sweeps over the temperatures
   int newton = 0;       ///< iterations of all films
   double change = 0.0;  ///< of the film in the last turn, relative

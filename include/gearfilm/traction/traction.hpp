@@ -41,6 +41,6 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
 
 /// The same with one sweep of a film that feels its heat.
 Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                         FilmHeat& heat);
+                         FilmHeat& heat, std::optional<double> time_step = {});
 
 }  // namespace gearfilm
