@@ -78,17 +78,13 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
     require_known_options(command_line.petsc_arguments());
     require_single_options(command_line.petsc_arguments());
     const Case problem = read_case(comm, command_line.case_file());
-    require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1);
+    require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1,
+                   heated_points(problem));
     if (problem.run.restart && !command.resumable) {
       throw InputError(problem.parameters.origin("restart") + ": " + command.name +
                        " has nothing to go on from; run it without -restart");
     }
     for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
-    if (false && command.resumable && problem.traction && problem.traction->heats_film()) {
-      throw InputError(problem.parameters.origin("thermal.model") + ": 'thermal.model' is film, but " + command.name +
-                       " moves the pair, and films that feel their heat are computed at rest only; use steady, or "
-                       "thermal.model friction");
-    }
     command.run(comm, problem);
     for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
     return;

@@ -5,6 +5,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
+#include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/dynamic_stiffness.hpp"
@@ -103,6 +104,10 @@ void print_result(MPI_Comm comm, const Summary& summary) {
 }  // namespace
 
 void run_eigen(MPI_Comm comm, const Case& given) {
+  if (given.traction && given.traction->heats_film()) {
+    throw InputError(given.parameters.origin("thermal.model") +
+                     ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
+  }
   require_inertia(given);
   require_moving_films(given, "eigen");
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");

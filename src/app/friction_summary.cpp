@@ -49,8 +49,9 @@ Summary friction_predictions(const Case& problem, const ContactSolids& solids, c
   return summary;
 }
 
-void warn_of_heating(MPI_Comm comm, const Summary& heating) {
+void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating) {
   constexpr double tolerable = 0.8;
+  if (problem.traction && problem.traction->heats_film()) return;
   if (!heating.contains("murch_wilson_thermal_factor")) return;
   const double factor = heating["murch_wilson_thermal_factor"].get<double>();
   if (factor >= tolerable) return;
@@ -58,7 +59,7 @@ void warn_of_heating(MPI_Comm comm, const Summary& heating) {
   text.precision(2);
   text << "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is "
        << factor << ", so that it may be thinner by " << 100.0 * (1.0 - factor)
-       << " %; steady with -thermal_model film computes it";
+       << " %; -thermal_model film computes it";
   warn(comm, text.str());
 }
 

@@ -145,7 +145,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary, error, advice(problem, found.run));
-  warn_of_heating(comm, heating_at_pitch(problem));
+  warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_roughness(comm, summary, "lambda_min");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
 }

@@ -271,6 +271,17 @@ void add_heating(const Scales& scales, const FilmOnGrid& solved, Summary& summar
   summary["thermal_change"] = solved.thermal->change;
 }
 
+/// Says where film and heat still change each other.
+void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
+  constexpr double tolerable = 1e-3;
+  if (!solved.thermal || solved.thermal->change <= tolerable) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "film and heat did not quite settle: the film goes on changing by " << 100.0 * solved.thermal->change
+       << " % a turn; raise grid.nx and grid.ny";
+  warn(comm, text.str());
+}
+
 /// The shape in steps shorter by so much.
 GridShape refined(const GridShape& shape, double factor) {
   GridShape fine = shape;
@@ -298,7 +309,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   GridShape shape = case_grid(problem);
   if (!has_room(shape, needed)) {
     shape = widened(shape, needed, problem.numerics.room);
-    announce_widening(comm, shape, problem.scales, 1);
+    announce_widening(comm, shape, problem.scales, 1, heated_points(problem));
   }
   const Grid grid(comm, shape);  // what is wrong with it is said before anything is removed
   const OutputDirectory directory(comm, problem.run.directory);
@@ -317,7 +328,8 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   print_heating(comm, summary);
   print_friction(comm, summary);
   warn_of_errors(comm, problem, solved.errors);
-  if (!solved.thermal) warn_of_heating(comm, summary["predictions"]);
+  warn_of_heating(comm, problem, summary["predictions"]);
+  warn_of_unrest(comm, solved);
   warn_of_roughness(comm, summary, "lambda");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed");
 }

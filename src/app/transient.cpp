@@ -75,7 +75,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     throw;
   }
   write(true);
-  if (lubricated) warn_of_heating(comm, heating_at_pitch(problem));
+  if (lubricated) warn_of_heating(comm, problem, heating_at_pitch(problem));
   run.complete();
 }
 

@@ -14,14 +14,26 @@ namespace {
 // A step of no length: temperatures stay, and make their friction.
 constexpr double moment = 1e-15;  // [s]
 
+/// Of the step to come, as long as the one between these two.
+FlowCorrection extrapolated(const FlowCorrection& before, const FlowCorrection& now) {
+  FlowCorrection next = now;
+  for (std::size_t n = 0; n < next.wedge.size(); ++n) {
+    next.thinning[n] += now.thinning[n] - before.thinning[n];
+    next.wedge[n] += now.wedge[n] - before.wedge[n];
+    next.density[n] += now.density[n] - before.density[n];
+  }
+  return next;
+}
+
 TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, const SurfaceVelocities& velocities,
                             double dT) {
   const TractionModel& model = *mesh.traction;
   if (!live.heat) return traction(model, *live.film, velocities).figures;
   LiveHeat& heat = *live.heat;
   if (dT > 0.0) {
+    const FlowCorrection before = heat.state.flow;
     heat.traction = heated_traction(model, *live.film, velocities, heat.state, dT * mesh.scales.time);
-    live.film->set_correction(heat.state.flow);
+    live.film->set_correction(extrapolated(before, heat.state.flow));
   } else {
     FilmHeat still = heat.state;
     heat.traction = heated_traction(model, *live.film, velocities, still, moment);

@@ -90,9 +90,13 @@ int contacts_at_a_time(const Case& problem) {
   return all ? static_cast<int>(std::ceil(problem.pair.line->contact_ratio())) : 1;
 }
 
-void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts) {
+int heated_points(const Case& problem) {
+  return problem.traction && problem.traction->heats_film() ? problem.traction->heat->points : 0;
+}
+
+void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts, int points) {
   try {
-    require_memory(comm, shape.nx, shape.ny, contacts);
+    require_memory(comm, shape.nx, shape.ny, contacts, points);
   } catch (const InputError& error) {
     throw SolveError(std::string("the grid cannot be widened: ") + error.what());
   }
@@ -103,9 +107,9 @@ void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scal
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
   MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.room};
-  options.on_widening = [scales = problem.scales, contacts = contacts_at_a_time(problem)](MPI_Comm comm,
-                                                                                          const GridShape& shape) {
-    announce_widening(comm, shape, scales, contacts);
+  options.on_widening = [scales = problem.scales, contacts = contacts_at_a_time(problem),
+                         points = heated_points(problem)](MPI_Comm comm, const GridShape& shape) {
+    announce_widening(comm, shape, scales, contacts, points);
   };
   options.films.multigrid.levels = problem.numerics.step_levels > 0
                                        ? problem.numerics.step_levels

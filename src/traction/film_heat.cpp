@@ -84,9 +84,10 @@ public:
       }
       solve_line(i);
     }
-    // Back again, so that what oil brings from downstream reaches the inlet in one sweep.
+    // Back again, so that what oil brings from downstream reaches the inlet in one sweep; in a time step it comes as far
+    // as a step takes it.
     returning_ = true;
-    for (int i = last_returning_; i > 0; --i) solve_line(i);
+    for (int i = storage_ > 0.0 ? 0 : last_returning_; i > 0; --i) solve_line(i);
     return std::move(fields_);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
@@ -15,7 +16,7 @@ constexpr int most_newton = 15;  // iterations; a film that needs more has been 
 // A new F moves the rows of the inlet by more than all others together: a rough linear solution would not see these.
 constexpr double krylov_tolerance = 1e-5;
 constexpr double relaxation = 0.8;      // of the way to the new correction
-constexpr int memory = 10;              // turns that are mixed
+constexpr int memory = 6;               // turns that are mixed
 constexpr double near = 0.1;            // relative change of the film from which on they are
 constexpr double largest_change = 1.0;  // of theta
 constexpr double coldest = 150.0;       // that mixing may make a temperature [K]
@@ -30,19 +31,29 @@ constexpr double settled_friction = 1e-3;    // relative
 constexpr double settled_temperature = 0.5;  // [K]
 constexpr double loaded = 5e-3;              // of the pressure scale
 
-/// So many turns in a row that change no more than so many times that: a film may go on moving a little, where a node
-/// at its exit changes between wet and dry.
+/// What a turn changed, over what it may.
+struct Turn {
+  double film = HUGE_VAL;
+  double unrest = HUGE_VAL;
+};
+
+/// So many turns in a row that change no more than so many times that: on a coarse grid a film may go on moving a little,
+/// where a node at its exit changes between wet and dry.
 struct Rest {
   std::size_t turns;
   double unrest;
 };
-constexpr Rest at_rest[] = {{3, 1.0}, {10, 5.0}};
+constexpr Rest at_rest[] = {{3, 1.0}, {10, 5.0}, {30, 25.0}};
 
-bool settled(const std::vector<double>& unrest) {
-  return std::ranges::any_of(at_rest, [&](const Rest& rest) {
-    return unrest.size() >= rest.turns &&
-           *std::max_element(unrest.end() - static_cast<std::ptrdiff_t>(rest.turns), unrest.end()) <= rest.unrest;
-  });
+/// The largest change of the film in the turns that make it settled; nothing where it is not.
+std::optional<double> settled(const std::vector<Turn>& turns) {
+  for (const Rest& rest : at_rest) {
+    if (turns.size() < rest.turns) continue;
+    const std::span last = std::span(turns).last(rest.turns);
+    if (std::ranges::max(last, {}, &Turn::unrest).unrest > rest.unrest) continue;
+    return std::ranges::max(last, {}, &Turn::film).film;
+  }
+  return {};
 }
 
 /// Temperatures and correction as one array of entries of like weight.
@@ -117,7 +128,7 @@ ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const So
   found.film = isothermal;
   found.change = HUGE_VAL;
   double way = 1.0;
-  std::vector<double> unrest;  // of every turn
+  std::vector<Turn> turns;
   while (found.turns < most_turns) {
     FilmHeat swept = present;
     Traction traction = heated_traction(model, film, velocities, swept);
@@ -126,9 +137,10 @@ ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const So
         temperature_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
     const double friction = relative_change(found.traction.figures.coefficient, traction.figures.coefficient);
     found.traction = std::move(traction);
-    unrest.push_back(
-        std::max({found.change / settled_film, friction / settled_friction, warmed / settled_temperature}));
-    if (settled(unrest)) {
+    turns.push_back({found.change, std::max({found.change / settled_film, friction / settled_friction,
+                                             warmed / settled_temperature})});
+    if (const auto change = settled(turns)) {
+      found.change = *change;
       found.heat = std::move(present);
       return found;
     }

@@ -92,8 +92,16 @@ class Friction(ProgramTest):
         together, _ = self.summary("steady", BARBIERI, *HEAT[:2], *HEAT[4:], *film, processes=2)
         for name in ("h_central", "h_min", "friction_coefficient"):
             self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-3, msg=name)
-        self.assert_wrong(["'thermal.model'", "steady"], "periodic", BARBIERI, *HEAT[:2], *HEAT[4:], "-thermal_model",
+        self.assert_wrong(["'thermal.model'", "modes"], "eigen", BARBIERI, *HEAT[:2], *HEAT[4:], "-thermal_model",
                           "film")
+
+    def test_a_periodic_state_of_films_that_feel_their_heat(self):
+        heat = [*HEAT[:2], "-thermal_model", "film", *HEAT[4:], "-friction_in_motion", "yes", "-periodic_multipliers", "no"]
+        warm, run = self.summary("periodic", BARBIERI, *SMALL, *heat)
+        self.assertNotIn("inlet", run.stderr)
+        cold, _ = self.summary("periodic", BARBIERI, *SMALL, "-periodic_multipliers", "no", "-friction_law", "eyring")
+        self.assertTrue(0.4 < warm["pitch_h_central"] / cold["pitch_h_central"] < 0.6)
+        self.assertTrue(0.9965 < warm["efficiency"] < 0.9985, warm["efficiency"])
 
     def test_wrong_input_is_named_in_one_line(self):
         heat = ["-thermal_model", "friction", "-friction_law", "eyring"]

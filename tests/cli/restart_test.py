@@ -46,9 +46,9 @@ class Continued(RestartTest):
                  "-wheel_tip_relief", 70e-6, "-wheel_tip_relief_length", 2.9e-3]
         self.assert_continued([*MARCH, *teeth], (5, signal.SIGUSR1), (9, signal.SIGKILL))
 
-    def test_march_with_friction_in_the_motion(self):
-        heat = ["-friction_law", "eyring", "-friction_in_motion", "yes", "-thermal_model", "friction",
-                "-lubricant_temperature_viscosity", 0.003]
+    def test_march_with_heat_and_friction_in_the_motion(self):
+        heat = ["-friction_law", "eyring", "-friction_in_motion", "yes", "-thermal_model", "film",
+                "-lubricant_temperature_viscosity", 0.04]
         self.assert_continued([*MARCH, *heat], (5, signal.SIGUSR1), (9, signal.SIGKILL))
 
     def test_march_with_a_spectrum(self):

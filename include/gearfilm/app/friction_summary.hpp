@@ -19,7 +19,7 @@ Summary heating_predictions(const Case& problem, const ContactSolids& solids, co
 Summary heating_at_pitch(const Case& problem);
 
 /// Says where the film of an isothermal run is far too thick, since shear heats its inlet.
-void warn_of_heating(MPI_Comm comm, const Summary& heating);
+void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating);
 /// Says where temperatures across the film did not settle.
 void warn_of_missed_temperatures(MPI_Comm comm, const Summary& summary, const char* missed);
 /// Says where the film is thinner than the flanks are rough.

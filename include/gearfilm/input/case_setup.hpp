@@ -13,8 +13,10 @@ SharedDiscretisation discretise(MPI_Comm comm, const Case& problem);
 /// Most contacts that a march of the case has at a time: those of a pair share its grid, one that is followed by itself
 /// is alone.
 int contacts_at_a_time(const Case& problem);
+/// Points across films that feel their heat; 0 where they do not.
+int heated_points(const Case& problem);
 /// Says that a grid is widened. Throws SolveError where so many contacts on it do not fit into memory. Collective.
-void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts);
+void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts, int points);
 /// Throws InputError unless the case is a gear pair with inertia.
 void require_inertia(const Case& problem);
 /// Throws InputError for a case whose march is of dry contacts, or of contacts that are held, where a command needs

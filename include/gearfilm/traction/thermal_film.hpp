@@ -18,7 +18,7 @@ struct ThermalFilm {
   FilmHeat heat;
   int turns = 0;        ///< sweeps over the temperatures
   int newton = 0;       ///< iterations of all films
-  double change = 0.0;  ///< of the film in the last turn, relative
+  double change = 0.0;  ///< of the film in the last turns, relative
 };
 
 /// From the film without heat. The film keeps its correction. Collective. Throws SolveError.
