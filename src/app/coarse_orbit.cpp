@@ -1,6 +1,7 @@
 #include "gearfilm/app/coarse_orbit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
@@ -23,6 +24,8 @@ std::optional<Case> coarser_case(const Case& problem, const Discretisation& film
   // A start and an estimate of errors: both far coarser than that.
   coarse.search.options.tolerance *= 10.0;
   coarse.search.options.film_tolerance *= 10.0;
+  // A warm film may go on changing at its exit, node by node, for ever.
+  if (problem.traction && problem.traction->heats_film()) coarse.search.options.film_tolerance = HUGE_VAL;
   coarse.numerics.steps.newton.tolerance *= 10.0;
   coarse.search.with_multipliers = false;
   return coarse;

@@ -5,17 +5,7 @@ namespace {
 
 std::string name_of(int point) { return "temperature_" + std::to_string(point); }
 
-std::vector<double>& made(ContactFields& fields, const std::string& name) { return fields[name]; }
-
 }  // namespace
-
-LiveHeat cold(const Grid& grid, const TractionModel& model) {
-  const std::size_t nodes = grid.local_size();
-  LiveHeat heat;
-  heat.state.temperatures.assign(nodes * model.heat->points, model.heat->oil.temperature);
-  heat.state.flow = {std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 1.0)};
-  return heat;
-}
 
 void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& fields) {
   const ThermalOil& oil = model.heat->oil;
@@ -27,9 +17,9 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& 
       values[n] = oil.temperature_viscosity * (heat.temperatures[n * points + k] - oil.temperature);
     }
   }
-  made(fields, std::string(field::thinning.name)) = heat.flow.thinning;
-  made(fields, std::string(field::wedge.name)) = heat.flow.wedge;
-  made(fields, std::string(field::density.name)) = heat.flow.density;
+  fields[std::string(field::thinning.name)] = heat.flow.thinning;
+  fields[std::string(field::wedge.name)] = heat.flow.wedge;
+  fields[std::string(field::density.name)] = heat.flow.density;
 }
 
 FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields) {

@@ -6,28 +6,15 @@
 #include <stdexcept>
 
 #include "gearfilm/dynamics/dry_force.hpp"
+#include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/ehl/similar_pressure.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/events.hpp"
-#include "gearfilm/traction/thermal_film.hpp"
 
 namespace gearfilm {
-namespace {
-
-/// A stationary film.
-ContactFields still(std::vector<double> pressure) {
-  std::vector<double> rate(pressure.size(), 0.0);
-  ContactFields fields;
-  fields.emplace(field::pressure.name, std::move(pressure));
-  fields.emplace(field::rate.name, std::move(rate));
-  return fields;
-}
-
-}  // namespace
-
 MeshedFilms::MeshedFilms(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options)
     : discretisation_(std::move(discretisation)), mesh_(std::move(mesh)), options_(std::move(options)) {}
 
@@ -92,38 +79,15 @@ void MeshedFilms::move_to(const GridShape& shape) {
   for (LiveContact& contact : contacts_) {
     contact.film = free_film();
     for (auto& [name, values] : contact.fields) values = refitted(values, before->grid(), discretisation_->grid());
-    warm(contact);
+    take_up_heat(mesh_, contact);
   }
 }
 
-LiveContact MeshedFilms::fresh(int number, ContactFilm* film, const LoadCondition& load,
-                               StationaryResult& found) const {
-  if (!heats_films()) return {number, film, still(found.solution.pressure), {}};
-  const SurfaceVelocities velocities = velocities_of(mesh_.scales, mesh_.contact(number, T_));
-  ThermalFilm heated = located(label(number), [&] {
-    return solve_thermal(*film, load, options_.films, *mesh_.traction, velocities, found);
-  });
-  found = std::move(heated.film);
-  LiveContact contact{number, film, still(found.solution.pressure), {}};
-  keep_heat(*mesh_.traction, heated.heat, contact.fields);
-  warm(contact);
-  return contact;
-}
-
-void MeshedFilms::warm(LiveContact& contact) const {
-  if (!heats_films()) return;
-  contact.heat = std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh_.traction, contact.fields)});
-  contact.film->set_correction(contact.heat->state.flow);
-}
-
-// What goes on is what is kept, to the bit.
 void MeshedFilms::set_fields(std::size_t number, std::vector<double> pressure, std::vector<double> rate) {
   LiveContact& contact = contacts_[number];
   values_of(contact.fields, field::pressure) = std::move(pressure);
   values_of(contact.fields, field::rate) = std::move(rate);
-  if (!contact.heat) return;
-  keep_heat(*mesh_.traction, contact.heat->state, contact.fields);
-  warm(contact);
+  put_down_heat(mesh_, contact);
 }
 
 // The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
@@ -177,7 +141,8 @@ LiveContact MeshedFilms::enter(int number) {
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));
-      return fresh(number, film, load, entered);
+      return located(label(number),
+                     [&] { return begin_contact(mesh_, number, T_, film, load, options_.films, entered); });
     }
     make_room(needed);
   }
@@ -206,9 +171,9 @@ void MeshedFilms::balance_at_rest() {
     const bool carries = dry_forces[k] > 0.01 * force;
     const LoadCondition load =
         carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
-    StationaryResult found =
-        located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
-    contacts_.push_back(fresh(numbers[k], film, load, found));
+    StationaryResult found = located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
+    contacts_.push_back(located(
+        label(numbers[k]), [&] { return begin_contact(mesh_, numbers[k], T_, film, load, options_.films, found); }));
     if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
   }
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
@@ -344,7 +309,7 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
 
 // By Reynolds' equation, in which the rate stands alone.
 void MeshedFilms::adapt_rates() {
-  if (!heats_films()) return;
+  if (!heats_films(mesh_)) return;
   const std::vector<double> displaced = displacements();
   const std::vector<ContactFilm*> films = present_films();
   std::vector<double> rows(discretisation_->grid().local_size());
@@ -408,7 +373,7 @@ void MeshedFilms::take_up(double T, const PairState& state, const std::vector<in
   const PairState here = refitted(state, comm(), discretisation_->grid().shape());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     contacts_.push_back({numbers[k], free_film(), here.films[k], {}});
-    warm(contacts_.back());
+    take_up_heat(mesh_, contacts_.back());
   }
 }
 

@@ -1,7 +1,8 @@
 // The heat of a film that feels it, along a march: part of a contact's state.
 //
-// After each time step the energy equation is solved for that step, and the film has the flow that its temperatures make
-// in the next one. Among the fields of a contact the temperatures are beta (T - T_0), beside what they make of the flow.
+// After each time step the energy equation is solved for that step, and the film has the flow that its temperatures
+// make in the next one. Among the fields of a contact the temperatures are beta (T - T_0), beside what they make of the
+// flow.
 #pragma once
 
 #include "gearfilm/dynamics/contact_fields.hpp"
@@ -13,9 +14,6 @@ struct LiveHeat {
   FilmHeat state;
   std::optional<Traction> traction{};  ///< of the last time step; none where there was none
 };
-
-/// Of a film that has just come.
-LiveHeat cold(const Grid& grid, const TractionModel& model);
 
 /// The state as fields, and back.
 void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& fields);

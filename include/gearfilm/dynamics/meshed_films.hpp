@@ -65,7 +65,6 @@ public:
 
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
-  bool heats_films() const { return mesh_.traction && mesh_.traction->heats_film(); }
   std::vector<int> numbers() const { return numbers_of(contacts_); }
   std::vector<double> forces() const;
   /// H_k.
@@ -91,9 +90,6 @@ private:
   void follow(const std::map<int, double>& before);
 
   ContactFilm* free_film();
-  /// A film that has just come, with its fields; and one whose heat is among its fields.
-  LiveContact fresh(int number, ContactFilm* film, const LoadCondition& load, StationaryResult& found) const;
-  void warm(LiveContact& contact) const;
   /// Puts the present contacts and their fields on a grid of another shape.
   void move_to(const GridShape& shape);
   void make_room(const Room& needed);

@@ -1,0 +1,41 @@
+#include "gearfilm/dynamics/warm_contact.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// A stationary film.
+ContactFields still(std::vector<double> pressure) {
+  std::vector<double> rate(pressure.size(), 0.0);
+  ContactFields fields;
+  fields.emplace(field::pressure.name, std::move(pressure));
+  fields.emplace(field::rate.name, std::move(rate));
+  return fields;
+}
+
+}  // namespace
+
+LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFilm* film, const LoadCondition& load,
+                          const SolverOptions& options, StationaryResult& found) {
+  if (!heats_films(mesh)) return {number, film, still(found.solution.pressure), {}};
+  const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(number, T));
+  ThermalFilm heated = solve_thermal(*film, load, options, *mesh.traction, velocities, found);
+  found = std::move(heated.film);
+  LiveContact contact{number, film, still(found.solution.pressure), {}};
+  keep_heat(*mesh.traction, heated.heat, contact.fields);
+  take_up_heat(mesh, contact);
+  return contact;
+}
+
+void take_up_heat(const MeshModel& mesh, LiveContact& contact) {
+  if (!heats_films(mesh)) return;
+  contact.heat = std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh.traction, contact.fields)});
+  contact.film->set_correction(contact.heat->state.flow);
+}
+
+void put_down_heat(const MeshModel& mesh, LiveContact& contact) {
+  if (!contact.heat) return;
+  keep_heat(*mesh.traction, contact.heat->state, contact.fields);
+  take_up_heat(mesh, contact);
+}
+
+}  // namespace gearfilm
