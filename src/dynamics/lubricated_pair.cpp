@@ -20,6 +20,7 @@ std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
 
 std::vector<LiveContact> without_fields(const std::vector<LiveContact>& contacts) {
   std::vector<LiveContact> bare;
+  bare.reserve(contacts.size());
   for (const LiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.heat});
   return bare;
 }

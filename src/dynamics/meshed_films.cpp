@@ -83,11 +83,11 @@ void MeshedFilms::move_to(const GridShape& shape) {
   }
 }
 
-void MeshedFilms::set_fields(std::size_t number, std::vector<double> pressure, std::vector<double> rate) {
-  LiveContact& contact = contacts_[number];
-  values_of(contact.fields, field::pressure) = std::move(pressure);
-  values_of(contact.fields, field::rate) = std::move(rate);
-  put_down_heat(mesh_, contact);
+void MeshedFilms::set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate) {
+  LiveContact& live = contacts_[contact];
+  values_of(live.fields, field::pressure) = std::move(pressure);
+  values_of(live.fields, field::rate) = std::move(rate);
+  put_down_heat(mesh_, live);
 }
 
 // The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the

@@ -25,8 +25,8 @@ std::vector<double> trapezoidal_weights(int points) {
 }
 
 std::vector<double> evenly_spaced(int points) {
-  std::vector<double> places;
-  for (int k = 0; k < points; ++k) places.push_back(static_cast<double>(k) / (points - 1));
+  std::vector<double> places(points);
+  for (int k = 0; k < points; ++k) places[k] = static_cast<double>(k) / (points - 1);
   return places;
 }
 
@@ -157,9 +157,10 @@ void AcrossFilm::set_own_transport() {
   }
 }
 
-/// One step of Newton's method, or of one in pseudo-time whose changes are resisted; its largest change.
+/// Rows and matrix of Newton's method: what the cells get, its derivatives by their own temperatures, and the columns
+/// of both parts of rank one.
 template <bool own>
-double AcrossFilm::improve(double resistance) {
+void AcrossFilm::assemble(double resistance) {
   const int count = points();
   const double sliding = std::abs(velocities_.sliding);
   for (int k = 0; k < count; ++k) {
@@ -190,7 +191,12 @@ double AcrossFilm::improve(double resistance) {
     right_.back()[l] -= (T_.back()[l] - base_pinion[l]) * conductances_[0];
     diagonal_.back()[l] += conductances_[0];
   });
-  // Gauss on the tridiagonal part, for all right sides.
+}
+
+/// Gauss on the tridiagonal part, for all right sides.
+template <bool own>
+void AcrossFilm::eliminate() {
+  const int count = points();
   for (int k = 1; k < count; ++k) {
     each_lane([&](int l) {
       const double factor = below_[k][l] / diagonal_[k - 1][l];
@@ -200,9 +206,7 @@ double AcrossFilm::improve(double resistance) {
       if constexpr (own) second_[k][l] += factor * second_[k - 1][l];
     });
   }
-  Lanes b_right{}, b_bordered{}, b_second{}, d_right{}, d_bordered{}, d_second{};  // of tau_m's row and of Phi's
   for (int k = count - 1; k >= 0; --k) {
-    const double weight = weights_[k];
     each_lane([&](int l) {
       if (k < count - 1) {
         right_[k][l] += above_[k][l] * right_[k + 1][l];
@@ -211,11 +215,24 @@ double AcrossFilm::improve(double resistance) {
       }
       right_[k][l] /= diagonal_[k][l];
       bordered_[k][l] /= diagonal_[k][l];
+      if constexpr (own) second_[k][l] /= diagonal_[k][l];
+    });
+  }
+}
+
+/// Takes the parts of rank one off the solution: with b of tau_m and d of Phi,
+/// (1 + b.B) (b.x) + (b.S) (d.x) = b.r and so on.
+template <bool own>
+void AcrossFilm::correct() {
+  const int count = points();
+  Lanes b_right{}, b_bordered{}, b_second{}, d_right{}, d_bordered{}, d_second{};
+  for (int k = 0; k < count; ++k) {
+    const double weight = weights_[k];
+    each_lane([&](int l) {
       const double b = weight * share_[k][l] * slope_[k][l];
       b_right[l] += b * right_[k][l];
       b_bordered[l] += b * bordered_[k][l];
       if constexpr (own) {
-        second_[k][l] /= diagonal_[k][l];
         const double d = own_.row[k][l];
         b_second[l] += b * second_[k][l];
         d_right[l] += d * right_[k][l];
@@ -224,8 +241,7 @@ double AcrossFilm::improve(double resistance) {
       }
     });
   }
-  // Of b.x and d.x, from (1 + b.B) (b.x) + (b.S) (d.x) = b.r and so on.
-  Lanes by_stress, by_heat{}, kept;
+  Lanes by_stress, by_heat{};
   each_lane([&](int l) {
     if constexpr (own) {
       const double determinant = (1.0 + b_bordered[l]) * (1.0 + d_second[l]) - b_second[l] * d_bordered[l];
@@ -235,23 +251,49 @@ double AcrossFilm::improve(double resistance) {
       by_stress[l] = b_right[l] / (1.0 + b_bordered[l]);
     }
   });
-  Lanes& largest = change_;
-  largest.fill(0.0);
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) {
       right_[k][l] -= by_stress[l] * bordered_[k][l];
       if constexpr (own) right_[k][l] -= by_heat[l] * second_[k][l];
-      const double size = std::abs(right_[k][l]);
-      largest[l] = largest[l] > size ? largest[l] : size;
+    });
+  }
+}
+
+/// One step of Newton's method, or of one in pseudo-time whose changes are resisted; its largest change.
+template <bool own>
+double AcrossFilm::improve(double resistance) {
+  assemble<own>(resistance);
+  eliminate<own>();
+  correct<own>();
+  change_.fill(0.0);
+  for (const Lanes& step : right_) {
+    each_lane([&](int l) {
+      const double size = std::abs(step[l]);
+      change_[l] = change_[l] > size ? change_[l] : size;
     });
   }
   // A change keeps its direction: limited point by point, it may lead round in a circle.
-  each_lane([&](int l) { kept[l] = largest[l] > largest_step ? largest_step / largest[l] : 1.0; });
-  for (int k = 0; k < count; ++k) each_lane([&](int l) { T_[k][l] += kept[l] * right_[k][l]; });
+  Lanes kept;
+  each_lane([&](int l) { kept[l] = change_[l] > largest_step ? largest_step / change_[l] : 1.0; });
+  for (int k = 0; k < points(); ++k) each_lane([&](int l) { T_[k][l] += kept[l] * right_[k][l]; });
   // Not a number is larger than anything.
   double worst = 0.0;
-  for (const double size : largest) worst = size <= worst ? worst : size;
+  for (const double size : change_) worst = size <= worst ? worst : size;
   return worst;
+}
+
+/// What follows from the present temperatures.
+void AcrossFilm::update(bool sheared, int iteration) {
+  const bool own = flow_ == FilmFlow::own;
+  if (sheared && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
+  if (sheared && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
+  if (own) {
+    own_.update({fluidity_, slope_, log_viscosities_, share_},
+                {wet, thickness, log_viscosity, poiseuille_flow, stress_, std::exp(log_ambient_), velocities_.sliding});
+    if (iteration == 0) set_own_transport();
+  } else if (iteration < profile_iterations) {
+    set_transport();
+  }
 }
 
 void AcrossFilm::solve() {
@@ -264,24 +306,14 @@ void AcrossFilm::solve() {
     by_rate_.fill(0.0);
   }
   for (int n = 0; n < most_iterations; ++n) {
-    if (sheared && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
-    if (sheared && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
-    if (own) {
-      own_.update(
-          {fluidity_, slope_, log_viscosities_, share_},
-          {wet, thickness, log_viscosity, poiseuille_flow, stress_, std::exp(log_ambient_), velocities_.sliding});
-    }
-    if (n == 0 && own) set_own_transport();
-    if (n < profile_iterations && !own) set_transport();
+    update(sheared, n);
     const int phase = n / patience;
     const bool resisted = phase % 2 != 0;
     const double resistance = resisted ? 0.5 * (phase + 1) : 0.0;
     if ((own ? improve<true>(resistance) : improve<false>(resistance)) < tolerance && !resisted) return;
   }
-  for (int l = 0; l < lanes; ++l) {
-    if (!std::isfinite(change_[l])) {
-      throw SolveError("the temperature across the film was not found");
-    }
+  if (!std::ranges::all_of(change_, [](double change) { return std::isfinite(change); })) {
+    throw SolveError("the temperature across the film was not found");
   }
 }
 

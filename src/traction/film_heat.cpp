@@ -84,8 +84,8 @@ public:
       }
       solve_line(i);
     }
-    // Back again, so that what oil brings from downstream reaches the inlet in one sweep; in a time step it comes as far
-    // as a step takes it.
+    // Back again, so that what oil brings from downstream reaches the inlet in one sweep; in a time step it comes as
+    // far as a step takes it.
     returning_ = true;
     for (int i = storage_ > 0.0 ? 0 : last_returning_; i > 0; --i) solve_line(i);
     return std::move(fields_);
@@ -111,7 +111,7 @@ private:
     // Lanes beyond the last row repeat it.
     for (int l = 0; l < AcrossFilm::lanes; ++l) {
       const int j = std::min(first + l, solved_rows() - 1);
-      load_lane(l, i, j);
+      load_lane(l, j);
       if (own_) {
         load_own_flow(l, i, j);
       } else {
@@ -132,7 +132,7 @@ private:
     }
   }
 
-  void load_lane(int l, int i, int j) {
+  void load_lane(int l, int j) {
     const double h = line_.thickness[j], p = line_.pressure[j], density = line_.density[j];
     const bool wet = line_.wet[j] != 0;
     const double filled = wet ? 1.0 : std::clamp(flow_[j] / (density * velocities_.mean * h), least_filled, 1.0);
@@ -256,9 +256,9 @@ private:
   double inverse_span_;
   double h_x_;  // [m]
   bool own_;
-  bool returning_ = false;        // on the way back
-  double storage_ = 0.0;          // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
-  std::vector<double> earlier_;   // T_k a time step ago
+  bool returning_ = false;       // on the way back
+  double storage_ = 0.0;         // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
+  std::vector<double> earlier_;  // T_k a time step ago
   MovingSource source_;
   FilmLine line_;
   AcrossFilm across_;

@@ -77,6 +77,13 @@ private:
   void shear();
   void set_transport();
   void set_own_transport();
+  void update(bool sheared, int iteration);
+  template <bool own>
+  void assemble(double resistance);
+  template <bool own>
+  void eliminate();
+  template <bool own>
+  void correct();
   template <bool own>
   double improve(double resistance);
 
