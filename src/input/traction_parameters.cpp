@@ -40,7 +40,7 @@ Records thermal_records() {
       "thermal", Scope::any,
       {choice("model", {"none", "friction", "film"},
               "heat: the film is as warm everywhere; the energy equation across the film makes temperatures and "
-              "friction, but the film does not feel them; it does (steady)"),
+              "friction, but the film does not feel them; it does"),
        preset(standard.oil.temperature,
               number("temperature", "T_0", "K", kelvin, "of the oil that enters, at which lubricant.viscosity holds")),
        optional("thermal.temperature",
