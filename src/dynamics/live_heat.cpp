@@ -3,7 +3,7 @@
 namespace gearfilm {
 namespace {
 
-std::string name_of(int point) { return "temperature_" + std::to_string(point); }
+std::string name_of(int point) { return std::string(field::heat) + std::to_string(point); }
 
 }  // namespace
 

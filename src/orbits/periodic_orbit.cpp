@@ -56,10 +56,16 @@ double film_change(const PairState& earlier, const PairState& after, MPI_Comm co
   const PairState before = refitted(earlier, comm, after.shape);
   double largest = 0.0;
   for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
+    const std::vector<double>& pressed = values_of(before.films[k], field::pressure);
+    const std::vector<double>& presses = values_of(after.films[k], field::pressure);
     for (const auto& [name, first] : before.films[k]) {
-      if (!field_named(name).compared) continue;
+      const ContactField kind = field_named(name);
+      if (!kind.compared) continue;
       const std::vector<double>& second = after.films[k].at(name);
-      for (std::size_t n = 0; n < first.size(); ++n) largest = std::max(largest, std::abs(second[n] - first[n]));
+      for (std::size_t n = 0; n < first.size(); ++n) {
+        if (kind.loaded_only && (pressed[n] <= 0.0 || presses[n] <= 0.0)) continue;
+        largest = std::max(largest, std::abs(second[n] - first[n]));
+      }
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, comm);

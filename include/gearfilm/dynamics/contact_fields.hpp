@@ -26,6 +26,7 @@ struct ContactField {
   Unit unit = units::number;  ///< there
   bool compared = true;       ///< counts in the defect of a periodic state, and in disturbances of it
   double smallest = -std::numeric_limits<double>::infinity();  ///< that a disturbed state may have
+  bool loaded_only = false;  ///< compared where there is pressure: in the torn film it may differ and means nothing
 };
 
 namespace field {
@@ -35,6 +36,8 @@ inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = 
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
 
+/// beta (T - T_0) at a point across the film: the name begins so.
+inline constexpr std::string_view heat = "heat_";
 /// What temperatures make of the flow (flow_correction.hpp): nothing to compare, since temperatures are.
 inline constexpr ContactField thinning{.name = "thinning", .dataset = "", .compared = false};
 inline constexpr ContactField wedge{.name = "wedge", .dataset = "", .compared = false};
@@ -72,6 +75,7 @@ constexpr ContactField field_named(std::string_view name) {
   for (const field::OfTraction& known : field::traction) {
     if (known.field.name == name) return known.field;
   }
+  if (name.starts_with(field::heat)) return {.name = name, .dataset = "", .loaded_only = true};
   return {.name = name, .dataset = name};
 }
 
