@@ -105,8 +105,14 @@ void print_result(MPI_Comm comm, const Summary& summary) {
 
 void run_eigen(MPI_Comm comm, const Case& given) {
   if (given.traction && given.traction->heats_film()) {
-    throw InputError(given.parameters.origin("thermal.model") +
-                     ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
+    throw InputError(
+        given.parameters.origin("thermal.model") +
+        ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
+  }
+  if (given.traction && given.traction->shear_in_film) {
+    throw InputError(
+        given.parameters.origin("friction.in_film") +
+        ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");
   }
   require_inertia(given);
   require_moving_films(given, "eigen");

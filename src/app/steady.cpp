@@ -12,7 +12,7 @@
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_file.hpp"
-#include "gearfilm/traction/thermal_film.hpp"
+#include "gearfilm/traction/coupled_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -155,6 +155,16 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   write_summary(comm, problem.run.directory, summary);
 }
 
+void print_shear(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("shear_factor")) return;
+  const auto real = [&](const char* name) { return summary[name].get<double>(); };
+  petsc_check(PetscPrintf(comm,
+                          "of a Newtonian oil %.4f um central, %.4f um smallest: factors of shear thinning %.3f and "
+                          "%.3f; settled to %.1e in %d turns\n",
+                          1e6 * real("h_central_newtonian"), 1e6 * real("h_min_newtonian"), real("shear_factor"),
+                          real("shear_factor_min"), real("shear_change"), summary["shear_turns"].get<int>()));
+}
+
 void print_heating(MPI_Comm comm, const Summary& summary) {
   if (!summary.contains("thermal_factor")) return;
   const auto real = [&](const char* name) { return summary[name].get<double>(); };
@@ -213,23 +223,23 @@ struct FilmOnGrid {
   std::unique_ptr<ContactFilm> film;
   StationaryResult result;
   std::optional<GridErrors> errors;
-  // Where the film feels its heat; result and errors are then its own.
-  std::optional<ThermalFilm> thermal;
-  FilmFigures isothermal{};  ///< without heat
+  // Where the film feels its heat or shear; result and errors are then its own.
+  std::optional<CoupledFilm> coupled;
+  FilmFigures bare{};  ///< without
 };
 
-/// Goes on to the film that feels its heat.
-void heat_film(const Case& problem, const SurfaceVelocities& velocities, const LoadCondition& load,
-               FilmOnGrid& solved) {
+/// Goes on to the film that feels its heat and shear.
+void couple_film(const Case& problem, const SurfaceVelocities& velocities, const LoadCondition& load,
+                 FilmOnGrid& solved) {
   const SolverOptions& options = problem.numerics.solver;
   const TractionModel& model = *problem.traction;
-  solved.isothermal = solved.result.figures;
-  solved.thermal = solve_thermal(*solved.film, load, options, model, velocities, solved.result);
-  solved.result = solved.thermal->film;
+  solved.bare = solved.result.figures;
+  solved.coupled = solve_coupled(*solved.film, load, options, model, velocities, solved.result);
+  solved.result = solved.coupled->film;
   solved.errors =
       grid_errors(*solved.film, options, solved.result, [&](ContactFilm& coarse, const FilmSolution& guess) {
         const StationaryResult cold = continue_stationary(coarse, load, options, guess);
-        return solve_thermal(coarse, load, options, model, velocities, cold).film;
+        return solve_coupled(coarse, load, options, model, velocities, cold).film;
       });
 }
 
@@ -242,8 +252,9 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
       LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance);
   solved.result =
       located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
-  if (problem.traction && problem.traction->heats_film()) {
-    located(position.label, [&] { heat_film(problem, velocities_of(problem.scales, position.contact), load, solved); });
+  if (problem.traction && problem.traction->corrects_film()) {
+    located(position.label,
+            [&] { couple_film(problem, velocities_of(problem.scales, position.contact), load, solved); });
   } else {
     solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
   }
@@ -252,33 +263,35 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
 }
 
 Traction traction_of(const Case& problem, const Position& position, const FilmOnGrid& solved) {
-  if (solved.thermal) return solved.thermal->traction;
+  if (solved.coupled) return solved.coupled->traction;
   if (!problem.traction) return {};
   const SurfaceVelocities velocities = velocities_of(problem.scales, position.contact);
   return located(position.label, [&] { return traction(*problem.traction, *solved.film, velocities); });
 }
 
-/// What heat has made of the film.
-void add_heating(const Scales& scales, const FilmOnGrid& solved, Summary& summary) {
-  if (!solved.thermal) return;
-  const FilmFigures &warm = solved.result.figures, &cold = solved.isothermal;
-  summary["h_central_isothermal"] = scales.thickness * cold.central_film;
-  summary["h_min_isothermal"] = scales.thickness * cold.smallest_film;
-  summary["thermal_factor"] = warm.central_film / cold.central_film;
-  summary["thermal_factor_min"] = warm.smallest_film / cold.smallest_film;
-  summary["thermal_turns"] = solved.thermal->turns;
-  summary["thermal_newton_iterations"] = solved.thermal->newton;
-  summary["thermal_change"] = solved.thermal->change;
+/// What heat, or shear alone, has made of the film.
+void add_coupling(const Case& problem, const FilmOnGrid& solved, Summary& summary) {
+  if (!solved.coupled) return;
+  const bool heated = problem.traction->heats_film();
+  const std::string kind = heated ? "thermal" : "shear", bare = heated ? "isothermal" : "newtonian";
+  const FilmFigures &with = solved.result.figures, &without = solved.bare;
+  summary["h_central_" + bare] = problem.scales.thickness * without.central_film;
+  summary["h_min_" + bare] = problem.scales.thickness * without.smallest_film;
+  summary[kind + "_factor"] = with.central_film / without.central_film;
+  summary[kind + "_factor_min"] = with.smallest_film / without.smallest_film;
+  summary[kind + "_turns"] = solved.coupled->turns;
+  summary[kind + "_newton_iterations"] = solved.coupled->newton;
+  summary[kind + "_change"] = solved.coupled->change;
 }
 
-/// Says where film and heat still change each other.
+/// Says where film and heat or shear still change each other.
 void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
   constexpr double tolerable = 1e-3;
-  if (!solved.thermal || solved.thermal->change <= tolerable) return;
+  if (!solved.coupled || solved.coupled->change <= tolerable) return;
   std::ostringstream text;
   text.precision(2);
-  text << "film and heat did not quite settle: the film goes on changing by " << 100.0 * solved.thermal->change
-       << " % a turn; raise grid.nx and grid.ny";
+  text << "the film and what heat and shear make of it did not quite settle: it goes on changing by "
+       << 100.0 * solved.coupled->change << " % a turn; raise grid.nx and grid.ny";
   warn(comm, text.str());
 }
 
@@ -322,9 +335,10 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const Traction friction = traction_of(problem, position, solved);
   Summary summary = film_summary(problem, position, solved.film->grid(), solved.result, friction.figures);
   add_errors(problem.scales, solved.errors, summary);
-  add_heating(problem.scales, solved, summary);
+  add_coupling(problem, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
   print_result(comm, position, summary);
+  print_shear(comm, summary);
   print_heating(comm, summary);
   print_friction(comm, summary);
   warn_of_errors(comm, problem, solved.errors);

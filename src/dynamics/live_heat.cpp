@@ -8,25 +8,28 @@ std::string name_of(int point) { return std::string(field::heat) + std::to_strin
 }  // namespace
 
 void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& fields) {
-  const ThermalOil& oil = model.heat->oil;
-  const std::size_t points = model.heat->points;
-  for (std::size_t k = 0; k < points; ++k) {
-    std::vector<double>& values = fields[name_of(static_cast<int>(k))];
-    values.resize(heat.flow.wedge.size());
-    for (std::size_t n = 0; n < values.size(); ++n) {
-      values[n] = oil.temperature_viscosity * (heat.temperatures[n * points + k] - oil.temperature);
+  if (model.heats_film()) {
+    const ThermalOil& oil = model.heat->oil;
+    const std::size_t points = model.heat->points;
+    for (std::size_t k = 0; k < points; ++k) {
+      std::vector<double>& values = fields[name_of(static_cast<int>(k))];
+      values.resize(heat.flow.wedge.size());
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        values[n] = oil.temperature_viscosity * (heat.temperatures[n * points + k] - oil.temperature);
+      }
     }
   }
-  fields[std::string(field::thinning.name)] = heat.flow.thinning;
-  fields[std::string(field::wedge.name)] = heat.flow.wedge;
-  fields[std::string(field::density.name)] = heat.flow.density;
+  for (const field::OfCorrection& known : field::correction)
+    fields[std::string(known.field.name)] = heat.flow.*known.values;
 }
 
 FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields) {
+  FilmHeat heat;
+  for (const field::OfCorrection& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
+  heat.flow.shear_power = thinning_power(model.law);
+  if (!model.heats_film()) return heat;
   const ThermalOil& oil = model.heat->oil;
   const std::size_t points = model.heat->points;
-  FilmHeat heat;
-  heat.flow = {values_of(fields, field::thinning), values_of(fields, field::wedge), values_of(fields, field::density)};
   heat.temperatures.resize(heat.flow.wedge.size() * points);
   for (std::size_t k = 0; k < points; ++k) {
     const std::vector<double>& values = fields.at(name_of(static_cast<int>(k)));

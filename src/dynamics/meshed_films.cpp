@@ -309,7 +309,7 @@ void MeshedFilms::follow(const std::map<int, double>& before) {
 
 // By Reynolds' equation, in which the rate stands alone.
 void MeshedFilms::adapt_rates() {
-  if (!heats_films(mesh_)) return;
+  if (!corrects_films(mesh_)) return;
   const std::vector<double> displaced = displacements();
   const std::vector<ContactFilm*> films = present_films();
   std::vector<double> rows(discretisation_->grid().local_size());

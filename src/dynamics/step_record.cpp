@@ -14,6 +14,10 @@ namespace {
 // A step of no length: temperatures stay, and make their friction.
 constexpr double moment = 1e-15;  // [s]
 
+// Where sliding begins or ends shear thins the middle of the contact by many decades at once: kappa follows by so much
+// a step, and is extrapolated by no more than a quarter of that.
+constexpr double largest_shear_step = 4.0, most_shear = 1.0;
+
 /// Of the step to come, as long as the one between these two.
 FlowCorrection extrapolated(const FlowCorrection& before, const FlowCorrection& now) {
   FlowCorrection next = now;
@@ -21,8 +25,16 @@ FlowCorrection extrapolated(const FlowCorrection& before, const FlowCorrection& 
     next.thinning[n] += now.thinning[n] - before.thinning[n];
     next.wedge[n] += now.wedge[n] - before.wedge[n];
     next.density[n] += now.density[n] - before.density[n];
+    next.shear[n] += std::clamp(now.shear[n] - before.shear[n], -most_shear, most_shear);
+    next.across[n] = std::max(2.0 * now.across[n] - before.across[n], 0.5 * now.across[n]);
   }
   return next;
+}
+
+void follow_shear(const FlowCorrection& before, FlowCorrection& now) {
+  for (std::size_t n = 0; n < now.shear.size(); ++n) {
+    now.shear[n] = std::clamp(now.shear[n], before.shear[n] - largest_shear_step, before.shear[n] + largest_shear_step);
+  }
 }
 
 TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, const SurfaceVelocities& velocities,
@@ -32,11 +44,12 @@ TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, cons
   LiveHeat& heat = *live.heat;
   if (dT > 0.0) {
     const FlowCorrection before = heat.state.flow;
-    heat.traction = heated_traction(model, *live.film, velocities, heat.state, dT * mesh.scales.time);
+    heat.traction = coupled_traction(model, *live.film, velocities, heat.state, dT * mesh.scales.time);
+    follow_shear(before, heat.state.flow);
     live.film->set_correction(extrapolated(before, heat.state.flow));
   } else {
     FilmHeat still = heat.state;
-    heat.traction = heated_traction(model, *live.film, velocities, still, moment);
+    heat.traction = coupled_traction(model, *live.film, velocities, still, moment);
   }
   return heat.traction->figures;
 }

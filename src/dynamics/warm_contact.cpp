@@ -16,9 +16,9 @@ ContactFields still(std::vector<double> pressure) {
 
 LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFilm* film, const LoadCondition& load,
                           const SolverOptions& options, StationaryResult& found) {
-  if (!heats_films(mesh)) return {number, film, still(found.solution.pressure), {}};
+  if (!corrects_films(mesh)) return {number, film, still(found.solution.pressure), {}};
   const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(number, T));
-  ThermalFilm heated = solve_thermal(*film, load, options, *mesh.traction, velocities, found);
+  CoupledFilm heated = solve_coupled(*film, load, options, *mesh.traction, velocities, found);
   found = std::move(heated.film);
   LiveContact contact{number, film, still(found.solution.pressure), {}};
   keep_heat(*mesh.traction, heated.heat, contact.fields);
@@ -27,7 +27,7 @@ LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFi
 }
 
 void take_up_heat(const MeshModel& mesh, LiveContact& contact) {
-  if (!heats_films(mesh)) return;
+  if (!corrects_films(mesh)) return;
   contact.heat = std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh.traction, contact.fields)});
   contact.film->set_correction(contact.heat->state.flow);
 }

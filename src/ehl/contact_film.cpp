@@ -30,7 +30,12 @@ void ContactFilm::set_conditions(const ContactConditions& conditions) {
 
 void ContactFilm::set_correction(FlowCorrection correction) {
   correction_ = std::move(correction);
-  if (correction_.empty()) state_.entrained.fill(1.0);
+  if (correction_.empty()) {
+    state_.entrained.fill(1.0);
+    state_.across.fill(1.0);
+  } else {
+    state_.across.load(correction_.across);
+  }
   evaluated_ = false;
 }
 

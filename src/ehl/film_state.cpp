@@ -8,10 +8,9 @@
 namespace gearfilm {
 
 template <ViscosityLaw law>
-void FilmProperties::evaluate_line(FilmState& state, int i, const double* thinning,
-                                   const double* density_factor) const {
+void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const OilLaws laws = laws_;
-  const double scale = pressure_scale_, inverse_lambda = inverse_lambda_, inverse_span = inverse_span_;
+  const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
   const double* pressure = state.pressure.row(i);
   const double* film = state.thickness.row(i);
   double* density = state.density.row(i);
@@ -25,34 +24,59 @@ void FilmProperties::evaluate_line(FilmState& state, int i, const double* thinni
     const PressureFunction rho = laws.density(scale * pressure[j]);
     const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
     const double h = film[j] > 0.0 ? film[j] : 0.0;
-    const double by_film_squared =
-        density_factor[j] * rho.value * exp(thinning[j] * (1.0 + inverse_span * log_eta.value) - log_eta.value) * inverse_lambda;
+    const double by_film_squared = rho.value * exp(-log_eta.value) * inverse_lambda;
     const double xi = by_film_squared * h * h * h;
-    density[j] = density_factor[j] * rho.value;
-    density_by_pressure[j] = scale * density_factor[j] * rho.derivative;
+    density[j] = rho.value;
+    density_by_pressure[j] = scale * rho.derivative;
     conductance[j] = xi;
-    conductance_by_pressure[j] = scale * xi * (rho.derivative / rho.value - (1.0 - inverse_span * thinning[j]) * log_eta.derivative);
+    conductance_by_pressure[j] = scale * xi * (rho.derivative / rho.value - log_eta.derivative);
     conductance_by_thickness[j] = 3.0 * by_film_squared * h * h;
+  }
+}
+
+/// ln xi_R gains ln F + ln S, of which only ln(eta/eta_0) depends on the pressure.
+template <ViscosityLaw law>
+void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection& correction) const {
+  const OilLaws laws = laws_;
+  const double scale = pressure_scale_, inverse_span = inverse_span_, power = correction.shear_power;
+  const int count = state.pressure.y_count();
+  const std::size_t first = static_cast<std::size_t>(i) * count;
+  const double *thinning = correction.thinning.data() + first, *density_factor = correction.density.data() + first;
+  const double *kappa = correction.shear.data() + first, *pressure = state.pressure.row(i);
+  double* density = state.density.row(i);
+  double* density_by_pressure = state.density_by_pressure.row(i);
+  double* conductance = state.conductance.row(i);
+  double* conductance_by_pressure = state.conductance_by_pressure.row(i);
+  double* conductance_by_thickness = state.conductance_by_thickness.row(i);
+  GEARFILM_INDEPENDENT_ITERATIONS
+  for (int j = 0; j < count; ++j) {
+    const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
+    const double log_F = thinning[j] * (1.0 + inverse_span * log_eta.value), by_eta = inverse_span * thinning[j];
+    const LogShearFactor shear = log_shear_factor(power, kappa[j], log_eta.value - log_F);
+    const double factor = density_factor[j] * exp(log_F + shear.value);
+    const double slope = scale * log_eta.derivative * (by_eta + shear.derivative * (1.0 - by_eta));
+    density[j] *= density_factor[j];
+    density_by_pressure[j] *= density_factor[j];
+    conductance_by_pressure[j] = factor * (conductance_by_pressure[j] + slope * conductance[j]);
+    conductance[j] *= factor;
+    conductance_by_thickness[j] *= factor;
   }
 }
 
 void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction) const {
   const ScopedEvent event(Kernel::film_properties);
-  const std::size_t rows = state.pressure.y_count();
-  const std::vector<double> zeros(rows, 0.0), ones(rows, 1.0);  // a line without correction
+  const bool barus = viscosity_law_ == ViscosityLaw::barus;
   for (int i = 0; i < state.pressure.nx(); ++i) {
-    const double* thinning = correction.empty() ? zeros.data() : correction.thinning.data() + i * rows;
-    const double* density = correction.empty() ? ones.data() : correction.density.data() + i * rows;
-    if (viscosity_law_ == ViscosityLaw::barus) {
-      evaluate_line<ViscosityLaw::barus>(state, i, thinning, density);
-    } else {
-      evaluate_line<ViscosityLaw::roelands>(state, i, thinning, density);
-    }
+    barus ? evaluate_line<ViscosityLaw::barus>(state, i) : evaluate_line<ViscosityLaw::roelands>(state, i);
+    if (correction.empty()) continue;
+    barus ? correct_line<ViscosityLaw::barus>(state, i, correction)
+          : correct_line<ViscosityLaw::roelands>(state, i, correction);
   }
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness);
+  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness,
+                state.across);
 }
 
 }  // namespace gearfilm

@@ -22,22 +22,28 @@ struct StateLine {
         xi(state.conductance.row(i)),
         xi_p(state.conductance_by_pressure.row(i)),
         xi_h(state.conductance_by_thickness.row(i)),
-        entrained(state.entrained.row(i)) {}
+        entrained(state.entrained.row(i)),
+        across(state.across.row(i)) {}
 
-  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h, *entrained;
+  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h, *entrained, *across;
 };
 
 /// Derivatives of the flow through the face between this node (0) and a neighbour (n), out of this node's cell:
-/// -0.5 (xi_0 + xi_n)(P_n - P_0)/h^2. Each neighbour's line may be this one, at j - 1 or j + 1.
+/// -0.5 (A_0 xi_0 + A_n xi_n)(P_n - P_0)/h^2, A = 1 along x. Each neighbour's line may be this one, at j - 1 or j + 1.
 struct Face {
-  Face(const StateLine& here, int j, const StateLine& there, int m, double weight)
-      : conductance(0.5 * weight * (here.xi[j] + there.xi[m])), half_slope(0.5 * weight * (there.p[m] - here.p[j])) {}
+  Face(const StateLine& here, const StateLine& there, int j, double weight)
+      : conductance(0.5 * weight * (here.xi[j] + there.xi[j])), half_slope(0.5 * weight * (there.p[j] - here.p[j])) {}
+  Face(const StateLine& line, int j, int m, double weight)
+      : conductance(0.5 * weight * (line.across[j] * line.xi[j] + line.across[m] * line.xi[m])),
+        half_slope(0.5 * weight * (line.p[m] - line.p[j])),
+        factor(line.across[m]) {}
 
-  double by_pressure(const StateLine& there, int m) const { return -conductance - half_slope * there.xi_p[m]; }
-  double by_thickness(const StateLine& there, int m) const { return -half_slope * there.xi_h[m]; }
+  double by_pressure(const StateLine& there, int m) const { return -conductance - half_slope * factor * there.xi_p[m]; }
+  double by_thickness(const StateLine& there, int m) const { return -half_slope * factor * there.xi_h[m]; }
 
   double conductance;
   double half_slope;
+  double factor = 1.0;
 };
 
 /// The rows of an inner line; those of nodes that are not wet have the scale d on their diagonal only.
@@ -56,10 +62,11 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
   // The lines of state and stencil are different memory.
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const Face to_west(c, j, w, j, x_weight), to_east(c, j, e, j, x_weight);
-    const Face to_south(c, j, c, j - 1, y_weight), to_north(c, j, c, j + 1, y_weight);
+    const Face to_west(c, w, j, x_weight), to_east(c, e, j, x_weight);
+    const Face to_south(c, j, j - 1, y_weight), to_north(c, j, j + 1, y_weight);
     const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
-    const double slopes = to_west.half_slope + to_east.half_slope + to_south.half_slope + to_north.half_slope;
+    const double slopes =
+        to_west.half_slope + to_east.half_slope + c.across[j] * (to_south.half_slope + to_north.half_slope);
     const double on = wet[j];
     const double mass_ww = mass.west_west * ww.entrained[j], mass_w = mass.west * w.entrained[j];
     const double mass_c = mass.centre * c.entrained[j] + mass.squeeze;

@@ -30,11 +30,13 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   const double* xi = state.conductance.row(i);
   const double* xi_west = state.conductance.row(i - 1);
   const double* xi_east = state.conductance.row(i + 1);
+  const double* across = state.across.row(i);
+  const auto xi_y = [&](int j) { return across[j] * xi[j]; };
   for (int j = 0; j < state.thickness.y_count(); ++j) {
     const double east = 0.5 * (xi[j] + xi_east[j]) * (p_east[j] - p[j]);
     const double west = 0.5 * (xi[j] + xi_west[j]) * (p[j] - p_west[j]);
-    const double north = 0.5 * (xi[j] + xi[j + 1]) * (p[j + 1] - p[j]);
-    const double south = 0.5 * (xi[j] + xi[j - 1]) * (p[j] - p[j - 1]);
+    const double north = 0.5 * (xi_y(j) + xi_y(j + 1)) * (p[j + 1] - p[j]);
+    const double south = 0.5 * (xi_y(j) + xi_y(j - 1)) * (p[j] - p[j - 1]);
     line[j] -= weights.inverse_h_x2 * (east - west) + weights.inverse_h_y2 * (north - south);
   }
 }

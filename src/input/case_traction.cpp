@@ -46,6 +46,16 @@ HeatOptions read_heat(const ParameterValues& values) {
   return {.oil = *oil, .points = values.integer("thermal.points"), .in_film = values.text("thermal.model") == "film"};
 }
 
+bool shears_in_film(const ParameterValues& values, const ShearLaw& law) {
+  if (values.text("friction.in_film") == "no") return false;
+  if (law.kind == ShearLawKind::coulomb) {
+    throw InputError(values.origin("friction.in_film") +
+                     ": 'friction.in_film' is yes, but Coulomb friction knows no viscosity; use friction.law eyring or "
+                     "carreau, or friction.in_film no");
+  }
+  return law.kind != ShearLawKind::newtonian;
+}
+
 // A surface that stands still or runs against the film is warmed by what lies before it.
 void check_sliding(const ParameterValues& values) {
   const std::string sliding = "contact.sliding_velocity";
@@ -63,6 +73,10 @@ void check_sliding(const ParameterValues& values) {
 std::optional<TractionModel> read_traction(const ParameterValues& values) {
   const bool heated = values.text("thermal.model") != "none";
   if (values.text("friction.law") == "none") {
+    if (values.text("friction.in_film") == "yes") {
+      throw InputError(values.origin("friction.in_film") +
+                       ": 'friction.in_film' is yes, but 'friction.law' is none; give the law by which the oil shears");
+    }
     if (!heated) return {};
     throw InputError(values.origin("thermal.model") + ": 'thermal.model' is " + values.text("thermal.model") +
                      ", but 'friction.law' is none; give the law that makes the heat");
@@ -70,6 +84,7 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   check_sliding(values);
   TractionModel model;
   model.law = read_law(values);
+  model.shear_in_film = shears_in_film(values, model.law);
   const std::array<std::string, 2> conductivity = body_keys(values, "conductivity");
   const std::array<std::string, 2> density = body_keys(values, "density");
   const std::array<std::string, 2> heat_capacity = body_keys(values, "heat_capacity");

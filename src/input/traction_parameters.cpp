@@ -25,7 +25,9 @@ Records friction_records() {
                                               "largest shear stress over pressure; 0: no limit (an assumption)")),
        preset(standard.limiting_stress, number("limiting_stress", "tau_L0", "Pa", closed(0, 1e9),
                                                "below which the shear stress is not limited (an assumption)")),
-       optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient"))});
+       optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient")),
+       choice("in_film", {"no", "yes"},
+              "the film feels the shear law: Reynolds' equation of an oil that is not Newtonian")});
 }
 
 Records motion_records() {

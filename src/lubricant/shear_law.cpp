@@ -1,6 +1,7 @@
 #include "gearfilm/lubricant/shear_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,7 +9,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr double beyond_exp = 30.0;  // asinh(e^A) = A + ln 2 to the last digit
+constexpr double unsheared = -300.0;  // ln of a stress that counts as none
+constexpr double beyond_exp = 30.0;   // asinh(e^A) = A + ln 2 to the last digit
 
 /// ln(sinh S/S), S of either sign.
 double log_sinhc(double S) {
@@ -96,7 +98,81 @@ MeanShear unlimited(const ShearLaw& law, double log_newtonian, double half_gradi
   return {law.coefficient * pressure, 0.0};
 }
 
+/// ln 3 (s cosh s - sinh s)/s^3, s >= 0.
+double log_pressure_thinning(double s) {
+  if (s < 0.05) return std::log1p(s * s / 10.0 + s * s * s * s / 280.0);
+  return s + std::log(1.5 * ((s - 1.0) + (s + 1.0) * std::exp(-2.0 * s))) - 3.0 * std::log(s);
+}
+
+// Gauss and Legendre on [-1, 1]: abscissas above zero, weights.
+constexpr std::array<double, 8> gauss_places = {0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863,
+                                                0.6178762444026437484, 0.7554044083550030339, 0.8656312023878317439,
+                                                0.9445750230732325761, 0.9894009349916499326};
+constexpr std::array<double, 8> gauss_weights = {0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382,
+                                                 0.1495959888165767321, 0.1246289712555338720, 0.0951585116824927848,
+                                                 0.0622535239386478929, 0.0271524594117540949};
+
+/// ln[g(tau)/tau].
+double log_fluidity_ratio(const ShearLaw& law, double stress) {
+  if (law.kind == ShearLawKind::eyring) return log_sinhc(stress / law.eyring_stress);
+  const double t = stress / law.carreau_modulus;
+  return 0.5 * (1.0 / law.carreau_exponent - 1.0) * std::log1p(t * t);
+}
+
+/// ln of 3/2 Int zeta^2 g/tau d zeta over [-1, 1].
+double log_thinning_across(const ShearLaw& law, double stress, double gradient) {
+  if (gradient < 1e-5 * stress || gradient == 0.0) return log_fluidity_ratio(law, stress);
+  const double largest = log_fluidity_ratio(law, stress + gradient);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < gauss_places.size(); ++k) {
+    const double z = gauss_places[k];
+    sum += gauss_weights[k] * z * z *
+           (std::exp(log_fluidity_ratio(law, stress + z * gradient) - largest) +
+            std::exp(log_fluidity_ratio(law, stress - z * gradient) - largest));
+  }
+  return largest + std::log(1.5 * sum);
+}
+
+/// ln of 3/(2 S) Int zeta g d zeta over [-1, 1], of Carreau's law.
+double log_carreau_along(const ShearLaw& law, double stress, double gradient) {
+  const double G = law.carreau_modulus, power = 1.0 / law.carreau_exponent - 1.0;
+  if (gradient < 1e-5 * (G + stress)) {  // g'
+    const double t2 = stress * stress / (G * G);
+    return std::log1p(power * t2 / (1.0 + t2)) + 0.5 * power * std::log1p(t2);
+  }
+  double sum = 0.0;
+  for (std::size_t k = 0; k < gauss_places.size(); ++k) {
+    const double z = gauss_places[k];
+    sum += gauss_weights[k] * z * (fluidity(law, stress + z * gradient) - fluidity(law, stress - z * gradient));
+  }
+  return std::log(1.5 * sum / gradient);
+}
+
 }  // namespace
+
+ShearThinning shear_thinning(const ShearLaw& law, double log_newtonian, double half_gradient) {
+  log_newtonian = std::max(log_newtonian, unsheared);
+  const double gradient = std::abs(half_gradient);
+  const double stress = unlimited(law, log_newtonian, half_gradient, 0.0).stress;
+  switch (law.kind) {
+    case ShearLawKind::eyring: {
+      const double s = gradient / law.eyring_stress;
+      const double log_rate = log_newtonian - std::log(law.eyring_stress) - log_sinhc(s);
+      const double log_root = std::max(log_rate, 0.0) + 0.5 * std::log1p(std::exp(-2.0 * std::abs(log_rate)));
+      return {log_pressure_thinning(s) + log_root, log_thinning_across(law, stress, gradient)};
+    }
+    case ShearLawKind::carreau:
+      return {log_carreau_along(law, stress, gradient), log_thinning_across(law, stress, gradient)};
+    case ShearLawKind::newtonian:
+    case ShearLawKind::coulomb:
+      break;
+  }
+  return {};
+}
+
+double thinning_power(const ShearLaw& law) {
+  return law.kind == ShearLawKind::carreau ? 1.0 - law.carreau_exponent : 1.0;
+}
 
 double ShearLaw::limit(double pressure) const {
   if (kind == ShearLawKind::coulomb || limiting_ratio == 0.0) return std::numeric_limits<double>::infinity();

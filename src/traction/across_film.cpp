@@ -91,9 +91,9 @@ void AcrossFilm::shear() {
   const double sliding = std::abs(velocities_.sliding);
   for (int l = 0; l < lanes; ++l) {
     stress_[l] = by_rate_[l] = 0.0;
+    log_newtonian_[l] = log_ambient_ + std::log(sliding / (thickness[l] * mean[l]));
     if (wet[l] == 0.0 || sliding == 0.0) continue;
-    const double log_newtonian = log_ambient_ + std::log(sliding / (thickness[l] * mean[l]));
-    const MeanShear found = mean_shear(law_, log_newtonian, half_gradient[l], pressure[l]);
+    const MeanShear found = mean_shear(law_, log_newtonian_[l], half_gradient[l], pressure[l]);
     stress_[l] = found.stress;
     by_rate_[l] = found.by_rate;
   }
@@ -289,7 +289,8 @@ void AcrossFilm::update(bool sheared, int iteration) {
   if (sheared && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
   if (own) {
     own_.update({fluidity_, slope_, log_viscosities_, share_},
-                {wet, thickness, log_viscosity, poiseuille_flow, stress_, std::exp(log_ambient_), velocities_.sliding});
+                {wet, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_),
+                 velocities_.sliding});
     if (iteration == 0) set_own_transport();
   } else if (iteration < profile_iterations) {
     set_transport();

@@ -37,7 +37,8 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     inwards[l] = film.poiseuille_flow[l] < 0.0 ? film.wet[l] : 0.0;
     gradient[l] = -inwards[l] * film.poiseuille_flow[l] / (film.thickness[l] * moment[l]);
     const double forwards = film.poiseuille_flow[l] / (film.thickness[l] * second_moment_);
-    parabola[l] = (film.wet[l] - inwards[l]) * film.ambient_viscosity * exp(log_mean[l]) * forwards * forwards;
+    parabola[l] = (film.wet[l] - inwards[l]) * film.ambient_viscosity * exp(log_mean[l]) * forwards * forwards /
+                  film.shear_factor[l];
   });
   const double exact = 12.0 * second_moment_;  // so that their mean is 12 eta q_P^2/(F h^4) on any points
   Lanes driven{}, passed{};
@@ -52,11 +53,12 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
       driven[l] += previous_weight * (drive + drive_before);
       poiseuille[k][l] = driven[l];
       passed[l] += weight * driven[l];
-      const double own_heat =
-          exact * film.ambient_viscosity * gradient[l] * gradient[l] * arm * arm * oil.fluidity[k][l];
-      const double cross = gradient[l] * arm *
-                           (std::copysign(film.stress[l], film.sliding) * oil.fluidity[k][l] +
-                            film.ambient_viscosity * film.sliding * oil.share[k][l] / film.thickness[l]);
+      const double own_heat = exact * film.ambient_viscosity * gradient[l] * gradient[l] * arm * arm *
+                              oil.fluidity[k][l] / film.shear_factor[l];
+      const double cross =
+          gradient[l] * arm *
+          (std::copysign(film.stress[l], film.sliding) * oil.fluidity[k][l] +
+           film.ambient_viscosity * film.sliding * oil.share[k][l] / (film.thickness[l] * film.shear_factor[l]));
       const double thrown = exact * bent * parabola[l];
       heat[k][l] = own_heat + cross + thrown;
       diagonal[k][l] = own_heat * oil.slope[k][l];

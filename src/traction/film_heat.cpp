@@ -8,6 +8,7 @@
 #include "gearfilm/traction/across_film.hpp"
 #include "gearfilm/traction/film_line.hpp"
 #include "gearfilm/traction/moving_source.hpp"
+#include "gearfilm/traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
@@ -60,10 +61,8 @@ public:
       field->assign(nodes, 0.0);
     }
     if (!own_) return;
-    heat.flow.thinning.assign(nodes, 0.0);
+    heat.flow = FlowCorrection::none(nodes);
     fields_.log_flow_factor.assign(nodes, 0.0);
-    heat.flow.wedge.assign(nodes, 0.0);
-    heat.flow.density.assign(nodes, 1.0);
     if (heat.passing.empty()) heat.passing.assign(nodes * points(), 0.0);
   }
 
@@ -115,7 +114,7 @@ private:
       if (own_) {
         load_own_flow(l, i, j);
       } else {
-        load_isothermal_flow(l, j);
+        load_isothermal_flow(l, i, j);
       }
       load_profiles(l, i, j);
     }
@@ -153,9 +152,10 @@ private:
   }
 
   // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
-  void load_isothermal_flow(int l, int j) {
+  void load_isothermal_flow(int l, int i, int j) {
     if (!line_.wet[j]) return;
-    const double h = line_.thickness[j], p_x = line_.gradient[j], inverse_viscosity = std::exp(-line_.log_viscosity[j]);
+    const double h = line_.thickness[j], p_x = line_.gradient[j];
+    const double inverse_viscosity = std::exp(log_shear_factor(i, j, l) - line_.log_viscosity[j]);
     const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -velocities_.mean;
     const double part = poiseuille < back ? back / poiseuille : 1.0;
     across_.poiseuille_flow[l] = part * poiseuille;
@@ -167,12 +167,21 @@ private:
   /// ln F over theta (flow_correction.hpp).
   double by_thinning(int l) const { return 1.0 + inverse_span_ * across_.log_viscosity[l]; }
 
+  /// theta and ln S with which the film was solved.
+  double theta(int i, int j) const { return film_.correction().empty() ? 0.0 : film_.correction().thinning[at(i, j)]; }
+  double log_shear_factor(int i, int j, int l) const {
+    const FlowCorrection& flow = film_.correction();
+    if (flow.empty()) return 0.0;
+    const double x = across_.log_viscosity[l] - theta(i, j) * by_thinning(l);
+    return gearfilm::log_shear_factor(flow.shear_power, flow.shear[at(i, j)], x).value;
+  }
+
   // At the last wet node of a row dp/dx = 0.
   void load_own_flow(int l, int i, int j) {
+    const double log_S = log_shear_factor(i, j, l);
+    across_.shear_factor[l] = std::exp(log_S);
     if (!line_.wet[j] || film_.pressure().row(i + 1)[j] <= 0.0) return;
-    const FlowCorrection& correction = film_.correction();
-    const double h = line_.thickness[j];
-    const double log_factor = correction.empty() ? 0.0 : correction.thinning[at(i, j)] * by_thinning(l);
+    const double h = line_.thickness[j], log_factor = theta(i, j) * by_thinning(l) + log_S;
     across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }
 
@@ -235,6 +244,10 @@ private:
     fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
     heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / by_thinning(l);
     heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
+    if (model_.shear_in_film) {
+      put_shear(model_.law, across_.log_newtonian(l), across_.half_gradient[l],
+                across_.log_viscosity[l] - across_.own_flow().log_factor[l], node, heat_.flow);
+    }
     if (line_.wet[j]) flow_[j] = mass * (velocities_.mean + wedge + across_.poiseuille_flow[l]);
   }
 

@@ -10,6 +10,7 @@
 #include "gearfilm/parallel/agreement.hpp"
 #include "gearfilm/traction/film_line.hpp"
 #include "gearfilm/traction/moving_source.hpp"
+#include "gearfilm/traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
@@ -153,8 +154,12 @@ Traction traction(const TractionModel& model, const ContactFilm& film, const Sur
   return summed(model, film, velocities, agreed(film, [&] { return heated_film(model, film, velocities); }));
 }
 
-Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                         FilmHeat& heat, std::optional<double> time_step) {
+Traction coupled_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                          FilmHeat& heat, std::optional<double> time_step) {
+  if (!model.heats_film()) {
+    heat.flow = sheared_flow(model, film, velocities);
+    return traction(model, film, velocities);
+  }
   return summed(model, film, velocities,
                 agreed(film, [&] { return sweep_heat(model, film, velocities, heat, time_step); }));
 }

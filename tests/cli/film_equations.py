@@ -68,12 +68,29 @@ class FilmEquations:
         """rho H."""
         return self.density(P) * H
 
-    def rows(self, P, H, xi, rate=0.0, shift=0.0):
+    def eyring_thinning(self, P, H, sliding, stress):
+        """S along the sliding velocity and across it, of Eyring's law: integrals over the film by Gauss's rule."""
+        gradient = numpy.zeros_like(P)
+        gradient[1:-1] = (P[2:] - P[:-2]) / (2 * self.h_x)
+        half = 0.5 * H * gradient * self.pressure * self.film / self.derived["a"] / stress  # h p_x/(2 tau_0)
+        viscosity = self.parameters["lubricant.viscosity"] * numpy.exp(self.log_viscosity(P))
+        rate = viscosity * sliding / (H * self.film * stress)
+        half = numpy.where(abs(half) < 1e-6, 1e-6, half)
+        mean = numpy.arcsinh(rate * half / numpy.sinh(half))
+        along, across = 0.0, 0.0
+        for zeta, weight in zip(*numpy.polynomial.legendre.leggauss(64)):
+            tau = mean + zeta * half
+            along = along + 1.5 * weight * zeta * numpy.sinh(tau) / half
+            across = across + 1.5 * weight * zeta ** 2 * numpy.sinh(tau) / tau
+        return along, across
+
+    def rows(self, P, H, xi, rate=0.0, shift=0.0, thinning=(1.0, 1.0)):
         """G = min(d P, R) at inner nodes; rate is d(rho H)/dT there, shift its derivative by rho H."""
         _, U = conditions(self.parameters, self.derived, xi)
-        conductance = self.density(P) * H ** 3 * numpy.exp(-self.log_viscosity(P)) / self.wedge_number
+        newtonian = self.density(P) * H ** 3 * numpy.exp(-self.log_viscosity(P)) / self.wedge_number
+        conductance = newtonian * thinning[0]
         flow_x = -at_faces(conductance, 0) * numpy.diff(P, axis=0) / self.h_x
-        flow_y = -at_faces(conductance, 1) * numpy.diff(P, axis=1) / self.h_y
+        flow_y = -at_faces(newtonian * thinning[1], 1) * numpy.diff(P, axis=1) / self.h_y
         mass = self.mass(P, H)
         wedge = numpy.empty_like(mass[1:-1])
         wedge[0] = mass[1] - mass[0]

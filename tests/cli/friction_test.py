@@ -6,6 +6,7 @@ import unittest
 import h5py
 import numpy
 
+from film_equations import FilmEquations
 from films import BARBIERI, CIRCULAR, summary_in
 from program import SOURCE, ProgramTest
 from restarts import SMALL
@@ -43,6 +44,29 @@ class Friction(ProgramTest):
             stress, pressure = contact["shear_stress"][:], contact["P"][:]
             self.assertAlmostEqual(stress.sum() / pressure.sum() / summary["friction_coefficient"], 1, delta=1e-9)
             self.assertEqual(contact["temperature_mid"].attrs["unit"], b"K")
+
+    def test_a_film_that_feels_its_shear_obeys_reynolds_equation_of_that_oil(self):
+        """Rows of the film that was written, with the flow of Eyring's law integrated anew."""
+        summary, run = self.summary("steady", BARBIERI, "-friction_law", "eyring", "-friction_in_film", "yes",
+                                    "-grid_nx", 129, "-grid_ny", 65, "-steady_position", 0.005)
+        self.assertIn("shear thinning", run.stdout)
+        self.assertLess(summary["shear_factor_min"], 0.96)
+        self.run_program("info", BARBIERI, "-output_dir", "info")
+        with h5py.File(self.folder / "out/results.h5") as file:
+            given = {name: text.decode() for name, text in file["parameters"].attrs.items()}
+            contact = file["contact0"]
+            P, H, x, y = (contact[name][:] for name in ("P", "H", "x", "y"))
+            xi = contact.attrs["xi"]
+        parameters = {name: float(given[name].split()[0]) for name in ("pinion.teeth", "wheel.teeth", "lubricant.viscosity",
+                                                            "lubricant.pressure_viscosity")}
+        parameters |= {name: given[name] for name in ("lubricant.viscosity_law", "lubricant.density_law")}
+        equations = FilmEquations(parameters, summary_in(self.folder / "info"), x, y)
+        P, H = P / equations.pressure, H / equations.film
+        thinning = equations.eyring_thinning(P, H, summary["sliding_velocity"], 8e6)
+        inside = P[1:-1, 1:-1] > 0.01
+        thin, newtonian = (abs(equations.rows(P, H, xi, thinning=factors)[inside]).max()
+                           for factors in (thinning, (1.0, 1.0)))
+        self.assertLess(thin, 0.02 * newtonian)
 
     def test_coulombs_friction_loses_what_the_loss_factor_says(self):
         """One contact with the share 1/n, along the whole line of action: exact but for the quadrature in time."""
@@ -109,12 +133,17 @@ class Friction(ProgramTest):
                 (["'friction.law'", "none"], ["-thermal_model", "friction"]),
                 (["'lubricant.temperature_viscosity'", "missing"], heat),
                 (["'friction.coefficient'", "missing"], ["-friction_law", "coulomb"]),
+                (["'friction.in_film'", "none"], ["-friction_in_film", "yes"]),
+                (["'friction.in_film'", "Coulomb"],
+                 ["-friction_law", "coulomb", "-friction_coefficient", 0.1, "-friction_in_film", "yes"]),
                 (["'thermal.temperature'", "200"], [*heat, "-thermal_temperature", -5]),
                 (["'thermal.points'", "odd"], [*heat, "-thermal_points", 16]),
                 (["'friction.law'", "sinh"], ["-friction_law", "sinh"])):
             with self.subTest(options=options):
                 self.assert_wrong(words, "steady", BARBIERI, *options)
         self.assert_wrong(["'friction.in_motion'", "none"], "transient", BARBIERI, "-friction_in_motion", "yes")
+        self.assert_wrong(["'friction.in_film'", "Newtonian"], "eigen", BARBIERI, "-friction_law", "eyring",
+                          "-friction_in_film", "yes")
         self.assert_wrong(["'friction.in_motion'", "dynamic"], "transient", BARBIERI, "-friction_in_motion", "yes",
                           "-friction_law", "eyring", "-model", "dry")
         self.assert_wrong(["'contact.sliding_velocity'", "twice"], "steady", CIRCULAR, "-friction_law", "eyring",

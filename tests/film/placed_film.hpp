@@ -1,6 +1,9 @@
 // The stationary film of Table 3 at a place on the line of action, and the heat of its oil.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cmath>
 #include <memory>
 
 #include "film_case.hpp"
@@ -37,6 +40,32 @@ inline TractionModel heated(int points = 17) {
   TractionModel model;
   model.heat = heat_options(points);
   return model;
+}
+
+/// |G(x + e v) - G(x) - e J v| falls like e^2 at a state of a film, with the film's corrections as they are.
+inline void expect_second_order(const ContactFilm& corrected, const FilmSolution& state) {
+  ContactFilm film(corrected.discretisation(), corrected.scales(), {.precision = Precision::double_precision});
+  film.set_conditions(corrected.conditions());
+  film.set_correction(corrected.correction());
+  const std::vector<double>& pressure = state.pressure;
+  std::vector<double> change(pressure), slope(pressure.size()), at_state(pressure.size());
+  for (std::size_t n = 0; n < change.size(); ++n) change[n] *= std::sin(0.7 * static_cast<double>(n));
+  film.residual(pressure, state.H0, {}, at_state);
+  film.linearise(pressure, state.H0, {}, 0.0);
+  film.multiply(change, 0.0, slope);
+  double before = 0.0;
+  for (const double step : {4e-3, 2e-3, 1e-3}) {
+    std::vector<double> moved(pressure), remainder(pressure.size());
+    for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += step * change[n];
+    film.residual(moved, state.H0, {}, remainder);
+    for (std::size_t n = 0; n < remainder.size(); ++n) remainder[n] -= at_state[n] + step * slope[n];
+    double size = film.merit(remainder);
+    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    if (before > 0.0) {
+      EXPECT_NEAR(std::log2(std::sqrt(before / size)), 2.0, 0.2);
+    }
+    before = size;
+  }
 }
 
 }  // namespace gearfilm

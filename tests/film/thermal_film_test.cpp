@@ -1,10 +1,9 @@
 // Films that feel their heat: the flow in a film of uneven viscosity against closed integrals, the corrected Jacobian,
 // and the case study against an independent program.
-#include "gearfilm/traction/thermal_film.hpp"
-
 #include <gtest/gtest.h>
 
 #include "friction_reference.hpp"
+#include "gearfilm/traction/coupled_film.hpp"
 #include "gearfilm/traction/film_flow.hpp"
 #include "placed_film.hpp"
 
@@ -34,7 +33,7 @@ struct KnownFlow {
     std::vector<Lanes> share = fluidity;
     for (Lanes& lanes : share) lanes = all(lanes[0] / mean);
     flow.update({fluidity, slope, log_viscosity, share},
-                {all(1.0), all(film_height), all(0.0), all(q), all(stress), viscosity, sliding});
+                {all(1.0), all(film_height), all(0.0), all(q), all(stress), all(1.0), viscosity, sliding});
   }
 
   static std::vector<double> places_of(int points) {
@@ -87,16 +86,21 @@ TEST(OwnFlow, of_viscosity_that_falls_towards_one_wall) {
   }
 }
 
+TractionModel in_film(TractionModel model) {
+  model.heat->in_film = true;
+  return model;
+}
+
 /// The thermal film at a place.
 struct HotFilm : PlacedFilm {
   HotFilm(double xi, int nx, int ny, const TractionModel& model = heated(), Domain domain = wide)
       : PlacedFilm(xi, 1.0, nx, ny, domain),
-        thermal(solve_thermal(*film, load, SolverOptions{}, model, velocities, result)) {}
+        thermal(solve_coupled(*film, load, SolverOptions{}, in_film(model), velocities, result)) {}
 
   double factor() const { return thermal.film.figures.central_film / result.figures.central_film; }
 
   static constexpr Domain wide{-4.5, 1.5, 1.2};
-  ThermalFilm thermal;
+  CoupledFilm thermal;
 };
 
 // The reference marches along x in steps of first order: on the same grid its films are 2 to 3 % thicker, on twice as
@@ -156,32 +160,11 @@ TEST(ThermalFilm, that_expands_is_thicker) {
   EXPECT_LT(hot.factor(), 1.25 * rigid.factor());
 }
 
-// |G(x + e v) - G(x) - e J v| falls like e^2 with F, W and r as they are.
 TEST(ThermalFilm, jacobian_knows_the_correction) {
   TractionModel expanding = heated();
   expanding.heat->oil.expansion = 7e-4;
   const HotFilm hot(0.005, 129, 33, expanding, paper_domain(2400.0));
-  ContactFilm film(hot.film->discretisation(), hot.film->scales(), {.precision = Precision::double_precision});
-  film.set_conditions(hot.film->conditions());
-  film.set_correction(hot.film->correction());
-  const std::vector<double>& pressure = hot.thermal.film.solution.pressure;
-  const double H0 = hot.thermal.film.solution.H0;
-  std::vector<double> change(pressure), slope(pressure.size()), at_state(pressure.size());
-  for (std::size_t n = 0; n < change.size(); ++n) change[n] *= std::sin(0.7 * static_cast<double>(n));
-  film.residual(pressure, H0, {}, at_state);
-  film.linearise(pressure, H0, {}, 0.0);
-  film.multiply(change, 0.0, slope);
-  double before = 0.0;
-  for (const double step : {4e-3, 2e-3, 1e-3}) {
-    std::vector<double> moved(pressure), remainder(pressure.size());
-    for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += step * change[n];
-    film.residual(moved, H0, {}, remainder);
-    for (std::size_t n = 0; n < remainder.size(); ++n) remainder[n] -= at_state[n] + step * slope[n];
-    double size = film.merit(remainder);
-    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-    if (before > 0.0) EXPECT_NEAR(std::log2(std::sqrt(before / size)), 2.0, 0.2);
-    before = size;
-  }
+  expect_second_order(*hot.film, hot.thermal.film.solution);
 }
 
 }  // namespace

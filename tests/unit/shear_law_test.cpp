@@ -69,6 +69,51 @@ TEST(ShearLaw, the_mean_stress_shears_the_oil_as_fast_as_the_surfaces_slide) {
   }
 }
 
+/// 3/2 Int f(zeta) d zeta over [-1, 1], by Simpson's rule.
+template <class Function>
+double thinning_integral(Function f) {
+  constexpr int intervals = 20000;
+  double sum = 0.0;
+  for (int n = 0; n <= intervals; ++n) {
+    const double weight = n == 0 || n == intervals ? 1.0 : n % 2 == 1 ? 4.0 : 2.0;
+    sum += weight * f(2.0 * n / intervals - 1.0);
+  }
+  return 1.5 * sum * 2.0 / (3.0 * intervals);
+}
+
+// 12/h^3 Int (z - h/2) g/p_x dz and 12/h^3 Int (z - h/2)^2 g/tau dz.
+TEST(ShearLaw, shear_thins_the_flow_that_pressure_drives) {
+  for (const ShearLawKind kind : {ShearLawKind::eyring, ShearLawKind::carreau}) {
+    const ShearLaw law = unlimited(kind);
+    for (const double sigma : {-6.0, 0.01, 0.2, 1.0, 6.0}) {
+      for (const double rate : {1e-6, 1e-2, 1.0, 1e5}) {
+        const double newtonian = rate * law.eyring_stress, S = sigma * law.eyring_stress;
+        const double stress = mean_shear(law, std::log(newtonian), S, 0.0).stress;
+        const auto at = [&](double zeta) { return stress + S * zeta; };
+        const ShearThinning found = shear_thinning(law, std::log(newtonian), S);
+        const double along = thinning_integral([&](double zeta) { return zeta * fluidity(law, at(zeta)) / S; });
+        const double across = thinning_integral([&](double zeta) {
+          return at(zeta) == 0.0 ? zeta * zeta : zeta * zeta * fluidity(law, at(zeta)) / at(zeta);
+        });
+        EXPECT_NEAR(found.log_along, std::log(along), 1e-5) << sigma << " " << rate;
+        EXPECT_NEAR(found.log_across, std::log(across), 1e-5) << sigma << " " << rate;
+      }
+    }
+  }
+}
+
+TEST(ShearLaw, without_a_gradient_flow_thins_by_the_slope_along_and_by_the_secant_across) {
+  const ShearLaw law = unlimited(ShearLawKind::eyring);
+  const double rate = 1e3, stress = std::asinh(rate);
+  const ShearThinning found = shear_thinning(law, std::log(rate * law.eyring_stress), 0.0);
+  EXPECT_NEAR(found.log_along, std::log(std::cosh(stress)), 1e-12);
+  EXPECT_NEAR(found.log_across, std::log(std::sinh(stress) / stress), 1e-12);
+  EXPECT_EQ(shear_thinning(unlimited(ShearLawKind::newtonian), 20.0, 1e6).log_along, 0.0);
+  const ShearThinning still = shear_thinning(law, -INFINITY, 0.0);
+  EXPECT_NEAR(still.log_along, 0.0, 1e-14);
+  EXPECT_NEAR(still.log_across, 0.0, 1e-14);
+}
+
 TEST(ShearLaw, a_newtonian_oil_and_one_that_hardly_thins) {
   const ShearLaw newtonian = unlimited(ShearLawKind::newtonian);
   EXPECT_NEAR(mean_shear(newtonian, log_newtonian, 1e6, 0.0).stress, 6e6, 6e-4);

@@ -38,10 +38,20 @@ inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = fa
 
 /// beta (T - T_0) at a point across the film: the name begins so.
 inline constexpr std::string_view heat = "heat_";
-/// What temperatures make of the flow (flow_correction.hpp): nothing to compare, since temperatures are.
-inline constexpr ContactField thinning{.name = "thinning", .dataset = "", .compared = false};
-inline constexpr ContactField wedge{.name = "wedge", .dataset = "", .compared = false};
-inline constexpr ContactField density{.name = "density_factor", .dataset = "", .compared = false};
+/// What heat and shear make of the flow: nothing to compare, since temperatures and pressures are.
+struct OfCorrection {
+  ContactField field;
+  std::vector<double> FlowCorrection::*values;
+};
+
+constexpr OfCorrection of_correction(std::string_view name, std::vector<double> FlowCorrection::*values) {
+  return {{.name = name, .dataset = "", .compared = false}, values};
+}
+
+inline constexpr auto correction = std::to_array<OfCorrection>(
+    {of_correction("thinning", &FlowCorrection::thinning), of_correction("wedge", &FlowCorrection::wedge),
+     of_correction("density_factor", &FlowCorrection::density), of_correction("shear", &FlowCorrection::shear),
+     of_correction("across", &FlowCorrection::across)});
 
 /// What follows from a film for friction and heat: of results only.
 struct OfTraction {
@@ -64,13 +74,16 @@ inline constexpr auto traction =
                                of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
                                of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
 
-inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate, thinning, wedge, density});
+inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field
 
 /// A name that says nothing else of itself is a pure number, written under its name and compared.
 constexpr ContactField field_named(std::string_view name) {
   for (const ContactField& known : field::all) {
     if (known.name == name) return known;
+  }
+  for (const field::OfCorrection& known : field::correction) {
+    if (known.field.name == name) return known.field;
   }
   for (const field::OfTraction& known : field::traction) {
     if (known.field.name == name) return known.field;

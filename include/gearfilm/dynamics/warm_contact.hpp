@@ -2,11 +2,11 @@
 #pragma once
 
 #include "gearfilm/dynamics/step_record.hpp"
-#include "gearfilm/traction/thermal_film.hpp"
+#include "gearfilm/traction/coupled_film.hpp"
 
 namespace gearfilm {
 
-inline bool heats_films(const MeshModel& mesh) { return mesh.traction && mesh.traction->heats_film(); }
+inline bool corrects_films(const MeshModel& mesh) { return mesh.traction && mesh.traction->corrects_film(); }
 
 /// A contact that begins at time T with a stationary film: where films feel their heat, with the warm one, which
 /// `found` then is too. Collective. Throws SolveError.

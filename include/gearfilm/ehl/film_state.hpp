@@ -24,9 +24,11 @@ struct FilmState {
         conductance_by_pressure(grid),
         conductance_by_thickness(grid),
         entrained(grid),
+        across(grid),
         wet(grid),
         row_scale(grid) {
     entrained.fill(1.0);
+    across.fill(1.0);
   }
 
   Field<double> pressure;                  ///< P
@@ -37,12 +39,13 @@ struct FilmState {
   Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
   Field<double> entrained;                 ///< (U + W)/U, of what the wedge carries
+  Field<double> across;                    ///< A, the conductance in y over that in x
   Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
 };
 
 /// All fields of a state, for what treats them alike (injection, gathering).
-inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&FilmState::pressure,
+inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&FilmState::pressure,
                                                                             &FilmState::thickness,
                                                                             &FilmState::density,
                                                                             &FilmState::density_by_pressure,
@@ -50,6 +53,7 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
                                                                             &FilmState::conductance_by_pressure,
                                                                             &FilmState::conductance_by_thickness,
                                                                             &FilmState::entrained,
+                                                                            &FilmState::across,
                                                                             &FilmState::wet,
                                                                             &FilmState::row_scale};
 
@@ -69,7 +73,9 @@ public:
 
 private:
   template <ViscosityLaw law>
-  void evaluate_line(FilmState& state, int i, const double* thinning, const double* density_factor) const;
+  void evaluate_line(FilmState& state, int i) const;
+  template <ViscosityLaw law>
+  void correct_line(FilmState& state, int i, const FlowCorrection& correction) const;
 
   OilLaws laws_;
   ViscosityLaw viscosity_law_;
@@ -78,7 +84,7 @@ private:
   double inverse_span_;  ///< 1/c of flow_correction.hpp
 };
 
-/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives.
+/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives, A.
 void exchange_ghosts(const Halo& halo, FilmState& state);
 
 }  // namespace gearfilm

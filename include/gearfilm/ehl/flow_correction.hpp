@@ -1,13 +1,20 @@
-// What heat across the film makes of the flow along it: fields that Reynolds' equation is given.
+// What heat across the film, and a shear law that is not Newton's, make of the flow: fields that Reynolds' equation is
+// given.
 //
-//   xi_R = F rho H^3/(eta lambda),  ln F = theta (1 + ln(eta/eta_0)/c),  eta = eta(p, T_0)
+//   xi_R = F S rho H^3/(eta lambda),  ln F = theta (1 + ln(eta/eta_0)/c),  eta = eta(p, T_0)
+//   ln S = (m/2) ln[1 + exp 2 (kappa + ln(eta/eta_0) - ln F)];  across the entrainment A xi_R
 //   wedge d(rho H (U + W))/dX,  rho = r rho(p)
 // They stay as they are while a film is solved for: theta, ln F at ambient pressure, rather than F, because where
 // pressure changes F changes with it, by many decades. c = ln eta_0 + 9.67 with Roelands' law, by which the oil as warm
-// as that has it so at all pressures (thermal_oil.hpp); infinite with Barus'.
+// as that has it so at all pressures (thermal_oil.hpp); infinite with Barus'. Likewise kappa rather than S: with m = 1
+// it is Eyring's law, S = sqrt(1 + (eta u_s/(h tau_0))^2) where pressure drives little, with m = 1 - n Carreau's far
+// from Newton's; kappa is what gives the right S at the present state.
 #pragma once
 
+#include <cstddef>
 #include <vector>
+
+#include "gearfilm/lubricant/vector_math.hpp"
 
 namespace gearfilm {
 
@@ -16,9 +23,26 @@ struct FlowCorrection {
   std::vector<double> thinning;  ///< theta
   std::vector<double> wedge;     ///< W, of u_m* [-]
   std::vector<double> density;   ///< r
+  std::vector<double> shear;     ///< kappa
+  std::vector<double> across;    ///< A
+  double shear_power = 1.0;      ///< m
 
-  /// None: theta = 0, W = 0, r = 1.
+  /// None: theta = 0, W = 0, r = 1, S = 1, A = 1.
   bool empty() const { return thinning.empty(); }
+
+  /// So many nodes that correct nothing.
+  static FlowCorrection none(std::size_t nodes);
 };
+
+/// ln S and its derivative by x = ln(eta/eta_0) - ln F.
+struct LogShearFactor {
+  double value, derivative;
+};
+inline LogShearFactor log_shear_factor(double power, double kappa, double x) {
+  const double rate = exp(2.0 * (kappa + x));
+  return {0.5 * power * log1p(rate), power * rate / (1.0 + rate)};
+}
+/// kappa of a given ln S >= 0 at x.
+double shear_of(double power, double log_factor, double x);
 
 }  // namespace gearfilm

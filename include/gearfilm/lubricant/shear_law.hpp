@@ -43,6 +43,21 @@ struct MeanShear {
 /// [ln Pa]; h p_x/2 [Pa], of either sign; and the pressure [Pa], which limits it. The sign of tau_m is that of u_s.
 MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure);
 
+/// What the shear that drags makes of the flow that pressure drives, over that of a Newtonian oil of the same
+/// viscosity.
+struct ShearThinning {
+  double log_along = 0.0;   ///< ln S of the flow along the sliding velocity
+  double log_across = 0.0;  ///< the same at right angles to it
+};
+
+/// Of a film of uniform viscosity, of a law that knows a viscosity (not coulomb); arguments of mean_shear. The limit of
+/// the stress has no part in it.
+///   S = 12/h^3 Int (z - h/2) g(tau)/p_x dz,  tau = tau_m + (z - h/2) p_x;  across 12/h^3 Int (z - h/2)^2 g(tau)/tau dz
+///   eyring: S = 3 (s cosh s - sinh s)/s^3 sqrt[1 + ((eta u_s/(h tau_0)) s/sinh s)^2],  s = h p_x/(2 tau_0)
+ShearThinning shear_thinning(const ShearLaw& law, double log_newtonian, double half_gradient);
+/// m: far from Newton's law S follows eta to this power (flow_correction.hpp).
+double thinning_power(const ShearLaw& law);
+
 /// g(tau) [Pa], of a stress of either sign; not of coulomb.
 double fluidity(const ShearLaw& law, double stress);
 

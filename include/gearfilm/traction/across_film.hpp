@@ -45,6 +45,7 @@ public:
   Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
   Lanes flow{};             ///< mean of u(z) [m/s]
   // Of a film that does.
+  Lanes shear_factor{};           ///< S of sheared_flow.hpp
   Lanes stored{};                 ///< rho c over the time step [W/(m^3 K)]; 0 at rest
   std::vector<Lanes> earlier;     ///< T_k a time step ago [K]
   std::vector<Lanes> downstream;  ///< T_k there [K]
@@ -68,6 +69,8 @@ public:
   double heat_generated(int lane) const;
   double heat_carried(int lane) const;
   double mean_temperature(int lane) const;
+  /// ln of eta |u_s|/h, eta the harmonic mean over the film [ln Pa].
+  double log_newtonian(int lane) const { return log_newtonian_[lane]; }
   // Of a film that feels its heat.
   const OwnFlow& own_flow() const { return own_; }
   const std::vector<Lanes>& speeds() const { return speed_; }  ///< u_k [m/s]
@@ -104,7 +107,7 @@ private:
   std::vector<Lanes> below_, above_;  ///< conduction, and the flow across, from the neighbours [W/(m^2 K)]
   std::vector<Lanes> log_viscosities_, fluidity_, slope_, share_;  ///< ln eta, 1/eta to ambient, d ln eta/dT, n
   std::vector<Lanes> diagonal_, right_, bordered_, second_;
-  Lanes stress_{}, by_rate_{};
+  Lanes stress_{}, by_rate_{}, log_newtonian_{};
   Lanes change_{};  ///< largest of the last iteration
 };
 

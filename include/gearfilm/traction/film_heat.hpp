@@ -39,15 +39,16 @@ struct TractionFields {
 /// Of the film at its present state, which does not feel it. Throws SolveError where a temperature is not found.
 TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
 
-/// The heat of a film and what it makes of the flow, from one sweep to the next.
+/// The heat of a film, and what heat and shear make of the flow, from one sweep to the next.
 struct FilmHeat {
-  std::vector<double> temperatures;  ///< T_k of every own node, the wheel's wall first; empty before the first sweep
+  std::vector<double> temperatures;  ///< T_k of every own node, the wheel's wall first; empty before the first sweep,
+                                     ///< and where the film does not feel its heat
   std::vector<double> passing;       ///< rho/rho_0 h u_k likewise [m^2/s]
   FlowCorrection flow;               ///< that these temperatures make
 };
 
-/// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or, with
-/// none, what it tends to. Throws SolveError likewise.
+/// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or,
+/// with none, what it tends to. Throws SolveError likewise.
 TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
                           FilmHeat& heat, std::optional<double> time_step = {});
 

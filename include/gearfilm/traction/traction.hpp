@@ -39,8 +39,9 @@ struct Traction {
 /// Of a film at its present state. Collective. Throws SolveError where temperatures are not found.
 Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
 
-/// The same with one sweep of a film that feels its heat.
-Traction heated_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                         FilmHeat& heat, std::optional<double> time_step = {});
+/// The same of a film that feels its heat or its shear, with what both make of its flow: one sweep over the
+/// temperatures.
+Traction coupled_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
+                          FilmHeat& heat, std::optional<double> time_step = {});
 
 }  // namespace gearfilm

@@ -35,7 +35,11 @@ struct TractionModel {
   std::array<HeatedBody, 2> bodies;  ///< pinion, wheel
   std::optional<HeatOptions> heat;   ///< absent: friction of an isothermal film
 
+  bool shear_in_film = false;  ///< the film feels the shear law
+
   bool heats_film() const { return heat && heat->in_film; }
+  /// The flow in the film is corrected for heat or shear.
+  bool corrects_film() const { return shear_in_film || heats_film(); }
 };
 
 /// [m/s].

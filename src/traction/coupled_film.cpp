@@ -1,4 +1,4 @@
-#include "gearfilm/traction/thermal_film.hpp"
+#include "gearfilm/traction/coupled_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/anderson_mixing.hpp"
+#include "gearfilm/traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
@@ -19,6 +20,9 @@ constexpr double relaxation = 0.8;      // of the way to the new correction
 constexpr int memory = 6;               // turns that are mixed
 constexpr double near = 0.1;            // relative change of the film from which on they are
 constexpr double largest_change = 1.0;  // of theta
+constexpr double largest_shear = 4.0;   // of kappa
+constexpr double least_sheared = 36.0;  // that kappa begins below what a Newtonian film makes it
+constexpr double least_across = 1e-3;   // of A, likewise
 constexpr double coldest = 150.0;       // that mixing may make a temperature [K]
 constexpr double shortest_way = 1e-3;
 // Turns after which a film that has not settled goes on without mixing, part of the way.
@@ -29,6 +33,7 @@ constexpr double careful_way = 0.25;
 constexpr double settled_film = 2e-4;        // relative
 constexpr double settled_friction = 1e-3;    // relative
 constexpr double settled_temperature = 0.5;  // [K]
+constexpr double settled_shear = 0.05;       // of kappa
 constexpr double loaded = 5e-3;              // of the pressure scale
 
 /// What a turn changed, over what it may.
@@ -37,8 +42,8 @@ struct Turn {
   double unrest = HUGE_VAL;
 };
 
-/// So many turns in a row that change no more than so many times that: on a coarse grid a film may go on moving a little,
-/// where a node at its exit changes between wet and dry.
+/// So many turns in a row that change no more than so many times that: on a coarse grid a film may go on moving a
+/// little, where a node at its exit changes between wet and dry.
 struct Rest {
   std::size_t turns;
   double unrest;
@@ -63,11 +68,13 @@ public:
 
   std::vector<double> packed(const FilmHeat& heat) const {
     std::vector<double> all;
-    all.reserve(heat.temperatures.size() + 3 * heat.flow.wedge.size());
+    all.reserve(heat.temperatures.size() + 5 * heat.flow.wedge.size());
     for (const double T : heat.temperatures) all.push_back(T / kelvin_);
     for (const double theta : heat.flow.thinning) all.push_back(theta);
     for (const double W : heat.flow.wedge) all.push_back(W / wedge);
     for (const double r : heat.flow.density) all.push_back(r / density);
+    for (const double kappa : heat.flow.shear) all.push_back(kappa);
+    for (const double A : heat.flow.across) all.push_back(A / across);
     return all;
   }
 
@@ -78,10 +85,12 @@ public:
     for (double& theta : heat.flow.thinning) theta += std::clamp(part * *value++, -largest_change, largest_change);
     for (double& W : heat.flow.wedge) W += part * wedge * *value++;
     for (double& r : heat.flow.density) r += part * density * *value++;
+    for (double& kappa : heat.flow.shear) kappa += std::clamp(part * *value++, -largest_shear, largest_shear);
+    for (double& A : heat.flow.across) A = std::max(A + part * across * *value++, least_across);
   }
 
 private:
-  static constexpr double wedge = 0.1, density = 0.03;  // that weigh as much as theta = 1
+  static constexpr double wedge = 0.1, density = 0.03, across = 0.3;  // that weigh as much as theta = 1
   double kelvin_;
 };
 
@@ -89,10 +98,10 @@ double relative_change(double before, double after) {
   return before == after ? 0.0 : std::abs(after - before) / std::abs(after);
 }
 
-/// Of the mean temperatures where the contact is loaded, root mean square: at the exit a node may go on changing
-/// between wet and dry. Common to all processes.
-double temperature_change(const ContactFilm& film, const std::vector<double>& before,
-                          const std::vector<double>& after) {
+/// Root mean square of the changes of a field where the contact is loaded: at the exit a node may go on changing
+/// between wet and dry. Common to all processes; infinite where nothing is known of before.
+double loaded_change(const ContactFilm& film, const std::vector<double>& before, const std::vector<double>& after) {
+  if (after.empty()) return 0.0;
   if (before.empty()) return HUGE_VAL;
   double sums[] = {0.0, 0.0};
   const std::size_t rows = film.grid().y_count();
@@ -105,40 +114,47 @@ double temperature_change(const ContactFilm& film, const std::vector<double>& be
   return sums[1] > 0.0 ? std::sqrt(sums[0] / sums[1]) : 0.0;
 }
 
-FilmHeat cold_film(const ContactFilm& film, const HeatOptions& options) {
-  const std::size_t nodes = film.grid().local_size();
-  FilmHeat heat;
-  heat.temperatures.assign(nodes * options.points, options.oil.temperature);
-  heat.flow = {std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 1.0)};
-  return heat;
+/// As warm everywhere as the oil that enters, and less sheared than the film without correction.
+FilmHeat cold_film(const ContactFilm& film, const TractionModel& model, const SurfaceVelocities& velocities) {
+  FilmHeat cold;
+  if (model.heats_film()) {
+    cold.temperatures.assign(film.grid().local_size() * model.heat->points, model.heat->oil.temperature);
+  }
+  cold.flow = FlowCorrection::none(film.grid().local_size());
+  if (!model.shear_in_film) return cold;
+  FlowCorrection sheared = sheared_flow(model, film, velocities);
+  cold.flow.shear = std::move(sheared.shear);
+  cold.flow.shear_power = sheared.shear_power;
+  for (double& kappa : cold.flow.shear) kappa -= least_sheared;
+  return cold;
 }
 
 }  // namespace
 
-ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                           const TractionModel& model, const SurfaceVelocities& velocities,
                           const StationaryResult& isothermal) {
   SolverOptions careful = options;
   careful.newton.max_iterations = std::min(options.newton.max_iterations, most_newton);
   careful.newton.krylov_tolerance = krylov_tolerance;
-  const Unknowns unknowns(model.heat->points);
+  const Unknowns unknowns(model.heats_film() ? model.heat->points : 1);
   AndersonMixing mixing(film.grid().comm(), memory, relaxation);
-  FilmHeat present = cold_film(film, *model.heat);
-  ThermalFilm found;
+  FilmHeat present = cold_film(film, model, velocities);
+  CoupledFilm found;
   found.film = isothermal;
   found.change = HUGE_VAL;
   double way = 1.0;
   std::vector<Turn> turns;
   while (found.turns < most_turns) {
     FilmHeat swept = present;
-    Traction traction = heated_traction(model, film, velocities, swept);
+    Traction traction = coupled_traction(model, film, velocities, swept);
     ++found.turns;
-    const double warmed =
-        temperature_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
+    const double warmed = loaded_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
+    const double sheared = loaded_change(film, present.flow.shear, swept.flow.shear);
     const double friction = relative_change(found.traction.figures.coefficient, traction.figures.coefficient);
     found.traction = std::move(traction);
     turns.push_back({found.change, std::max({found.change / settled_film, friction / settled_friction,
-                                             warmed / settled_temperature})});
+                                             warmed / settled_temperature, sheared / settled_shear})});
     if (const auto change = settled(turns)) {
       found.change = *change;
       found.heat = std::move(present);
@@ -148,7 +164,7 @@ ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const So
     const std::vector<double> before = unknowns.packed(present);
     std::vector<double> change = unknowns.packed(swept);
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= before[n];
-    if (found.change > near || way < 1.0 || found.turns > patience) mixing.restart();
+    if (found.change > near || way < 1.0 || found.turns > patience || sheared > largest_shear / 4.0) mixing.restart();
     if (found.turns > patience) way = std::min(way, careful_way);
     change = mixing.change(before, change);
     present.passing = std::move(swept.passing);
@@ -171,9 +187,14 @@ ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const So
     found.film = std::move(*next);
   }
   std::ostringstream message;
-  message << "the film with its heat did not settle: after " << found.turns << " turns it changes by " << found.change
-          << " in one; try a finer grid (grid_nx, grid_ny) or more points across the film (thermal_points), or "
-             "thermal_model friction, which leaves the film cold";
+  message << "the film with its " << (model.heats_film() ? "heat" : "shear") << " did not settle: after " << found.turns
+          << " turns it changes by " << found.change << " in one; try a finer grid (grid_nx, grid_ny)";
+  if (model.heats_film()) {
+    message
+        << " or more points across the film (thermal_points), or thermal_model friction, which leaves the film cold";
+  } else {
+    message << ", or friction_in_film no, which leaves the film Newtonian";
+  }
   throw SolveError(message.str());
 }
 

@@ -1,6 +1,6 @@
-// The stationary film of one contact that feels its heat: film and temperatures by turns.
+// The stationary film of one contact that feels its heat, its shear or both: film and corrections by turns.
 //
-//   (P, H_0) with theta, W, r of the temperatures,  T with the flow of the film,  until both stay as they are
+//   (P, H_0) with theta, W, r, kappa, A,  these from T with the flow of the film,  until both stay as they are
 // Temperatures and correction move by 0.8 of the way to what the next sweep makes of them, the last turns mixed
 // (anderson_mixing.hpp) once the film is near.
 // Where Newton's method does not find the film a quarter of the way is tried. The slowest to settle is the oil that
@@ -12,7 +12,7 @@
 
 namespace gearfilm {
 
-struct ThermalFilm {
+struct CoupledFilm {
   StationaryResult film;
   Traction traction;
   FilmHeat heat;
@@ -21,8 +21,8 @@ struct ThermalFilm {
   double change = 0.0;  ///< of the film in the last turns, relative
 };
 
-/// From the film without heat. The film keeps its correction. Collective. Throws SolveError.
-ThermalFilm solve_thermal(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+/// From the film without heat and shear. The film keeps its correction. Collective. Throws SolveError.
+CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                           const TractionModel& model, const SurfaceVelocities& velocities,
                           const StationaryResult& isothermal);
 

@@ -1,0 +1,34 @@
+#include "gearfilm/traction/sheared_flow.hpp"
+
+#include <cmath>
+
+#include "gearfilm/traction/film_line.hpp"
+
+namespace gearfilm {
+
+void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double x, std::size_t node,
+               FlowCorrection& flow) {
+  const ShearThinning thinning = shear_thinning(law, log_newtonian, half_gradient);
+  flow.shear_power = thinning_power(law);
+  flow.shear[node] = shear_of(flow.shear_power, thinning.log_along, x);
+  flow.across[node] = std::exp(thinning.log_across - thinning.log_along);
+}
+
+FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+  const Grid& grid = film.grid();
+  FlowCorrection flow = FlowCorrection::none(grid.local_size());
+  FilmLine line(film);
+  const double log_ambient = std::log(film.scales().oil.viscosity),
+               log_sliding = std::log(std::abs(velocities.sliding));
+  for (int i = 0; i < grid.nx(); ++i) {
+    line.load(i);
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double h = line.thickness[j], log_viscosity = line.log_viscosity[j];
+      put_shear(model.law, log_viscosity + log_sliding - std::log(h), 0.5 * h * line.gradient[j],
+                log_viscosity - log_ambient, static_cast<std::size_t>(i) * grid.y_count() + j, flow);
+    }
+  }
+  return flow;
+}
+
+}  // namespace gearfilm
