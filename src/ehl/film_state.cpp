@@ -7,7 +7,7 @@
 
 namespace gearfilm {
 
-template <ViscosityLaw law>
+template <ViscosityLaw law, DensityLaw density_law>
 void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const OilLaws laws = laws_;
   const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
@@ -21,7 +21,7 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const int count = state.pressure.y_count();
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const PressureFunction rho = laws.density(scale * pressure[j]);
+    const PressureFunction rho = laws.density<density_law>(scale * pressure[j]);
     const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
     const double h = film[j] > 0.0 ? film[j] : 0.0;
     const double by_film_squared = rho.value * exp(-log_eta.value) * inverse_lambda;
@@ -65,13 +65,12 @@ void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection&
 
 void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction) const {
   const ScopedEvent event(Kernel::film_properties);
-  const bool barus = viscosity_law_ == ViscosityLaw::barus;
-  for (int i = 0; i < state.pressure.nx(); ++i) {
-    barus ? evaluate_line<ViscosityLaw::barus>(state, i) : evaluate_line<ViscosityLaw::roelands>(state, i);
-    if (correction.empty()) continue;
-    barus ? correct_line<ViscosityLaw::barus>(state, i, correction)
-          : correct_line<ViscosityLaw::roelands>(state, i, correction);
-  }
+  with_viscosity_law(oil_, [&]<ViscosityLaw viscosity>() {
+    with_density_law(oil_, [&]<DensityLaw density>() {
+      for (int i = 0; i < state.pressure.nx(); ++i) evaluate_line<viscosity, density>(state, i);
+    });
+    for (int i = 0; i < state.pressure.nx() && !correction.empty(); ++i) correct_line<viscosity>(state, i, correction);
+  });
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {

@@ -9,6 +9,7 @@
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_file.hpp"
+#include "gearfilm/input/case_lubricant.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_teeth.hpp"
 #include "gearfilm/input/case_traction.hpp"
@@ -18,16 +19,6 @@ namespace gearfilm {
 namespace {
 
 using std::numbers::pi;
-
-// The physics know no files: what they find wrong gets the name of the file here.
-template <class Make>
-auto in_file_of(const ParameterValues& values, Make make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    throw InputError(values.file() + ": " + error.what());
-  }
-}
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
@@ -145,17 +136,6 @@ ReferenceContact read_bare_contact(const ParameterValues& values) {
                      .reduced_modulus = read_reduced_modulus(values)},
           .operation = {.load = values.real("contact.load"),
                         .entrainment_velocity = values.real("contact.entrainment_velocity")}};
-}
-
-Lubricant read_lubricant(const ParameterValues& values) {
-  const Lubricant oil = {
-      .viscosity = values.real("lubricant.viscosity"),
-      .pressure_viscosity = values.real("lubricant.pressure_viscosity"),
-      .viscosity_law = values.text("lubricant.viscosity_law") == "barus" ? ViscosityLaw::barus : ViscosityLaw::roelands,
-      .density_law = values.text("lubricant.density_law") == "incompressible" ? DensityLaw::incompressible
-                                                                              : DensityLaw::dowson_higginson};
-  in_file_of(values, [&] { check(oil); });
-  return oil;
 }
 
 // Hertz's theory is for small strains, which are of the order of p_h/E'.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/input/case_lubricant.hpp"
 
 namespace gearfilm {
 namespace {
@@ -97,18 +98,6 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   }
   if (heated) model.heat = read_heat(values);
   return model;
-}
-
-std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values) {
-  if (!values.has("lubricant.temperature_viscosity")) return {};
-  return ThermalOil{.temperature = values.real("thermal.temperature"),
-                    .temperature_viscosity = values.real("lubricant.temperature_viscosity"),
-                    .conductivity = values.real("lubricant.conductivity"),
-                    .conductivity_pressure_1 = values.real("lubricant.conductivity_pressure_1"),
-                    .conductivity_pressure_2 = values.real("lubricant.conductivity_pressure_2"),
-                    .density = values.real("lubricant.density"),
-                    .heat_capacity = values.real("lubricant.heat_capacity"),
-                    .expansion = values.real("lubricant.expansion")};
 }
 
 std::optional<double> read_roughness(const ParameterValues& values) {

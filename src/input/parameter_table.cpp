@@ -43,15 +43,6 @@ Records contact_records() {
   return section("contact", Scope::contact, std::move(records));
 }
 
-Records lubricant_records() {
-  Records records = {
-      number("viscosity", "eta_0", "Pa s", closed(1e-5, 1e4), "viscosity at ambient pressure"),
-      number("pressure_viscosity", "alpha_B", "1/Pa", closed(1e-11, 1e-6), "pressure-viscosity coefficient"),
-      choice("viscosity_law", {"roelands", "barus"}, "growth of the viscosity with pressure"),
-      choice("density_law", {"dowson_higginson", "incompressible"}, "growth of the density with pressure")};
-  return section("lubricant", Scope::any, joined(std::move(records), thermal_oil_records()));
-}
-
 Records grid_records() {
   const auto in_words = [](const Domain& domain) {
     return format_value(domain.x_min) + " < X < " + format_value(domain.x_max) + ", half width " +

@@ -66,24 +66,6 @@ std::vector<Parameter> heated_body_records(const std::string& subscript, const s
                                 "roughness of the flank, root mean square"))};
 }
 
-std::vector<Parameter> thermal_oil_records() {
-  const ThermalOil standard;
-  return {optional("needed by thermal.model", number("temperature_viscosity", "beta", "1/K", closed(0.001, 0.2),
-                                                     "-d ln eta/dT at thermal.temperature and ambient pressure")),
-          preset(standard.conductivity, number("conductivity", "k_0", "W/(m K)", left_open(0.01, 10),
-                                               "thermal conductivity at ambient pressure (an assumption)")),
-          preset(standard.conductivity_pressure_1, number("conductivity_pressure_1", "c_1", "1/Pa", closed(0, 1e-8),
-                                                          "k = k_0 (1 + c_1 p/(1 + c_2 p)) (an assumption)")),
-          preset(standard.conductivity_pressure_2,
-                 number("conductivity_pressure_2", "c_2", "1/Pa", closed(0, 1e-8), "see c_1 (an assumption)")),
-          preset(standard.density,
-                 number("density", "rho_0", "kg/m^3", closed(100, 10000), "at ambient pressure (an assumption)")),
-          preset(standard.heat_capacity,
-                 number("heat_capacity", "c", "J/(kg K)", closed(100, 10000), "specific heat (an assumption)")),
-          preset(standard.expansion, number("expansion", "beta_rho", "1/K", closed(0, 0.01),
-                                            "-d ln rho/dT, which films feel that feel their heat"))};
-}
-
 std::vector<Parameter> traction_records() {
   Records all = friction_records();
   for (Records& records : std::vector<Records>{motion_records(), thermal_records()}) {

@@ -3,10 +3,11 @@
 namespace gearfilm {
 
 ViscosityByTemperature::ViscosityByTemperature(const Lubricant& oil, const ThermalOil& thermal)
-    : reference_(thermal.temperature),
+    : laws_(oil),
+      reference_(thermal.temperature),
       beta_(thermal.temperature_viscosity),
       inverse_span_(1.0 / (thermal.temperature - pole)) {
-  if (oil.viscosity_law == ViscosityLaw::barus) return;
+  if (oil.viscosity_law != ViscosityLaw::roelands) return;
   c_ = roelands_span(oil);
   exponent_ = beta_ * (reference_ - pole) / c_;
 }
@@ -15,8 +16,24 @@ TemperatureFunction log_relative_viscosity(const Lubricant& oil, const ThermalOi
                                            double temperature) {
   const ViscosityByTemperature law(oil, thermal);
   const double isothermal = log_relative_viscosity(oil, pressure).value;
-  return oil.viscosity_law == ViscosityLaw::barus ? law.log_viscosity<ViscosityLaw::barus>(isothermal, temperature)
-                                                  : law.log_viscosity<ViscosityLaw::roelands>(isothermal, temperature);
+  TemperatureFunction found{};
+  with_viscosity_law(oil,
+                     [&]<ViscosityLaw kind>() { found = law.log_viscosity<kind>(isothermal, pressure, temperature); });
+  return found;
+}
+
+double density_factor(const Lubricant& oil, const ThermalOil& thermal, double pressure, double temperature) {
+  if (oil.density_law != DensityLaw::tait) return 1.0 - thermal.expansion * (temperature - thermal.temperature);
+  const auto volume = [&](double T) { return oil.tait.volume(pressure, T - oil.reference_temperature).value; };
+  return volume(thermal.temperature) / volume(temperature);
+}
+
+double free_volume_thinning(const Lubricant& oil) {
+  const OilLaws laws(oil);
+  return -(oil.viscosity_law == ViscosityLaw::yasutomi
+               ? laws.log_viscosity_at<ViscosityLaw::yasutomi>(0.0, oil.temperature)
+               : laws.log_viscosity_at<ViscosityLaw::doolittle>(0.0, oil.temperature))
+              .by_temperature;
 }
 
 }  // namespace gearfilm

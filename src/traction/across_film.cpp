@@ -49,7 +49,7 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
       upstream_factor(heat.points),
       downstream_factor(heat.points),
       law_(law),
-      viscosity_law_(oil.viscosity_law),
+      oil_(oil),
       viscosity_(oil, heat.oil),
       log_ambient_(std::log(oil.viscosity)),
       velocities_(velocities),
@@ -78,7 +78,7 @@ void AcrossFilm::shear() {
   for (int k = 0; k < count; ++k) {
     const double weight = weights_[k];
     each_lane([&](int l) {
-      const TemperatureFunction eta = viscosity_.log_viscosity<law>(log_viscosity[l], T_[k][l]);
+      const TemperatureFunction eta = viscosity_.log_viscosity<law>(log_viscosity[l], pressure[l], T_[k][l]);
       log_viscosities_[k][l] = eta.value;
       fluidity_[k][l] = exp(-eta.value);
       slope_[k][l] = eta.derivative;
@@ -285,8 +285,7 @@ double AcrossFilm::improve(double resistance) {
 /// What follows from the present temperatures.
 void AcrossFilm::update(bool sheared, int iteration) {
   const bool own = flow_ == FilmFlow::own;
-  if (sheared && viscosity_law_ == ViscosityLaw::barus) shear<ViscosityLaw::barus>();
-  if (sheared && viscosity_law_ == ViscosityLaw::roelands) shear<ViscosityLaw::roelands>();
+  if (sheared) with_viscosity_law(oil_, [&]<ViscosityLaw law>() { shear<law>(); });
   if (own) {
     own_.update({fluidity_, slope_, log_viscosities_, share_},
                 {wet, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_),

@@ -239,7 +239,8 @@ private:
       if (!returning_ && line_.wet[j] && passed[k] < 0.0) last_returning_ = i;
     }
     const ThermalOil& oil = model_.heat->oil;
-    heat_.flow.density[node] = 1.0 - oil.expansion * (fields_.temperature_mean[node] - oil.temperature);
+    heat_.flow.density[node] =
+        density_factor(film_.scales().oil, oil, line_.pressure[j], fields_.temperature_mean[node]);
     const double wedge = velocities_.sliding * (0.5 - across_.own_flow().centre[l]);
     fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
     heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / by_thinning(l);

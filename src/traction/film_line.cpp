@@ -42,11 +42,7 @@ void FilmLine::load(int i) {
     gradient[j] = by_x * (east[j] - west[j]);
     wet[j] = here[j] > 0.0;
   }
-  if (scales.oil.viscosity_law == ViscosityLaw::barus) {
-    set_viscosity<ViscosityLaw::barus>();
-  } else {
-    set_viscosity<ViscosityLaw::roelands>();
-  }
+  with_viscosity_law(scales.oil, [&]<ViscosityLaw law>() { set_viscosity<law>(); });
 }
 
 }  // namespace gearfilm

@@ -68,6 +68,23 @@ class Friction(ProgramTest):
                            for factors in (thinning, (1.0, 1.0)))
         self.assertLess(thin, 0.02 * newtonian)
 
+    def test_an_oil_by_measured_rheology_is_cold_and_warm(self):
+        squalane = SOURCE / "input/squalane.yaml"
+        options = ["-grid_nx", 65, "-grid_ny", 65]
+        info = self.summary("info", squalane)[0]
+        self.assertAlmostEqual(info["L"], 19.5e-9 * info["E_prime"] * (
+            2 * 0.0276 * info["entrainment_velocity"] / (info["E_prime"] * info["R_x"])) ** 0.25, delta=0.01)
+        cold = self.summary("steady", squalane, *options)[0]
+        warm = self.summary("steady", squalane, *options, "-thermal_model", "film", "-contact_entrainment_velocity", 20,
+                            "-contact_sliding_velocity", 5)[0]
+        self.assertGreater(cold["friction_coefficient"], 1.5 * warm["friction_coefficient"])
+        self.assertLess(warm["thermal_factor"], 0.9)
+        for words, change in ((["'lubricant.pressure_viscosity'", "follows"], ["-lubricant_pressure_viscosity", 2e-8]),
+                              (["'lubricant.yasutomi_glass_temperature'", "missing"],
+                               ["-lubricant_viscosity_law", "yasutomi"]),
+                              (["no free volume"], ["-lubricant_doolittle_occupied", 0.98, "-thermal_temperature", 250])):
+            self.assert_wrong(words, "steady", squalane, *change)
+
     def test_coulombs_friction_loses_what_the_loss_factor_says(self):
         """One contact with the share 1/n, along the whole line of action: exact but for the quadrature in time."""
         _, _ = self.summary("transient", BARBIERI, *SMALL, "-model", "quasistatic", "-friction_law", "coulomb",

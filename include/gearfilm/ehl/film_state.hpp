@@ -61,8 +61,8 @@ inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&Fil
 class FilmProperties {
 public:
   explicit FilmProperties(const Scales& scales)
-      : laws_(scales.oil),
-        viscosity_law_(scales.oil.viscosity_law),
+      : oil_(scales.oil),
+        laws_(scales.oil),
         pressure_scale_(scales.pressure),
         inverse_lambda_(1.0 / scales.lambda),
         inverse_span_(inverse_roelands_span(scales.oil)) {}
@@ -72,13 +72,13 @@ public:
   void evaluate(FilmState& state, const FlowCorrection& correction = {}) const;
 
 private:
-  template <ViscosityLaw law>
+  template <ViscosityLaw law, DensityLaw density_law>
   void evaluate_line(FilmState& state, int i) const;
   template <ViscosityLaw law>
   void correct_line(FilmState& state, int i, const FlowCorrection& correction) const;
 
+  Lubricant oil_;
   OilLaws laws_;
-  ViscosityLaw viscosity_law_;
   double pressure_scale_;
   double inverse_lambda_;
   double inverse_span_;  ///< 1/c of flow_correction.hpp

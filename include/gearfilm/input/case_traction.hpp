@@ -11,9 +11,6 @@ namespace gearfilm {
 /// Absent where no law of friction is given. Throws InputError for laws without what they need.
 std::optional<TractionModel> read_traction(const ParameterValues& values);
 
-/// Absent where lubricant.temperature_viscosity is.
-std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values);
-
 /// sqrt(Rq_1^2 + Rq_2^2) [m]; absent where neither flank has a roughness.
 std::optional<double> read_roughness(const ParameterValues& values);
 

@@ -78,10 +78,11 @@ inline Records section(const std::string& name, Scope scope, Records records) {
 
 /// Sections pinion, wheel and gear.
 std::vector<Parameter> gear_pair_records();
-/// Sections friction and thermal; and what heat needs of a body, as part of the section that has it, and of the oil.
+/// Section lubricant.
+std::vector<Parameter> lubricant_records();
+/// Sections friction and thermal; and what heat needs of a body, as part of the section that has it.
 std::vector<Parameter> traction_records();
 std::vector<Parameter> heated_body_records(const std::string& subscript, const std::string& ending = "");
-std::vector<Parameter> thermal_oil_records();
 
 /// Of the same section.
 inline Records joined(Records first, Records second) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearfilm/error.hpp"
 #include "gearfilm/input/parameter.hpp"
 
 namespace gearfilm {
@@ -63,5 +64,15 @@ private:
 
 /// Throws InputError for a key that is in no record, naming the nearest one. origin as for set().
 void require_known_key(const std::string& name, const std::string& origin);
+
+/// What make() returns. The physics know no files: what they find wrong gets the name of the file here.
+template <class Make>
+auto in_file_of(const ParameterValues& values, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(values.file() + ": " + error.what());
+  }
+}
 
 }  // namespace gearfilm

@@ -4,9 +4,9 @@
 //                       S_0 = beta (T_0-138)/c                                   with Roelands' law of pressure
 //   ln eta(p,T)/eta_0 = ln(eta(p,T_0)/eta_0) - beta (T - T_0)                    with Barus' law
 //   k(p) = k_0 (1 + c_1 p/(1 + c_2 p))
-// T_0 is the temperature at which the oil has its viscosity eta_0: there both are the isothermal laws of lubricant.hpp.
-// Roelands 1966; k(p) with the constants of a paraffinic oil as Larsson and Andersson 2000 are quoted (neither was
-// looked up). Temperatures in [K].
+// and the laws of free_volume.hpp as they stand there. T_0 is the temperature at which the oil has its viscosity eta_0:
+// there both are the isothermal laws of lubricant.hpp. Roelands 1966; k(p) with the constants of a paraffinic oil as
+// Larsson and Andersson 2000 are quoted (neither was looked up). Temperatures in [K].
 #pragma once
 
 #include "gearfilm/lubricant/lubricant.hpp"
@@ -34,6 +34,11 @@ struct TemperatureFunction {
   double derivative;
 };
 
+/// rho(p,T)/rho(p,T_0): by Tait's law, else 1 - beta_rho (T - T_0).
+double density_factor(const Lubricant& oil, const ThermalOil& thermal, double pressure, double temperature);
+/// -d ln eta/dT at T_0 and ambient pressure, of a law by free volume [1/K].
+double free_volume_thinning(const Lubricant& oil);
+
 /// The viscosity of one oil as a function of temperature, without branches, for loops in vectors.
 class ViscosityByTemperature {
 public:
@@ -41,7 +46,11 @@ public:
 
   /// ln(eta(p,T)/eta_0) from that of the isothermal law at the same pressure.
   template <ViscosityLaw law>
-  TemperatureFunction log_viscosity(double isothermal, double temperature) const {
+  TemperatureFunction log_viscosity(double isothermal, double pressure, double temperature) const {
+    if constexpr (law == ViscosityLaw::doolittle || law == ViscosityLaw::yasutomi) {
+      const StateFunction log_eta = laws_.log_viscosity_at<law>(pressure, temperature);
+      return {log_eta.value, log_eta.by_temperature};
+    }
     if constexpr (law == ViscosityLaw::barus) return {isothermal - beta_ * (temperature - reference_), -beta_};
     // The law ends at 138 K; an iteration may try less.
     const double above = temperature - pole > 1.0 ? temperature - pole : 1.0;
@@ -52,6 +61,7 @@ public:
 private:
   static constexpr double pole = 138.0;  // [K]
 
+  OilLaws laws_;
   double reference_;  ///< T_0
   double beta_;
   double inverse_span_;  ///< 1/(T_0 - 138 K)

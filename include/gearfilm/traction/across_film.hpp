@@ -91,7 +91,7 @@ private:
   double improve(double resistance);
 
   ShearLaw law_;
-  ViscosityLaw viscosity_law_;
+  Lubricant oil_;
   ViscosityByTemperature viscosity_;
   double log_ambient_;
   SurfaceVelocities velocities_;
