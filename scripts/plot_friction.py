@@ -3,7 +3,8 @@
 
     scripts/plot_friction.py FOLDER [--name friction] [--at XI]
                  reads FOLDER/results.h5 of a march or a periodic state with friction, writes FOLDER/friction.png and
-                 .pdf; the temperatures along y = 0 are those of the stored contact nearest to XI (in mm; default 2)
+                 .pdf; the temperatures along y = 0 are those of the stored contact nearest to XI (in mm; default 2).
+                 Of a film at rest with heat (`steady`): temperatures along y = 0, and across the film there
 
 Exit status 1, with one line, where the results are missing or have no friction.
 """
@@ -19,10 +20,12 @@ ALONG = {"temperature_mid": ("middle", VERMILLION), "temperature_mean": ("mean",
 
 
 class Profile(NamedTuple):
-    """Temperatures [K] along y = 0 of one contact, over x [m]."""
+    """Temperatures [K] along y = 0 of one contact, over x [m]; across the film, the wheel's wall first."""
     xi: float
     x: numpy.ndarray
     fields: dict
+    across: numpy.ndarray = None
+    pressure: numpy.ndarray = None  # [Pa]
 
 
 def read_contacts(results):
@@ -55,9 +58,20 @@ def read_profile(results, wanted):
     return Profile(float(contact.attrs["xi"]), x, {name: contact[name][:, middle] for name in ALONG})
 
 
-def read_friction(path, wanted):
-    with open_results(path, "transient or periodic", "it has no history of contacts") as results:
-        return read_contacts(results), read_profile(results, wanted)
+def read_film(contact):
+    """The profile of a film at rest."""
+    if "temperature_across" not in contact:
+        raise Foreign("it has no heat; give thermal.model")
+    middle = int(numpy.argmin(abs(contact["y"][:])))
+    return Profile(float(contact.attrs["xi"]), contact["x"][:], {name: contact[name][:, middle] for name in ALONG},
+                   contact["temperature_across"][:], contact["P"][:, middle])
+
+
+def draw_results(path, wanted):
+    with open_results(path, "transient, periodic or steady", "it has no history of contacts") as results:
+        if "history" not in results and "contact0" in results:
+            return draw_film(read_film(results["contact0"]))
+        return draw(read_contacts(results), read_profile(results, wanted))
 
 
 def draw_over_line(axes, contacts, lines):
@@ -99,11 +113,31 @@ def draw(contacts, profile):
     return figure
 
 
+def draw_across(figure, axes, profile):
+    """Temperature over x and the place across the film, and where pressure is a tenth of its largest."""
+    height = numpy.linspace(0, 1, profile.across.shape[1])
+    image = axes.pcolormesh(1e3 * profile.x, height, profile.across.T, cmap="inferno", shading="gouraud", rasterized=True)
+    loaded = profile.x[profile.pressure > 0.1 * profile.pressure.max()]
+    for edge in (loaded[0], loaded[-1]):
+        axes.axvline(1e3 * edge, color="white", linewidth=0.8, linestyle=":")
+    axes.set_xlabel("x along y = 0 [mm]; dotted: a tenth of the largest pressure")
+    axes.set_ylabel("z/h, wheel to pinion")
+    figure.colorbar(image, ax=axes, label="temperature [K]")
+
+
+def draw_film(profile):
+    figure, (along, over) = pyplot.subplots(2, 1, figsize=(8, 7), constrained_layout=True)
+    draw_profile(along, profile)
+    add_grid(along)
+    draw_across(figure, over, profile)
+    return figure
+
+
 def main():
     parser = command_line(__doc__, "transient or periodic", "friction")
     parser.add_argument("--at", type=float, default=2.0, help="position of the contact whose temperatures are drawn [mm]")
     arguments = parser.parse_args()
-    write_figure(arguments, lambda: draw(*read_friction(arguments.folder / "results.h5", 1e-3 * arguments.at)))
+    write_figure(arguments, lambda: draw_results(arguments.folder / "results.h5", 1e-3 * arguments.at))
 
 
 if __name__ == "__main__":

@@ -130,7 +130,7 @@ def save(figure, paths):
         figure.savefig(path, dpi=150)
         if path.suffix == ".png":
             with Image.open(path) as image:
-                small = image.convert("RGB").quantize(COLOURS)
+                small = image.convert("RGB").quantize(COLOURS, kmeans=1)
             small.save(path, optimize=True)
 
 

@@ -12,6 +12,7 @@
 #include "gearfilm/orbits/dry_orbit.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/summary.hpp"
+#include "gearfilm/traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
@@ -28,6 +29,15 @@ double common_unit(MPI_Comm comm, GridSize size) {
   double unit = convolution_time(size.nx, size.ny);
   MPI_Bcast(&unit, 1, MPI_DOUBLE, 0, comm);
   return unit;
+}
+
+/// A film that feels its heat, in the case's own oil or one that thins as oils do.
+TractionModel warm_film(const Case& problem) {
+  constexpr double typical = 0.04;  // 1/K
+  TractionModel model = problem.traction.value_or(TractionModel{});
+  if (!model.heat) model.heat = HeatOptions{.oil = {.temperature_viscosity = typical}};
+  model.heat->in_film = true;
+  return model;
 }
 
 /// The measurements on one grid.
@@ -105,17 +115,27 @@ private:
 
   /// On a film that slides by a fifth of its entrainment, in the case's own oil or a typical one.
   void traction_kernels() {
-    constexpr double typical = 0.04;  // 1/K
-    TractionModel model = problem_.traction.value_or(TractionModel{});
-    HeatOptions heat = model.heat.value_or(HeatOptions{});
-    if (!model.heat) heat.oil.temperature_viscosity = typical;
+    constexpr double typical_step = 1e-6;  // s
+    TractionModel model = warm_film(problem_);
+    const HeatOptions heat = *model.heat;
     const double u_m = problem_.scales.operation.entrainment_velocity;
     const SurfaceVelocities velocities{.mean = u_m, .sliding = 0.2 * u_m};
     film_.evaluate(result_.solution.pressure, result_.solution.H0);
     model.heat.reset();
     report("friction", median_time([&] { traction(model, film_, velocities); }, 0.0, 0, kernel_runs));
     model.heat = heat;
+    model.heat->in_film = false;
     report("heat across the film", median_time([&] { traction(model, film_, velocities); }, 0.0, 0, kernel_runs));
+    model.heat->in_film = true;
+    FilmHeat warm;
+    coupled_traction(model, film_, velocities, warm);  // the first sweep begins cold
+    report("heat of a film that feels it", median_time(
+                                               [&] {
+                                                 FilmHeat again = warm;
+                                                 coupled_traction(model, film_, velocities, again, typical_step);
+                                               },
+                                               0.0, 0, kernel_runs));
+    report("flow by the shear law", median_time([&] { sheared_flow(model, film_, velocities); }, 0.0, 0, kernel_runs));
   }
 
   MPI_Comm comm_;
@@ -179,6 +199,13 @@ void run_bench(MPI_Comm comm, const Case& problem) {
   if (problem.pair.line && problem.pair.equivalent_mass) {
     summary["mesh_period"] = bench_mesh_period(comm, problem, standard_grids[0]);
     summary["contact_step_convolutions"] = summary["mesh_period"]["contact_step_convolutions"];
+    Case warm = problem;
+    warm.traction = warm_film(problem);
+    summary["thermal_mesh_period"] = bench_mesh_period(comm, warm, standard_grids[0]);
+    const auto contact_step = [&](const char* period) {
+      return summary[period]["seconds"].get<double>() / summary[period]["contact_steps"].get<double>();
+    };
+    summary["thermal_contact_step_ratio"] = contact_step("thermal_mesh_period") / contact_step("mesh_period");
   }
   write_summary(comm, problem.run.directory, summary);
 }

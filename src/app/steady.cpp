@@ -141,6 +141,9 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
     datasets.emplace_back(kind.field.dataset);
     file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0);
   }
+  if (problem.traction && problem.traction->heat) {
+    file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
+  }
   file.attribute(group, "xi", problem.steady.position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);

@@ -73,6 +73,18 @@ void ResultsFile::line(const std::string& group, const std::string& name, const 
   view(group, name, vec, "m");
 }
 
+void ResultsFile::rows(const std::string& group, const std::string& name, const std::string& unit, int rows,
+                       int columns, const std::vector<double>& values) {
+  const PetscInt count = static_cast<PetscInt>(rows) * columns;
+  OwnedVec vec;
+  petsc_check(VecCreate(comm_, vec.put()));
+  petsc_check(VecSetSizes(vec, rank_ == 0 ? count : 0, count));
+  petsc_check(VecSetBlockSize(vec, columns));
+  petsc_check(VecSetType(vec, VECSTANDARD));
+  if (rank_ == 0) std::ranges::copy(values, VecWriting(vec).values().begin());
+  view(group, name, vec, unit);
+}
+
 void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
   const Grid& grid = domain.grid();
   std::vector<double> x(grid.nx()), y(grid.ny());

@@ -87,6 +87,11 @@ public:
     // far as a step takes it.
     returning_ = true;
     for (int i = storage_ > 0.0 ? 0 : last_returning_; i > 0; --i) solve_line(i);
+    if (grid_.local_row(0) == 0) {
+      for (int i = 0; i < grid_.nx(); ++i) {
+        fields_.across.insert(fields_.across.end(), profile(i, 0), profile(i, 0) + points());
+      }
+    }
     return std::move(fields_);
   }
 

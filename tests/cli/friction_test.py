@@ -1,4 +1,5 @@
 """Friction, heat and losses in what commands write, and wrong input for them."""
+import math
 import subprocess
 import sys
 import unittest
@@ -44,6 +45,13 @@ class Friction(ProgramTest):
             stress, pressure = contact["shear_stress"][:], contact["P"][:]
             self.assertAlmostEqual(stress.sum() / pressure.sum() / summary["friction_coefficient"], 1, delta=1e-9)
             self.assertEqual(contact["temperature_mid"].attrs["unit"], b"K")
+            across, middle = contact["temperature_across"][:], numpy.argmin(abs(contact["y"][:]))
+            self.assertEqual(across.shape, (65, 17))
+            for point, name in ((0, "wheel"), (8, "mid"), (16, "pinion")):
+                numpy.testing.assert_array_equal(across[:, point], contact[f"temperature_{name}"][:, middle])
+        drawn = subprocess.run([sys.executable, "-B", SOURCE / "scripts/plot_friction.py", self.folder / "out"],
+                               capture_output=True, text=True, check=False)
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
 
     def test_a_film_that_feels_its_shear_obeys_reynolds_equation_of_that_oil(self):
         """Rows of the film that was written, with the flow of Eyring's law integrated anew."""
@@ -97,7 +105,9 @@ class Friction(ProgramTest):
         self.assertAlmostEqual(energy / period / (0.05 * 0.1002022 * 738274.27), 1, delta=1e-3)
 
     def test_a_periodic_state_has_losses_and_an_efficiency(self):
-        alone, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no")
+        alone, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no",
+                                "-friction_in_motion", "yes")
+        self.check_energy(alone)
         self.assertAlmostEqual(alone["power_loss"], alone["power_sliding"] + alone["power_rolling"], delta=1e-6)
         self.assertAlmostEqual(alone["efficiency"], 1 - alone["power_loss"] / alone["transmitted_power"], delta=1e-12)
         self.assertAlmostEqual(alone["mean_friction_coefficient"],
@@ -109,9 +119,33 @@ class Friction(ProgramTest):
                                     *options], capture_output=True, text=True, check=False)
             self.assertEqual(drawn.returncode, status, drawn.stderr)
         self.assertTrue((self.folder / "out/friction.png").exists())
-        together, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no", processes=2)
+        together, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no",
+                                   "-friction_in_motion", "yes", processes=2)
         for name in ("power_loss", "film_temperature_max", "surface_temperature_pinion_max"):
             self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-4, msg=name)
+
+    def check_energy(self, summary):
+        """What the pinion's torque brings in goes out by the wheel's or is lost; and it is what the case asks for."""
+        self.run_program("info", BARBIERI, "-output_dir", "info")
+        derived = summary_in(self.folder / "info")
+        radii = [derived[f"base_radius_{gear}"] for gear in ("pinion", "wheel")]
+        speeds = [15000 * math.pi / 30, 15000 * math.pi / 30 * radii[0] / radii[1]]
+        with h5py.File(self.folder / "out/results.h5") as file:
+            steps, rows = file["history/steps"][:], file["history/contacts"][:]
+            begin, end = (file["history"].attrs[f"periodic_{name}"] for name in ("from", "to"))
+        inside = numpy.flatnonzero((steps["T"] > begin - 1e-9) & (steps["T"] < end + 1e-9))
+        T = steps["T"][inside]
+
+        def mean(values):
+            sums = numpy.bincount(rows["step"].astype(int), weights=values, minlength=len(steps))[inside]
+            return (0.5 * (sums[1:] + sums[:-1]) * numpy.diff(T)).sum() / (T[-1] - T[0])
+
+        tangent = math.tan(math.radians(derived["working_pressure_angle_deg"]))
+        drags = (-rows["friction_force"] - rows["rolling_force"], rows["friction_force"] - rows["rolling_force"])
+        given = speeds[0] * mean(rows["force"] * radii[0] - drags[0] * (radii[0] * tangent + rows["xi"]))
+        taken = speeds[1] * mean(rows["force"] * radii[1] + drags[1] * (radii[1] * tangent - rows["xi"]))
+        self.assertAlmostEqual((taken + summary["power_loss"]) / given, 1, delta=1e-9)
+        self.assertAlmostEqual(given / summary["transmitted_power"], 1, delta=1e-3)
 
     def test_a_bare_contact_slides_as_it_is_told(self):
         summary, _ = self.summary("steady", CIRCULAR, "-friction_law", "newtonian", "-contact_sliding_velocity", 0.1,

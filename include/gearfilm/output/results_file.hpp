@@ -43,6 +43,11 @@ public:
   void field(const std::string& group, const std::string& name, const std::string& unit, const WholeDomain& domain,
              const Field<double>& values, double scale);
 
+  /// A row of so many values after the other, all on the first process; elsewhere `values` counts for nothing. There
+  /// are `rows` of them.
+  void rows(const std::string& group, const std::string& name, const std::string& unit, int rows, int columns,
+            const std::vector<double>& values);
+
   /// Gives the open file its name: for runs that append to it for long.
   void publish();
   bool published() const { return published_; }

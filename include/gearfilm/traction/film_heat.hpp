@@ -33,6 +33,7 @@ struct TractionFields {
   std::vector<double> heat_generated;   ///< in the film [W/m^2]
   std::vector<double> heat_carried;     ///< away by the oil [W/m^2]
   std::vector<double> log_flow_factor;  ///< ln F of a film that feels its heat; empty without
+  std::vector<double> across;           ///< T_k along y = 0, line after line, where that row is; else empty
   double missed = 0.0;                  ///< own nodes whose temperatures were not found to the last digit
 };
 
