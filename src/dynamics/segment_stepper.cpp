@@ -141,7 +141,6 @@ void SegmentStepper::finish_step() {
   petsc_check(TSGetSNESIterations(ts_, &newton));
   petsc_check(TSGetKSPIterations(ts_, &krylov));
   petsc_check(TSGetSolution(ts_, &state));
-  const double now = MPI_Wtime();
   StepRecord record;
   record.T = T;
   record.dT = T - last_time_;
@@ -150,7 +149,7 @@ void SegmentStepper::finish_step() {
   record.back_force = back_force(pair_.mesh(), record.motion.H0, T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
-  record.wall_seconds = now - wall_start_;
+  record.wall_seconds = MPI_Wtime() - wall_start_;
   last_contacts_ = record.contacts;
   pair_.continue_friction(T, record.contacts);
   on_step_(record);

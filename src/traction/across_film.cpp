@@ -193,14 +193,15 @@ void AcrossFilm::assemble(double resistance) {
   });
 }
 
-/// Gauss on the tridiagonal part, for all right sides.
+/// Gauss on the tridiagonal part, for all right sides. The diagonal becomes its inverse.
 template <bool own>
 void AcrossFilm::eliminate() {
   const int count = points();
+  each_lane([&](int l) { diagonal_[0][l] = 1.0 / diagonal_[0][l]; });
   for (int k = 1; k < count; ++k) {
     each_lane([&](int l) {
-      const double factor = below_[k][l] / diagonal_[k - 1][l];
-      diagonal_[k][l] -= factor * above_[k - 1][l];
+      const double factor = below_[k][l] * diagonal_[k - 1][l];
+      diagonal_[k][l] = 1.0 / (diagonal_[k][l] - factor * above_[k - 1][l]);
       right_[k][l] += factor * right_[k - 1][l];
       bordered_[k][l] += factor * bordered_[k - 1][l];
       if constexpr (own) second_[k][l] += factor * second_[k - 1][l];
@@ -213,9 +214,9 @@ void AcrossFilm::eliminate() {
         bordered_[k][l] += above_[k][l] * bordered_[k + 1][l];
         if constexpr (own) second_[k][l] += above_[k][l] * second_[k + 1][l];
       }
-      right_[k][l] /= diagonal_[k][l];
-      bordered_[k][l] /= diagonal_[k][l];
-      if constexpr (own) second_[k][l] /= diagonal_[k][l];
+      right_[k][l] *= diagonal_[k][l];
+      bordered_[k][l] *= diagonal_[k][l];
+      if constexpr (own) second_[k][l] *= diagonal_[k][l];
     });
   }
 }

@@ -30,41 +30,39 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     const double weight = weights_[k], place = places_[k];
     each_lane([&](int l) { moment[l] += weight * (place - centre[l]) * (place - centre[l]) * oil.fluidity[k][l]; });
   }
-  // G h/eta_0, the same with F as it is; and of the parabola.
-  Lanes gradient, inwards, parabola;
+  // Of heat and its derivative what is the same for all points; of it all, the parts of the film's own profile and of
+  // the parabola.
+  const double exact = 12.0 * second_moment_;  // so that their mean is 12 eta q_P^2/(F h^4) on any points
+  Lanes inwards, own_scale, stress_scale, rate_scale, parabola_scale, own_row, parabola_row;
   each_lane([&](int l) {
     log_factor[l] = log(moment[l] / second_moment_) + film.log_viscosity[l];
     inwards[l] = film.poiseuille_flow[l] < 0.0 ? film.wet[l] : 0.0;
-    gradient[l] = -inwards[l] * film.poiseuille_flow[l] / (film.thickness[l] * moment[l]);
-    const double forwards = film.poiseuille_flow[l] / (film.thickness[l] * second_moment_);
-    parabola[l] = (film.wet[l] - inwards[l]) * film.ambient_viscosity * exp(log_mean[l]) * forwards * forwards /
-                  film.shear_factor[l];
+    const double thinned = film.ambient_viscosity / film.shear_factor[l], inverse = 1.0 / moment[l];
+    const double speed = film.poiseuille_flow[l] / film.thickness[l];
+    const double gradient = -inwards[l] * speed * inverse;  // G h/eta_0
+    const double forwards = speed / second_moment_;
+    own_scale[l] = exact * thinned * gradient * gradient;
+    stress_scale[l] = gradient * (film.sliding < 0.0 ? -film.stress[l] : film.stress[l]);
+    rate_scale[l] = gradient * thinned * film.sliding / film.thickness[l];
+    parabola_scale[l] = exact * (film.wet[l] - inwards[l]) * thinned * exp(log_mean[l]) * forwards * forwards;
+    own_row[l] = inwards[l] * inverse;
+    parabola_row[l] = (1.0 - inwards[l]) * film.wet[l];
   });
-  const double exact = 12.0 * second_moment_;  // so that their mean is 12 eta q_P^2/(F h^4) on any points
-  Lanes driven{}, passed{};
+  Lanes driven{}, passed{}, drive_before{};
   for (std::size_t k = 0; k < count; ++k) {
     const double weight = weights_[k], place = places_[k], bent = (place - 0.5) * (place - 0.5);
     const double previous_weight = k > 0 ? 0.5 / static_cast<double>(count - 1) : 0.0;
-    const std::size_t before = k > 0 ? k - 1 : 0;
     each_lane([&](int l) {
-      const double arm = place - centre[l], own = inwards[l];
-      const double drive = arm * oil.fluidity[k][l],
-                   drive_before = (places_[before] - centre[l]) * oil.fluidity[before][l];
-      driven[l] += previous_weight * (drive + drive_before);
+      const double arm = place - centre[l], drive = arm * oil.fluidity[k][l], square = arm * drive;
+      driven[l] += previous_weight * (drive + drive_before[l]);
+      drive_before[l] = drive;
       poiseuille[k][l] = driven[l];
       passed[l] += weight * driven[l];
-      const double own_heat = exact * film.ambient_viscosity * gradient[l] * gradient[l] * arm * arm *
-                              oil.fluidity[k][l] / film.shear_factor[l];
-      const double cross =
-          gradient[l] * arm *
-          (std::copysign(film.stress[l], film.sliding) * oil.fluidity[k][l] +
-           film.ambient_viscosity * film.sliding * oil.share[k][l] / (film.thickness[l] * film.shear_factor[l]));
-      const double thrown = exact * bent * parabola[l];
-      heat[k][l] = own_heat + cross + thrown;
+      const double own_heat = own_scale[l] * square, thrown = bent * parabola_scale[l];
+      heat[k][l] = own_heat + stress_scale[l] * drive + rate_scale[l] * arm * oil.share[k][l] + thrown;
       diagonal[k][l] = own_heat * oil.slope[k][l];
       column[k][l] = -(2.0 * own_heat + thrown);
-      row[k][l] =
-          weight * oil.slope[k][l] * (own * arm * arm * oil.fluidity[k][l] / moment[l] + (1.0 - own) * film.wet[l]);
+      row[k][l] = weight * oil.slope[k][l] * (own_row[l] * square + parabola_row[l]);
     });
   }
   for (std::size_t k = 0; k < count; ++k) {
