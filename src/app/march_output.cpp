@@ -31,7 +31,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
       expected_periods_(expected_periods),
       file_(grid.comm(), run.directory() / "results.h5"),
       history_(std::in_place, file_, mesh, lubricated_),
-      statistics_(mesh.path.mesh_period(), mesh.scales.static_force),
+      statistics_(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()),
       progress_(grid.comm()) {
   write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
@@ -43,7 +43,8 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
   history_->append(record);
   statistics_.add(record, mesh_.given(lubricated_));
   signal_.add(record);
-  const double period = record.T / mesh_.path.mesh_period();
+  section_.add(record);
+  const double period = mesh_.path.mesh_periods(record.T);
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
     take_snapshot(record, contacts);
     const double interval = snapshot_interval(problem_, purpose_);
@@ -110,6 +111,33 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
     peaks.push_back({{"frequency", peak.frequency / scales.time}, {"H0", peak.amplitude}});
   }
   return peaks;
+}
+
+void MarchOutput::describe_recurrence(Summary& summary) {
+  constexpr double tolerance = 1e-3;  // in (H_0, V_0)
+  const Scales& scales = problem_.scales;
+  const std::vector<PoincarePoint>& points = section_.points();
+  std::vector<TableColumn> columns = {{"T", "-"},  {"t", "s"},  {"distance", "m"},  {"pinion_speed", "rpm"},
+                                      {"H0", "-"}, {"V0", "-"}, {"force_max", "N"}, {"force_total_min", "N"}};
+  if (lubricated_) columns.push_back({"h_min", "m"});
+  std::vector<double> rows;
+  for (const PoincarePoint& point : points) {
+    rows.insert(rows.end(),
+                {point.T, scales.time * point.T, mesh_.path.distance(point.T), mesh_.path.rpm(point.T), point.motion.H0,
+                 point.motion.V0, scales.force(point.largest_force), scales.force(point.smallest_force)});
+    if (lubricated_) rows.push_back(scales.thickness * point.smallest_film);
+  }
+  write_table(file_, "/history/poincare", columns, rows);
+  const auto recurrence = recurrence_of(points, tolerance);
+  if (!recurrence || mesh_.path.course().duration > 0.0) return;
+  summary["repeats_every"] = recurrence->period > 0 ? Summary(recurrence->period) : Summary();
+  summary["repeats_within"] = recurrence->defect;
+  const auto settling = settling_of(points, *recurrence);
+  if (!settling) return;
+  summary["settling"] = {{"mesh_periods", settling->period},
+                         {"multiplier", {settling->multiplier.real(), settling->multiplier.imag()}},
+                         {"modulus", std::abs(settling->multiplier)},
+                         {"modulus_error", settling->modulus_error}};
 }
 
 void MarchOutput::report(const StepRecord& record, double period) {

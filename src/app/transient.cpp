@@ -1,4 +1,6 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
+#include <sstream>
+
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
@@ -12,7 +14,7 @@ namespace {
 
 /// The end of the march: that of the line of action where one contact is followed along it.
 double end_of(const Case& problem, const MeshModel& mesh) {
-  return mesh.load ? mesh.path.exit_time(0) : problem.march.mesh_periods * mesh.path.mesh_period();
+  return mesh.load ? mesh.path.exit_time(0) : mesh.path.time_after(problem.march.mesh_periods);
 }
 
 /// A march that goes on cannot end before where it is.
@@ -21,13 +23,35 @@ void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mes
   if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
   throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
                    format_value(problem.march.mesh_periods) + ", but the march in '" + problem.run.directory.string() +
-                   "' has come to " + format_value(kept / mesh.path.mesh_period()) + "; give at least as many");
+                   "' has come to " + format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
 }
 
 template <class March>
 void drive(March&& march, const Case& problem) {
   march.start(problem.march.start_motion);
   march.run(end_of(problem, march.mesh()));
+}
+
+/// Whether the march has come to repeat, and how it settles.
+void print_recurrence(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("repeats_every")) return;
+  std::ostringstream text;
+  text.precision(3);
+  const double defect = summary["repeats_within"].get<double>();
+  if (summary["repeats_every"].is_null()) {
+    text << "does not repeat yet: (H0, V0) changes by " << defect << " in a mesh period";
+  } else {
+    const int period = summary["repeats_every"].get<int>();
+    text << "repeats every " << (period == 1 ? "" : std::to_string(period) + " ") << "mesh period"
+         << (period == 1 ? "" : "s") << " within " << defect << " in (H0, V0)";
+  }
+  if (summary.contains("settling")) {
+    const Summary& settling = summary["settling"];
+    const int periods = settling["mesh_periods"].get<int>();
+    text << "; in " << (periods == 1 ? "one" : std::to_string(periods)) << " a disturbance is multiplied by "
+         << settling["modulus"].get<double>() << " +- " << settling["modulus_error"].get<double>();
+  }
+  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
 }
 
 }  // namespace
@@ -38,14 +62,15 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.
   ResumableRun run(problem, grid, "transient", {"time", "solver"});
-  const MeshModel mesh = mesh_model(problem, problem.march.start_position, problem.march.geometry);
+  const MeshModel mesh =
+      mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
   require_beyond(run, problem, mesh);
   if (!mesh.teeth.rigid() && !mesh.load) warn_of_hard_entry(comm, mesh);
   const bool lubricated = problem.march.model != MarchModel::dry;
-  MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, end_of(problem, mesh) / mesh.path.mesh_period());
+  MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, mesh.path.mesh_periods(end_of(problem, mesh)));
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);
-    if (run.checkpoint().is_new(record)) run.stop().check(comm, record.T / mesh.path.mesh_period());
+    if (run.checkpoint().is_new(record)) run.stop().check(comm, mesh.path.mesh_periods(record.T));
   };
   std::optional<MeshMarch> march;
   const auto write = [&](bool completed) {
@@ -54,12 +79,14 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     summary["completed"] = completed;
     if (completed && problem.march.spectrum_periods) {
       const double end = end_of(problem, mesh);
-      const double begin = end - *problem.march.spectrum_periods * mesh.path.mesh_period();
+      const double begin = mesh.path.time_after(mesh.path.mesh_periods(end) - *problem.march.spectrum_periods);
       summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
     }
+    output.describe_recurrence(summary);
     output.finish();
     write_summary(comm, run.directory().path(), summary);
     if (!completed) return;
+    print_recurrence(comm, summary);
     warn_of_roughness(comm, summary, "lambda_min");
     warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
   };

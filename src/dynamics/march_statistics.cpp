@@ -94,7 +94,8 @@ bool MarchStatistics::contact_lost(double T_begin, double T_end) const {
 
 void MarchStatistics::add_to_period(const StepRecord& record, const Given& given) {
   // A step that ends within round-off of the period's end still belongs to it.
-  const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(record.T / mesh_period_ - 1e-9) - 1.0));
+  const double passed = course_.phase(record.T) / mesh_period_;
+  const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(passed - 1e-9) - 1.0));
   if (index >= periods_.size()) {
     periods_.resize(index + 1);
     pitch_distance_ = HUGE_VAL;

@@ -19,6 +19,14 @@ SurfaceVelocities velocities_of(const Scales& scales, const MeshedContact& conta
   return {.mean = u_m * contact.conditions.entrainment, .sliding = u_m * contact.sliding};
 }
 
+MeshedContact MeshModel::contact(int number, double T) const {
+  MeshedContact contact = contact_at(number, path.position(number, T));
+  const double speed = path.course().speed(T);
+  contact.conditions.entrainment *= speed;
+  contact.sliding *= speed;
+  return contact;
+}
+
 MeshedContact MeshModel::contact_at(int number, double xi) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;

@@ -262,6 +262,24 @@ void check_friction_in_motion(const Case& result) {
   if (!lacking.empty()) throw InputError(values.origin(name) + ": " + quoted(name) + " is yes, but " + lacking);
 }
 
+/// A ramp of speed, over all mesh periods where nothing else is said.
+SpeedCourse read_speed_course(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string end = "ramp.to_rpm", length = "ramp.periods";
+  if (!values.has(end)) {
+    if (!values.has(length)) return {};
+    throw InputError(values.origin(length) + ": " + quoted(length) + " is given, but not " + quoted(end) +
+                     "; give the speed at the end of the ramp");
+  }
+  if (result.march.geometry != MeshGeometry::moving) {
+    throw InputError(values.origin(end) + ": " + quoted(end) +
+                     " is given, but the contacts do not go round: 'geometry' is " + values.text("geometry") +
+                     ", 'model' is " + values.text("model") + "; use geometry moving and model dynamic or dry");
+  }
+  const double periods = values.has(length) ? values.real(length) : values.real("mesh_periods");
+  return SpeedCourse::over_phase(values.real(end) / values.real("pinion.speed_rpm"), periods * mesh_period(result));
+}
+
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
   result.march.start_position = read_start_position(result);
@@ -270,6 +288,7 @@ void set_march(Case& result) {
   if (result.march.model == MarchModel::simplified || result.march.model == MarchModel::quasistatic)
     set_single_contact(result);
   result.march.mesh_periods = values.real("mesh_periods");
+  result.march.course = read_speed_course(result);
   result.run.restart = values.text("restart") == "yes";
   result.run.time_limit = optional_real(values, "time_limit");
   result.run.keep_checkpoint = values.text("keep_checkpoint") == "yes";

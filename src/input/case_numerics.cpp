@@ -63,7 +63,8 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
 double time_step(const Case& result) {
   const double cell = steps_of(result.numerics).x;
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
-  double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period);
+  const double faster = largest_speed_ratio(result.parameters);  // than at first, where scales are taken
+  double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period) / faster;
   if (result.pair.equivalent_mass) step = std::min(step, natural_period(result) / steps_in_swing);
   return step;
 }
@@ -90,13 +91,21 @@ double natural_period(const Case& problem) {
   return 1.0 / (natural_frequency(stiffness, *problem.pair.equivalent_mass) * problem.scales.time);
 }
 
+double largest_speed_ratio(const ParameterValues& values) {
+  if (values.text("case.kind") == "contact" || !values.has("ramp.to_rpm")) return 1.0;
+  return std::max(1.0, values.real("ramp.to_rpm") / values.real("pinion.speed_rpm"));
+}
+
 double mesh_period(const Case& problem) {
   return 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
 }
 
 void set_film_numerics(Case& result) {
   const ParameterValues& values = result.parameters;
-  result.numerics.domain = read_domain(values, result.scales);
+  // Thicker films begin further before the contact.
+  ContactOperation fastest = result.scales.operation;
+  fastest.entrainment_velocity *= largest_speed_ratio(values);
+  result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.room = room_rule(result);
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};

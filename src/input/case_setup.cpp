@@ -67,10 +67,10 @@ std::optional<InertiaShares> friction_in_motion(const Case& problem) {
 
 }  // namespace
 
-MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry) {
+MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, const SpeedCourse& course) {
   const bool inert = problem.march.model != MarchModel::quasistatic && problem.pair.equivalent_mass;
   return {.scales = problem.scales,
-          .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry),
+          .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry, course),
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
           .load = problem.march.load,
           .teeth = problem.pair.teeth,

@@ -31,7 +31,8 @@ double memory_of_all_machines(MPI_Comm comm) {
 }  // namespace
 
 void require_memory(MPI_Comm comm, int nx, int ny, int contacts, int heated_points) {
-  const double needed = (bytes_per_node + bytes_per_point * heated_points) * contacts * nx * ny, present = memory_of_all_machines(comm);
+  const double needed = (bytes_per_node + bytes_per_point * heated_points) * contacts * nx * ny,
+               present = memory_of_all_machines(comm);
   if (needed <= present) return;
   std::ostringstream message;
   message << "a grid of " << nx << " x " << ny << " nodes for " << contacts

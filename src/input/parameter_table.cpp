@@ -97,6 +97,15 @@ Records march_records() {
        preset(2.0, number("mesh_periods", "", "-", closed(1e-3, 1e6), "mesh periods to march"))});
 }
 
+Records ramp_records() {
+  return section("ramp", Scope::gear_pair,
+                 {optional("constant speed", number("to_rpm", "", "rpm", closed(1e-3, 1e6),
+                                                    "transient: speed of the pinion that pinion.speed_rpm goes to, "
+                                                    "evenly in time")),
+                  optional("mesh_periods", number("periods", "", "-", closed(1e-3, 1e6),
+                                                  "mesh periods from the start in which it does"))});
+}
+
 Records run_records() {
   return section("", Scope::gear_pair,
                  {flag("restart", "go on where a run of the same case in the same folder stopped"),
@@ -242,7 +251,7 @@ const std::vector<Parameter>& parameter_table() {
     for (Records& records :
          std::vector<Records>{case_records(), gear_pair_records(), contact_records(), lubricant_records(),
                               traction_records(), grid_records(), steady_records(), static_records(), march_records(),
-                              run_records(), load_sharing_records(), start_records(), time_records(),
+                              ramp_records(), run_records(), load_sharing_records(), start_records(), time_records(),
                               periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;

@@ -114,12 +114,11 @@ DryOrbit describe(const DryMap& map, const Motion& start) {
   DryOrbit orbit;
   orbit.start = start;
   orbit.monodromy = map.derivative(start);
-  map.march(start, 1.0, 0.01 * map.mesh().period(),
-            [&](const StepRecord& record, const std::vector<LiveContact>&) {
-              for (const ContactRecord& contact : record.contacts) {
-                orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
-              }
-            });
+  map.march(start, 1.0, 0.01 * map.mesh().period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    for (const ContactRecord& contact : record.contacts) {
+      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
+    }
+  });
   return orbit;
 }
 

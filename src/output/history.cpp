@@ -37,8 +37,9 @@ void History::append(const StepRecord& record) {
     }
   }
   if (!rows.empty()) contacts_.append(rows);
-  std::vector<double> row = {static_cast<double>(step_), record.T, mesh_.scales.time * record.T, record.dT,
-                             mesh_.path.distance(record.T)};
+  std::vector<double> row = {static_cast<double>(step_),    record.T,
+                             mesh_.scales.time * record.T,  record.dT,
+                             mesh_.path.distance(record.T), mesh_.path.rpm(record.T)};
   for (const auto& figure : step_figures) {
     if (given_.has(figure.needs)) row.push_back(figure.unit.in_si(mesh_.scales, figure.value(record)));
   }

@@ -1,10 +1,12 @@
 """The models of one contact with a prescribed share of the load; environment as for cli_test.py."""
 import unittest
 
+import h5py
 import numpy
 
 from films import BARBIERI, REFERENCE, WANG, summary_in
 from program import INPUT, ProgramTest
+from restarts import SMALL
 from vibration import COARSE, MARCH, VibrationTest, table_in
 
 WIDE = ["-grid_y_half", 1.4]
@@ -261,6 +263,35 @@ class WrongLoadSharing(ProgramTest):
         for command in ("periodic", "eigen", "sweep", "bench"):
             with self.subTest(command=command):
                 self.assert_wrong(["model", command], command, BARBIERI, "-model", "quasistatic")
+
+
+class Courses(ProgramTest):
+    """Marches whose speed changes, and what a march says of its recurrence."""
+
+    def test_a_run_up_ends_at_its_speed(self):
+        run = self.run_well("transient", BARBIERI, "-model", "dry", "-start_place", "after_leaving", "-pinion_speed_rpm",
+                            12000, "-ramp_to_rpm", 18000, "-ramp_periods", 6, "-mesh_periods", 8, "-output_dir", "out")
+        self.assertNotIn("repeat", run.stdout)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            steps, points = file["history/steps"][:], file["history/poincare"][:]
+        self.assertEqual(list(steps["pinion_speed"][[0, -1]]), [12000, 18000])
+        numpy.testing.assert_allclose(numpy.diff(points["distance"]), points["distance"][0], rtol=1e-9)
+        # Evenly in time, so by the mean of both speeds.
+        duration = numpy.interp(6 * points["distance"][0], steps["distance"], steps["t"])
+        first = summary_in(self.folder / "out")["mesh_period"]
+        self.assertAlmostEqual(duration / (6 * first), 2 / (1 + 1.5), delta=1e-6)
+        self.assertAlmostEqual(numpy.diff(points["t"])[-1] / first, 12 / 18, delta=1e-9)
+
+    def test_a_march_says_how_it_settles(self):
+        run = self.run_well("transient", BARBIERI, *SMALL, "-start_place", "after_leaving", "-mesh_periods", 12,
+                            "-start_H0", -1.45, "-start_V0", 0.6, "-output_dir", "out")
+        settling = summary_in(self.folder / "out")["settling"]
+        self.assertLess(abs(settling["modulus"] - 0.955), settling["modulus_error"] + 0.02)
+        self.assertIn("a disturbance is multiplied by", run.stdout)
+
+    def test_wrong_ramps_are_named(self):
+        self.assert_wrong(["'ramp.periods'", "'ramp.to_rpm'"], "transient", BARBIERI, "-ramp_periods", 5)
+        self.assert_wrong(["'ramp.to_rpm'", "held"], "transient", BARBIERI, "-ramp_to_rpm", 9000, "-geometry", "held")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/input/case.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/orbits/poincare.hpp"
 #include "gearfilm/orbits/spectrum.hpp"
 #include "gearfilm/output/history.hpp"
 #include "gearfilm/output/progress.hpp"
@@ -38,6 +39,9 @@ public:
   /// Writes and closes results.h5.
   void finish();
 
+  /// Adds the table /history/poincare, and says in the summary how the march repeats and settles.
+  void describe_recurrence(Summary& summary);
+
   const MarchStatistics& statistics() const { return statistics_; }
   ResultsFile& file() { return file_; }
 
@@ -58,6 +62,7 @@ private:
   std::vector<FilmSnapshot> held_;  ///< of a search's present period: only at its end is known whether they are wanted
   MarchStatistics statistics_;
   MotionSignal signal_;
+  PoincareSection section_;
   Progress progress_;
   double next_snapshot_ = 0.0;
 };

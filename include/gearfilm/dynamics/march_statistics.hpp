@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gearfilm/dynamics/period_figures.hpp"
+#include "gearfilm/dynamics/speed_course.hpp"
 
 namespace gearfilm {
 
@@ -27,7 +28,8 @@ struct ContactLoss {
 class MarchStatistics {
 public:
   /// Contact counts as lost below 0.02 of the static force F*.
-  MarchStatistics(double mesh_period, double static_force) : mesh_period_(mesh_period), static_force_(static_force) {}
+  MarchStatistics(double mesh_period, double static_force, const SpeedCourse& course = {})
+      : mesh_period_(mesh_period), static_force_(static_force), course_(course) {}
 
   /// given: which figures there are.
   void add(const StepRecord& record, const Given& given);
@@ -49,6 +51,7 @@ private:
 
   double mesh_period_;
   double static_force_;
+  SpeedCourse course_;
   std::vector<PeriodFigures> periods_;
   std::vector<MeshEvent> events_;
   std::vector<ContactLoss> losses_;

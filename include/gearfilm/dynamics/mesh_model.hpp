@@ -35,8 +35,8 @@ struct MeshModel {
   int pattern = 1;                                    ///< mesh periods after which the same teeth meet again
   int order = 1;                                      ///< patterns after which a periodic motion repeats
 
-  /// A contact at time T, and one at a place xi [m].
-  MeshedContact contact(int number, double T) const { return contact_at(number, path.position(number, T)); }
+  /// A contact at time T, and one at a place xi [m] at the first speed.
+  MeshedContact contact(int number, double T) const;
   MeshedContact contact_at(int number, double xi) const;
   /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
   Compliance compliance(std::span<const int> numbers, double T) const;

@@ -35,8 +35,8 @@ ContactRecord contact_record(const MeshModel& mesh, int number, double T, const 
 /// A tooth contact that is being computed.
 struct LiveContact {
   int number = 0;
-  ContactFilm* film = nullptr;  ///< at its present state; null in the dry model
-  ContactFields fields{};       ///< as the last segment left them
+  ContactFilm* film = nullptr;       ///< at its present state; null in the dry model
+  ContactFields fields{};            ///< as the last segment left them
   std::shared_ptr<LiveHeat> heat{};  ///< of a film that feels it; null without
 };
 

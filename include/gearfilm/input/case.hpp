@@ -66,6 +66,7 @@ struct MarchCase {
   MeshGeometry geometry = MeshGeometry::moving;
   std::optional<PrescribedLoad> load;  ///< of the models simplified and quasistatic
   double mesh_periods = 0.0;
+  SpeedCourse course{};                     ///< of `transient`
   double start_position = 0.0;              ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;       ///< absent: at rest
   std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command

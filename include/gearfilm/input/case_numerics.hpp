@@ -19,7 +19,9 @@ std::optional<NumericsCase> coarser(const NumericsCase& numerics);
 
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
 double natural_period(const Case& problem);
-/// The mesh period of a gear pair [T].
+/// The largest speed of a march over its first; 1 without a ramp.
+double largest_speed_ratio(const ParameterValues& values);
+/// The mesh period of a gear pair at the first speed [T].
 double mesh_period(const Case& problem);
 
 /// Steps that a mesh period and a free oscillation are given at least, where the program chooses.

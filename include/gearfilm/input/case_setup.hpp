@@ -29,7 +29,8 @@ GearInertias inertias_of(const Case& problem);
 
 /// The case's pair in mesh, with a contact at the given position at T = 0 [m]. It has an inertia where the case has
 /// one.
-MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry = MeshGeometry::moving);
+MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry = MeshGeometry::moving,
+                     const SpeedCourse& course = {});
 /// The same, where a contact has just left at T = 0.
 MeshModel mesh_after_leaving(const Case& problem);
 /// A march of the case's lubricated pair.

@@ -17,6 +17,7 @@ struct RowKey {
 };
 
 inline constexpr Unit metres_as_given{"m", units::number.in_si};
+inline constexpr Unit rpm_as_given{"rpm", units::number.in_si};
 
 inline constexpr auto step_keys = std::to_array<RowKey>({
     {"step", units::count, "number of the row, from 0"},
@@ -24,6 +25,7 @@ inline constexpr auto step_keys = std::to_array<RowKey>({
     {"t", units::seconds, "the same"},
     {"dT", units::number, "length of the step; 0 for a start, an entering, a leaving or a jump"},
     {"distance", metres_as_given, "way along the line of action since the start"},
+    {"pinion_speed", rpm_as_given, "rotational speed of the pinion"},
 });
 
 inline constexpr auto contact_keys = std::to_array<RowKey>({
