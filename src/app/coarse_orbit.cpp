@@ -140,7 +140,7 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
   std::optional<OrbitRun> nearest;
   if (coarse) {
     CoarseSearch search(*coarse, mesh, observers, comm);
-    found.coarse = search.orbit("coarse", *coarse, [&] { return dry_guess(*coarse, search.films(), dry); });
+    found.coarse = search.orbit("coarse", *coarse, [&] { return first_guess(*coarse, search.films(), dry); });
     if (found.coarse) {
       Case own_step = *coarse;
       own_step.numerics.steps.dT = problem.numerics.steps.dT;
@@ -160,7 +160,7 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
   Case last = problem;
   if (nearest && nearest->decay) last.search.with_multipliers = false;
   if (!nearest) nearest = found.coarse;
-  OrbitGuess guess = nearest ? guess_from(*nearest) : dry_guess(problem, films, dry);
+  OrbitGuess guess = nearest ? guess_from(*nearest) : first_guess(problem, films, dry);
   if (guess.neighbour) guess.neighbour = carried(*coarse, problem, mesh, *guess.neighbour, comm);
   found.run = run_orbit(last, films, mesh, guess, observers);
   if (!found.run.decay && nearest) found.run.decay = nearest->decay;

@@ -73,7 +73,7 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
     if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / mesh.path.mesh_period());
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
-  const PeriodicOrbit orbit = find_periodic_orbit(march, dry_guess(problem, films, dry_start(mesh)),
+  const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(problem, films, dry_start(mesh)),
                                                   problem.search.options, [](const SearchPeriod&) {});
   const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.modes.orbit_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};

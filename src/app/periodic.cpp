@@ -1,4 +1,5 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -88,8 +89,9 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
   petsc_check(PetscPrintf(comm, "%s%s\n", text.str().c_str(), advice.c_str()));
   if (error.value_or(0.0) <= tolerable) return;
   std::ostringstream warning;
-  warning.precision(2);
-  warning << "some figures have an error of about " << 100.0 * *error
+  const double percent = 100.0 * *error;
+  warning.precision(3);
+  warning << "some figures have an error of about " << (percent < 10.0 ? percent : std::round(percent))
           << " % (their names and _error in summary.json); lower grid.accuracy, or raise grid.nx and grid.ny and lower "
              "time.dt";
   warn(comm, warning.str());

@@ -125,4 +125,12 @@ OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, con
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
 }
 
+OrbitGuess first_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+  if (!problem.march.start_motion) return dry_guess(problem, films, dry);
+  OrbitGuess guess;
+  guess.motion = *problem.march.start_motion;
+  guess.monodromy = dry.monodromy;
+  return guess;
+}
+
 }  // namespace gearfilm

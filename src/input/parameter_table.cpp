@@ -140,9 +140,11 @@ Records start_records() {
               "where the leading contact starts: at the pitch point, where it is when its elder has just left, or at "
               "start.position"),
        optional("0", number("position", "xi", "m", {}, "start on the line of action, with start.place position")),
-       optional("stationary films at rest that carry the static force",
-                number("H0", "H_0", "-", closed(-1e3, 1e3),
-                       "rigid displacement at the start; the films are stationary there")),
+       optional(
+           "stationary films at rest that carry the static force",
+           number("H0", "H_0", "-", closed(-1e3, 1e3),
+                  "rigid displacement at the start; the films are stationary there. Of `periodic`: where the search "
+                  "begins, just after a contact has left, instead of the dry pair's orbit")),
        optional("0", number("V0", "dH_0/dT", "-", closed(-1e3, 1e3), "velocity at the start, with start.H0"))});
 }
 

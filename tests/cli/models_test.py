@@ -289,6 +289,16 @@ class Courses(ProgramTest):
         self.assertLess(abs(settling["modulus"] - 0.955), settling["modulus_error"] + 0.02)
         self.assertIn("a disturbance is multiplied by", run.stdout)
 
+    def test_a_search_begins_where_it_is_told(self):
+        """Two states exist at 9500 rpm."""
+        states = []
+        for H0, V0 in ((-0.85, -0.36), (-0.88, 2.64)):
+            self.run_program("periodic", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-pinion_speed_rpm", 9500, "-start_H0",
+                             H0, "-start_V0", V0, "-periodic_multipliers", "no", "-output_dir", "out")
+            states.append(summary_in(self.folder / "out"))
+        self.assertLess(abs(states[0]["force_ratio_max"] - 1.76), 0.03)
+        self.assertLess(abs(states[1]["force_ratio_max"] - 2.47), 0.05)
+
     def test_wrong_ramps_are_named(self):
         self.assert_wrong(["'ramp.periods'", "'ramp.to_rpm'"], "transient", BARBIERI, "-ramp_periods", 5)
         self.assert_wrong(["'ramp.to_rpm'", "held"], "transient", BARBIERI, "-ramp_to_rpm", 9000, "-geometry", "held")

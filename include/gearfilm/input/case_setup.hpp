@@ -38,5 +38,7 @@ MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, con
                      StepObserver observer, MarchKeeper* keeper = nullptr);
 /// Where the search for the case's periodic state begins: that orbit, its H_0 shifted by the film.
 OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry);
+/// The same, or the motion that the case starts with.
+OrbitGuess first_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry);
 
 }  // namespace gearfilm
