@@ -58,7 +58,7 @@ std::string help_text() {
                      "  gearfilm COMMAND CASE.yaml [-option value ...]\n"
                      "  mpiexec -n N gearfilm COMMAND CASE.yaml [-option value ...]\n\nCommands\n";
   for_each_command([&](const std::string& name, const std::string& meaning) {
-    text += "  " + name + std::string(12 - name.size(), ' ') + meaning + "\n";
+    text += "  " + name + std::string(14 - name.size(), ' ') + meaning + "\n";
   });
   return text + "\n" + parameter_help();
 }

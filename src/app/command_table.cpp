@@ -10,7 +10,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr std::array<Command, 8> case_commands = {{
+constexpr std::array<Command, 9> case_commands = {{
     {"info", run_info, false, "derived quantities of a case, no field solve"},
     {"steady", run_steady, false, "stationary film of one contact"},
     {"static", run_static, false, "transmission error, load shares and mesh stiffness of the dry pair turned slowly"},
@@ -18,6 +18,8 @@ constexpr std::array<Command, 8> case_commands = {{
     {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
     {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},
     {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
+    {"continuation", run_continuation, true,
+     "branches of periodic states through folds and flips, all bifurcations located"},
     {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 

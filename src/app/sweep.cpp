@@ -4,6 +4,7 @@
 #include <limits>
 #include <thread>
 
+#include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
@@ -150,7 +151,8 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   if (problem.sweep.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
-  for (double value : problem.sweep.values) (void)case_at(problem, value);  // wrong values are said before any work
+  for (double value : problem.sweep.values)
+    (void)case_at(problem, problem.sweep.parameter, value);  // wrong values are said before any work
   const int groups = group_count(comm, problem);
   const OutputDirectory directory(comm, problem.run.directory);
   if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -113,7 +114,7 @@ private:
   }
 
   Summary compute(const SweepPoint& point, double value) {
-    const Case here = case_at(problem_, value);
+    const Case here = case_at(problem_, problem_.sweep.parameter, value);
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
     result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
     result["torque"] = here.pair.torque;
@@ -228,22 +229,6 @@ private:
 };
 
 }  // namespace
-
-Case case_at(const Case& problem, double value) {
-  ParameterValues values = problem.parameters;
-  values.set(problem.sweep.parameter, format_value(value), "value of the sweep");
-  // Films go from point to point: all are on the grid that the case has without the sweep.
-  const NumericsCase& numerics = problem.numerics;
-  const auto keep = [&](const std::string& name, const std::string& text) {
-    if (!values.has(name)) values.set(name, text, "grid of the sweep");
-  };
-  keep("grid.nx", std::to_string(numerics.nx));
-  keep("grid.ny", std::to_string(numerics.ny));
-  keep("grid.x_min", format_value(numerics.domain.x_min));
-  keep("grid.x_max", format_value(numerics.domain.x_max));
-  keep("grid.y_half", format_value(numerics.domain.y_half));
-  return make_case(values);
-}
 
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop) {

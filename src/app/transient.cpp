@@ -95,7 +95,8 @@ void run_transient(MPI_Comm comm, const Case& problem) {
       march = make_march(problem, films, mesh, observer, &run.checkpoint());
       drive(*march, problem);
     } else {
-      drive(DryMarch(mesh, problem.numerics.steps.dT, observer, 0.0, &run.checkpoint()), problem);
+      const double damping = dry_damping(mesh, problem.march.dry_damping_ratio.value_or(0.0));
+      drive(DryMarch(mesh, problem.numerics.steps.dT, observer, damping, &run.checkpoint()), problem);
     }
   } catch (const Unfinished&) {
     write(false);  // what was computed until then

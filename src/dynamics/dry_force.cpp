@@ -71,12 +71,23 @@ double DryContacts::total_force(double H0) const {
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
+double DryContacts::largest_approach(double H0) const {
+  double largest = -HUGE_VAL;
+  for (const Contact& contact : contacts_) largest = std::max(largest, -(H0 + contact.gap));
+  return largest;
+}
+
 // (D + C) dF = 1, D_k = d(q F^(2/3))/dF: with S = 1/D, which is zero without a force, (I + S C) dF = S.
 double DryContacts::stiffness(const std::vector<double>& forces) const {
   std::vector<double> own(forces.size());
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const double root = std::cbrt(contacts_[k].unit_force);
     own[k] = 1.5 * root * root * std::cbrt(forces[k]);
+  }
+  if (!coupled_) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < own.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
+    return sum;
   }
   DenseFactors factors;
   factors.factor(compliance_.settling_matrix(own));

@@ -27,6 +27,7 @@ FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields) {
   FilmHeat heat;
   for (const field::OfCorrection& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
   heat.flow.shear_power = thinning_power(model.law);
+  heat.flow.sheared = model.shear_in_film;
   if (!model.heats_film()) return heat;
   const ThermalOil& oil = model.heat->oil;
   const std::size_t points = model.heat->points;

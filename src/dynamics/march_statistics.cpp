@@ -6,8 +6,6 @@
 namespace gearfilm {
 namespace {
 
-constexpr double lost_force_ratio = 0.02;
-
 /// Where a contact is, for the reductions that ask for it.
 struct Moments {
   bool nearest_pitch = false;

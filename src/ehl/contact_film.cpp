@@ -30,6 +30,7 @@ void ContactFilm::set_conditions(const ContactConditions& conditions) {
 
 void ContactFilm::set_correction(FlowCorrection correction) {
   correction_ = std::move(correction);
+  state_.isotropic = !correction_.sheared;
   if (correction_.empty()) {
     state_.entrained.fill(1.0);
     state_.across.fill(1.0);

@@ -74,8 +74,8 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness,
-                state.across);
+  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness);
+  if (!state.isotropic) halo.exchange(state.across);
 }
 
 }  // namespace gearfilm

@@ -276,6 +276,7 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double entrain
     gather_->to_all(own, whole);
     (whole_state.*field).load(whole);
   }
+  whole_state.isotropic = state.isotropic;
   exchange_ghosts(everywhere.halo(), whole_state);
   whole_->update(whole_state, entrainment, shift);
 }

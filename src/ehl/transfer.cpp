@@ -98,6 +98,7 @@ FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const H
                          const FilmState& fine) {
   FilmState coarse(coarse_grid);
   for (const auto field : state_fields) inject(fine_grid, coarse_grid, fine.*field, coarse.*field);
+  coarse.isotropic = fine.isotropic;
   exchange_ghosts(coarse_halo, coarse);
   return coarse;
 }

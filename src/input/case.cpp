@@ -302,6 +302,8 @@ void set_march(Case& result) {
   result.search.max_pattern = values.integer("periodic.max_pattern");
   result.search.with_multipliers = values.text("periodic.multipliers") == "yes";
   result.sweep = read_sweep(values);
+  result.continuation = read_continuation(values, result.search.order);
+  result.march.dry_damping_ratio = optional_real(values, "dry.damping_ratio");
   result.modes.count = values.integer("eigen.modes");
   result.modes.of_orbit = values.text("eigen.orbit") == "yes";
   result.modes.orbit_periods = values.integer("eigen.periods");

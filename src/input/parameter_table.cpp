@@ -7,7 +7,9 @@
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/input/continuation_options.hpp"
 #include "gearfilm/input/parameter_records.hpp"
+#include "gearfilm/orbits/dry_orbit.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
 
@@ -211,6 +213,35 @@ Records sweep_records() {
                        "groups of processes that work on different chains; 0: as many as there are chains"))});
 }
 
+Records continuation_records() {
+  const ContinuationOptions dry = continuation_steps(false), films = continuation_steps(true);
+  const auto step = [&](const char* name, double ContinuationOptions::*member, const char* meaning) {
+    return optional(format_value(dry.*member) + " for the dry pair, " + format_value(films.*member) + " on films",
+                    number(name, "", "-", closed(1e-9, 10), meaning));
+  };
+  return section(
+      "continuation", Scope::gear_pair,
+      {choice("parameter", {"speed", "torque", "mass"},
+              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m] or gear.equivalent_mass [kg]"),
+       optional("none", number("from", "", "", {}, "where the branch begins, in the unit of what is varied")),
+       optional("none", number("to", "", "", {}, "where it goes to, upwards or downwards; branches end at both ends")),
+       step("first_step", &ContinuationOptions::first_step,
+            "length of a branch's first step, in H_0, V_0 and tenths of the range"),
+       step("smallest_step", &ContinuationOptions::smallest_step, "a branch that needs shorter steps is lost"),
+       step("largest_step", &ContinuationOptions::largest_step, "steps are at most so long"),
+       step("tolerance", &ContinuationOptions::located, "to what length of a step bifurcations are located"),
+       preset(dry.most_points, whole("points", "", closed(2, 1000000), "of a branch at most")),
+       choice("follow_flips", {"yes", "no"}, "the branches of doubled period that are born at flips too"),
+       preset(2, whole("largest_order", "", closed(1, 64), "up to which they are followed"))});
+}
+
+Records dry_records() {
+  return section("dry", Scope::gear_pair,
+                 {optional("0 in a march, " + format_value(typical_film_damping) + " in a continuation",
+                           number("damping_ratio", "zeta", "-", right_open(0, 1),
+                                  "of a viscous damper beside dry contacts, in the place of films; relative to f_n"))});
+}
+
 Records solver_records() {
   const SolverOptions standard;
   Parameter precision = choice("precision", {"single", "double"},
@@ -250,11 +281,12 @@ Records output_records() {
 const std::vector<Parameter>& parameter_table() {
   static const Records table = [] {
     Records all;
-    for (Records& records :
-         std::vector<Records>{case_records(), gear_pair_records(), contact_records(), lubricant_records(),
-                              traction_records(), grid_records(), steady_records(), static_records(), march_records(),
-                              ramp_records(), run_records(), load_sharing_records(), start_records(), time_records(),
-                              periodic_records(), eigen_records(), sweep_records(), solver_records(), output_records()})
+    for (Records& records : std::vector<Records>{
+             case_records(),  gear_pair_records(),    contact_records(),      lubricant_records(), traction_records(),
+             grid_records(),  steady_records(),       static_records(),       march_records(),     ramp_records(),
+             run_records(),   load_sharing_records(), start_records(),        time_records(),      periodic_records(),
+             eigen_records(), sweep_records(),        continuation_records(), dry_records(),       solver_records(),
+             output_records()})
       std::ranges::move(records, std::back_inserter(all));
     return all;
   }();

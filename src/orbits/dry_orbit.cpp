@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "gearfilm/error.hpp"
 
@@ -28,7 +27,7 @@ public:
   explicit DryMap(const MeshModel& mesh) : mesh_(mesh) {}
 
   const MeshModel& mesh() const { return mesh_; }
-  void set_damping_ratio(double zeta) { damping_ = 4.0 * std::numbers::pi * zeta * mesh_.frequency(); }
+  void set_damping_ratio(double zeta) { damping_ = dry_damping(mesh_, zeta); }
   /// Free oscillations in a period, but no less than one.
   double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
 

@@ -125,6 +125,7 @@ FilmHeat cold_film(const ContactFilm& film, const TractionModel& model, const Su
   FlowCorrection sheared = sheared_flow(model, film, velocities);
   cold.flow.shear = std::move(sheared.shear);
   cold.flow.shear_power = sheared.shear_power;
+  cold.flow.sheared = true;
   for (double& kappa : cold.flow.shear) kappa -= least_sheared;
   return cold;
 }

@@ -62,6 +62,7 @@ public:
     }
     if (!own_) return;
     heat.flow = FlowCorrection::none(nodes);
+    heat.flow.sheared = model.shear_in_film;
     fields_.log_flow_factor.assign(nodes, 0.0);
     if (heat.passing.empty()) heat.passing.assign(nodes * points(), 0.0);
   }

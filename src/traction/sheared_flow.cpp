@@ -17,6 +17,7 @@ void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, 
 FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
   const Grid& grid = film.grid();
   FlowCorrection flow = FlowCorrection::none(grid.local_size());
+  flow.sheared = true;
   FilmLine line(film);
   const double log_ambient = std::log(film.scales().oil.viscosity),
                log_sliding = std::log(std::abs(velocities.sliding));

@@ -23,7 +23,8 @@ COMMANDS_OF = {"film": ["steady"],
                "march": ["transient", "periodic"],
                "orbit": ["transient", "periodic"],
                "static": ["static"],
-               "sweep": ["sweep"]}
+               "sweep": ["sweep"],
+               "branch": ["continuation"]}
 
 
 def table(columns, rows):
@@ -140,6 +141,17 @@ class Figures(ProgramTest):
         with self.new_results("sweep", sweep__over=over) as results:
             results["sweep"] = table(columns, rows)
 
+    def write_continuation(self, parameter="speed"):
+        columns = ["branch", "order", "kind", "speed_rpm", "torque", "m_ge", "f_m", "f_n", "H0_after_leaving",
+                   "V0_after_leaving", "force_ratio_max", "stable"]
+        rows = []
+        for branch in (1, 2):
+            for n, kind in enumerate((0, 0, 2, 0, 4, 0, 1, 0)):
+                rows.append([branch, branch, kind, 8000.0 + 100 * n, 400.0 + n, 0.3 + 0.01 * n, 4e3 + 50.0 * n, 5200.0,
+                             -1.0 + 0.1 * n * branch, 0.2 * n, 1.5 + 0.1 * n, int(n < 2 or n == 5)])
+        with self.new_results("continuation", continuation__parameter=parameter) as results:
+            results["continuation"] = table(columns, rows)
+
     def write_static(self, load_ratios=(0.5, 1.25)):
         columns = ["load_ratio", "mesh_period", "xi", "te", "stiffness", "p_max_dry", "force_0", "force_1", "force_2",
                    "gap_0", "compliance_0", "gap_1", "compliance_1", "gap_2", "compliance_2"]
@@ -163,11 +175,13 @@ class Figures(ProgramTest):
             self.write_static()
         elif command == "sweep":
             self.write_sweep()
+        elif command == "continuation":
+            self.write_continuation()
         else:
             self.write_history(command)
 
     def test_every_script_draws_the_results_of_its_commands_and_refuses_others(self):
-        for command in ("steady", "transient", "periodic", "static", "sweep"):
+        for command in ("steady", "transient", "periodic", "static", "sweep", "continuation"):
             self.write_results(command)
             for name, own in COMMANDS_OF.items():
                 with self.subTest(command=command, script=name):
@@ -307,6 +321,11 @@ class Figures(ProgramTest):
         for over in ("speed", "torque", "equivalent_mass"):
             self.write_sweep(over, multipliers=over == "torque")
             self.assert_drawn("sweep")
+
+    def test_branches_over_all_quantities(self):
+        for parameter in ("speed", "torque", "mass"):
+            self.write_continuation(parameter)
+            self.assert_drawn("branch")
 
     def test_sweep_whose_points_all_failed(self):
         self.write_sweep()

@@ -35,6 +35,10 @@ class Short(ProgramTest):
     def test_eigen(self):
         self.run_well("eigen", BARBIERI, *LIGHT)
 
+    def test_continuation(self):
+        self.run_well("continuation", BARBIERI, *LIGHT, "-model", "dry", "-continuation_from", 26600,
+                      "-continuation_to", 26300)
+
     def test_sweep(self):
         self.run_well("sweep", BARBIERI, *LIGHT, *FEW_PERIODS, "-periodic_multipliers", "no", "-sweep_values", "15000",
                       "-sweep_direction", "up")

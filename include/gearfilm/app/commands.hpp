@@ -20,6 +20,8 @@ void run_periodic(MPI_Comm comm, const Case& problem);
 void run_eigen(MPI_Comm comm, const Case& given);
 /// Periodic states over a range of speeds, torques or masses.
 void run_sweep(MPI_Comm comm, const Case& problem);
+/// Branches of periodic states in speed, torque or mass.
+void run_continuation(MPI_Comm comm, const Case& problem);
 /// The standard set of speed measurements.
 void run_bench(MPI_Comm comm, const Case& problem);
 

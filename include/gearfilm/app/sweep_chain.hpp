@@ -11,9 +11,6 @@ namespace gearfilm {
 /// Points of one direction; a chain is the work of one group of processes.
 using SweepChain = std::vector<SweepPoint>;
 
-/// The case at one value of its sweep.
-Case case_at(const Case& problem, double value);
-
 /// Computes the points that are still missing, writes each when it is done, and prints a line on it. A point without a
 /// periodic state is recorded with its error, and the next one starts anew. Throws Stopped. Collective on the group.
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,

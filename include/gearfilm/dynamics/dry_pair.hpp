@@ -1,16 +1,22 @@
 // The gear pair without lubricant: Hertz contacts in place of films.
 //
 //   dH_0/dT = V_0 ,   I_n (dV_0/dT + c V_0) = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k), approach -h_0
-// with c = 0, but for continuation from a damped pair. The start and the check of the lubricated pair; its H_0 lies
-// lower than the lubricated one by about the film.
+// with c = 4 pi zeta f_n for a damper in the place of films. The start and the check of the lubricated pair; its H_0
+// lies lower than the lubricated one by about the film.
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
 
 namespace gearfilm {
+
+/// c of a damping ratio zeta, which relates to the linear natural frequency f_n.
+inline double dry_damping(const MeshModel& mesh, double zeta) {
+  return 4.0 * std::numbers::pi * zeta * mesh.frequency();
+}
 
 class DryMarch {
 public:

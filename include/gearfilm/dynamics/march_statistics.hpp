@@ -10,6 +10,9 @@
 
 namespace gearfilm {
 
+/// Contact counts as lost where the total force is below this part of the static one F*.
+constexpr double lost_force_ratio = 0.02;
+
 struct MeshEvent {
   enum class Kind { entry, exit };
   Kind kind = Kind::entry;
@@ -27,7 +30,6 @@ struct ContactLoss {
 
 class MarchStatistics {
 public:
-  /// Contact counts as lost below 0.02 of the static force F*.
   MarchStatistics(double mesh_period, double static_force, const SpeedCourse& course = {})
       : mesh_period_(mesh_period), static_force_(static_force), course_(course) {}
 

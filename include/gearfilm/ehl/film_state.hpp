@@ -40,6 +40,7 @@ struct FilmState {
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
   Field<double> entrained;                 ///< (U + W)/U, of what the wedge carries
   Field<double> across;                    ///< A, the conductance in y over that in x
+  bool isotropic = true;                   ///< on all processes: A = 1, ghosts too
   Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
 };
@@ -84,7 +85,8 @@ private:
   double inverse_span_;  ///< 1/c of flow_correction.hpp
 };
 
-/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives, A.
+/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives, and A where it
+/// is not one.
 void exchange_ghosts(const Halo& halo, FilmState& state);
 
 }  // namespace gearfilm

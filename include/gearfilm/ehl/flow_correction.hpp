@@ -26,6 +26,7 @@ struct FlowCorrection {
   std::vector<double> shear;     ///< kappa
   std::vector<double> across;    ///< A
   double shear_power = 1.0;      ///< m
+  bool sheared = false;          ///< on all processes: S and A may differ from 1
 
   /// None: theta = 0, W = 0, r = 1, S = 1, A = 1.
   bool empty() const { return thinning.empty(); }

@@ -15,6 +15,7 @@
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
 #include "gearfilm/gear/teeth.hpp"
+#include "gearfilm/input/continuation_options.hpp"
 #include "gearfilm/input/parameter_values.hpp"
 #include "gearfilm/input/sweep_options.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
@@ -70,6 +71,7 @@ struct MarchCase {
   double start_position = 0.0;              ///< xi of a contact at T = 0 [m]
   std::optional<Motion> start_motion;       ///< absent: at rest
   std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
+  std::optional<double> dry_damping_ratio;  ///< zeta of the dry model; absent: by the command
   std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken
 };
 
@@ -110,6 +112,7 @@ struct Case {
   MarchCase march;
   SearchCase search;
   SweepOptions sweep;
+  ContinuationCase continuation;
   ModesCase modes;
   RunCase run;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results

@@ -1,0 +1,24 @@
+// What a continuation follows and where it begins, with films and without.
+#pragma once
+
+#include <memory>
+
+#include "gearfilm/app/resumable_run.hpp"
+#include "gearfilm/ehl/discretisation.hpp"
+#include "gearfilm/orbits/continuation.hpp"
+
+namespace gearfilm {
+
+struct BranchBeginning {
+  BranchMap map;
+  BranchState start;                           ///< near a periodic state
+  std::shared_ptr<const double> mesh_periods;  ///< marched by the map so far; null for the dry pair
+};
+
+/// Of the dry pair. The case must outlive what is returned.
+BranchBeginning dry_beginning(const Case& problem);
+/// Of the pair on films of this discretisation, marched under a run, which must outlive it too. Throws SolveError where
+/// no periodic state is found, and Stopped.
+BranchBeginning film_beginning(const Case& problem, const SharedDiscretisation& films, ResumableRun& run);
+
+}  // namespace gearfilm

@@ -1,0 +1,56 @@
+// The motion of the dry pair over its mesh periods, with its derivatives by where it began and by a parameter.
+//
+//   x = (H_0, V_0) ,   x' = f(x, s; lambda) = T_m (V_0, (F(H_0, s T_m) - F*)/I_n - c V_0) ,   s = T/T_m
+//   Phi' = (df/dx) Phi , Phi(0) = 1 ;   w' = (df/dx) w + df/dlambda , w(0) = 0
+// T_m: mesh period. Events are at the same s whatever the parameter, and leave the motion as it is, so that Phi and w
+// need no jumps there. df/dlambda is a difference of f alone: without the noise that one between two motions would
+// have. The same pair as DryMarch (dry_pair.hpp), without records: for those who ask for it thousands of times.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearfilm/dynamics/dry_force.hpp"
+#include "gearfilm/dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+/// What the contacts pass through in a mesh period.
+struct DryExtremes {
+  double largest_force = 0.0;   ///< on one contact [-]
+  double smallest_force = 0.0;  ///< of all contacts together [-]
+  double least_approach = 0.0;  ///< of the contact that is pressed most, F_k = 0 at 0 [-]; negative: all are apart
+};
+
+struct DryFlowEnd {
+  std::vector<Motion> states;                       ///< after every mesh period
+  std::array<std::array<double, 2>, 2> by_start{};  ///< derivative of the last one by the first motion, row by row
+  Motion by_parameter;                              ///< the same by the parameter, times its unit
+  DryExtremes extremes;
+};
+
+class DryFlow {
+public:
+  /// A pair and the same pair at a parameter that is greater by a part of its unit. damping_ratio: dry_damping() of it
+  /// is c.
+  DryFlow(MeshModel mesh, MeshModel beside, double part, double damping_ratio);
+
+  /// From T = 0 on. Throws SolveError where the motion is not finite.
+  DryFlowEnd operator()(const Motion& start, int mesh_periods) const;
+
+private:
+  friend class DryFlowRun;
+
+  struct Pair {
+    MeshModel mesh;
+    DryForce force;
+    double damping;  ///< c
+    double period;   ///< T_m
+  };
+  static Pair pair_of(MeshModel mesh, double damping_ratio);
+
+  Pair here_, beside_;
+  double part_;
+};
+
+}  // namespace gearfilm

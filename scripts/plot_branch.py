@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Figure of a continuation: branches of periodic states, stable ones full, unstable ones dashed, bifurcations marked.
+
+    scripts/plot_branch.py FOLDER [--name branch]   reads FOLDER/results.h5, writes FOLDER/branch.png and .pdf
+
+Exit status 1, with one line, where the results are missing or not those of `gearfilm continuation`.
+"""
+from typing import NamedTuple
+
+from plotting import (BLUE, DARK, GREEN, GREY, VERMILLION, Foreign, PlotError, add_grid, add_legend, command_line, numpy,
+                      open_results, pyplot, read_table, read_text, write_figure)
+
+
+class Quantity(NamedTuple):
+    """A column of the table /continuation, and its label."""
+    column: str
+    label: str
+
+
+VARIED = {"speed": Quantity("speed_rpm", "speed of the pinion [rpm]"),
+          "torque": Quantity("torque", "torque of the pinion [N m]"),
+          "mass": Quantity("m_ge", "equivalent mass [kg]")}
+RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static force]"),
+             Quantity("H0_after_leaving", "$H_0$ after leaving [-]"),
+             Quantity("V0_after_leaving", "$V_0$ after leaving [-]")]
+USED = {"branch", "order", "kind", "f_m", "f_n", "stable", *(quantity.column for quantity in RESPONSES)}
+COLOURS = (BLUE, VERMILLION, GREEN)  # of orders that double: first, second, and all others
+MARKS = {1: ("fold", "s"), 2: ("flip", "o"), 3: ("Neimark-Sacker", "D"), 4: ("grazing", "x")}
+
+
+class Continuation(NamedTuple):
+    """All points, and what is varied."""
+    table: numpy.ndarray
+    varied: Quantity
+
+    def branches(self):
+        for number in numpy.unique(self.table["branch"]):
+            yield self.table[self.table["branch"] == number]
+
+    def colour(self, rows):
+        doublings = int(numpy.log2(rows["order"][0] / self.table["order"].min()))
+        return COLOURS[min(doublings, len(COLOURS) - 1)]
+
+
+def read_continuation(path):
+    with open_results(path, "continuation", "it has no table of points") as results:
+        parameter = read_text(results["parameters"].attrs["continuation.parameter"])
+        if parameter not in VARIED:
+            raise Foreign(f"unknown continuation.parameter '{parameter}'")
+        table = read_table(results, "continuation", USED | {VARIED[parameter].column})
+    if not table.size:
+        raise PlotError(f"{path} has no point yet")
+    return Continuation(table, VARIED[parameter])
+
+
+def stretches(rows):
+    """Pieces of a branch that are all stable or all unstable; neighbours share the bifurcation between them."""
+    regular = rows["kind"] == 0
+    begin, stable = 0, rows["stable"][regular][0] if regular.any() else rows["stable"][0]
+    for n in numpy.flatnonzero(regular):
+        if rows["stable"][n] == stable:
+            continue
+        border = n - 1 if n > begin + 1 and not regular[n - 1] else n
+        yield rows[begin:border + 1], stable
+        begin, stable = border, rows["stable"][n]
+    yield rows[begin:], stable
+
+
+def draw_branch(axes, rows, varied, response, colour):
+    order = f"order {rows['order'][0]}" if colour != COLOURS[-1] else "higher orders"
+    for piece, stable in stretches(rows):
+        axes.plot(piece[varied.column], piece[response.column], color=colour, linewidth=1.4 if stable else 1.0,
+                  linestyle="-" if stable else (0, (4, 2)),
+                  label=f"{order}, {'stable' if stable else 'unstable'}")
+
+
+def draw_marks(axes, table, varied, response):
+    for kind, (label, marker) in MARKS.items():
+        points = table[table["kind"] == kind]
+        if points.size:
+            axes.plot(points[varied.column], points[response.column], linestyle="none", label=label, color=DARK,
+                      marker=marker, markersize=6, markerfacecolor="none")
+
+
+def add_frequency_ratio(axes, continuation):
+    """An axis on top with f_m/f_n, for a continuation in the speed; a line in all panels at f_m = f_n."""
+    table = continuation.table
+    speed = table[continuation.varied.column]
+    ratio = numpy.mean(table["f_m"] / table["f_n"] / speed)  # a constant: f_n does not depend on the speed
+    top = axes[0].secondary_xaxis("top", functions=(lambda x: ratio * x, lambda r: r / ratio))
+    top.set_xlabel("$f_m/f_n$ [-]")
+    if speed.min() < 1 / ratio < speed.max():
+        for panel in axes:
+            panel.axvline(1 / ratio, color=GREY, linewidth=0.8, linestyle="--", zorder=0)
+
+
+def draw(continuation):
+    figure, axes = pyplot.subplots(len(RESPONSES), 1, sharex=True, figsize=(8, 2.2 * len(RESPONSES) + 1.4),
+                                   constrained_layout=True)
+    for panel, response in zip(axes, RESPONSES):
+        for rows in continuation.branches():
+            draw_branch(panel, rows, continuation.varied, response, continuation.colour(rows))
+        draw_marks(panel, continuation.table, continuation.varied, response)
+        panel.set_ylabel(response.label)
+        add_grid(panel)
+    over_speed = continuation.varied.column == "speed_rpm"
+    if over_speed:
+        add_frequency_ratio(axes, continuation)
+    add_legend(axes[0], *axes[0].get_legend_handles_labels(), base=1.2 if over_speed else 1.0)
+    axes[-1].set_xlabel(continuation.varied.label)
+    figure.align_ylabels(axes)
+    return figure
+
+
+def main():
+    arguments = command_line(__doc__, "continuation", "branch").parse_args()
+    write_figure(arguments, lambda: draw(read_continuation(arguments.folder / "results.h5")))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,141 @@
+#include "gearfilm/app/branch_report.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+#include "gearfilm/app/warning.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int digits = 7;  // of values of the parameter
+
+std::string name_of(const Branch& branch) {
+  return "branch " + std::to_string(branch.number) + " (order " + std::to_string(branch.order) + ")";
+}
+
+const char* meaning(PointKind kind) {
+  switch (kind) {
+    case PointKind::fold:
+      return "a multiplier is 1: the branch turns round";
+    case PointKind::flip:
+      return "a multiplier is -1: the period doubles";
+    case PointKind::neimark_sacker:
+      return "a pair of multipliers on the unit circle: a second frequency is born";
+    default:
+      return "the total force just reaches zero";
+  }
+}
+
+const char* name_of(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::at_bound:
+      return "at an end of the range";
+    case BranchEnd::closed:
+      return "closed";
+    case BranchEnd::at_flip:
+      return "at a flip of a branch of half its order";
+    case BranchEnd::most_points:
+      return "after continuation.points points";
+    default:
+      return "lost";
+  }
+}
+
+std::string place(const BranchState& state, const std::string& unit) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << state.parameter << " " << unit << ", H0 " << std::setprecision(5)
+       << state.motion.H0 << ", V0 " << state.motion.V0;
+  return text.str();
+}
+
+}  // namespace
+
+void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& point, const Summary& at) {
+  if (every_point_ || kind != PointKind::regular) print(branch, kind, point);
+  if (kind == PointKind::regular) return extend(branch, point);
+  Summary found = {{"branch", branch.number}, {"order", branch.order}, {"kind", gearfilm::name_of(kind)}};
+  found.update(at);
+  bifurcations_.push_back(std::move(found));
+  if (kind == PointKind::grazing) return;
+  boundary_ = point.state.parameter;
+  turned_ = turned_ || kind == PointKind::fold;
+}
+
+void BranchReport::extend(const Branch& branch, const BranchPoint& point) {
+  const double here = point.state.parameter;
+  const bool stable = point.stable(), new_branch = stretches_.empty() || stretches_.back().branch != branch.number;
+  if (new_branch) {
+    stretches_.push_back({branch.number, branch.order, branch.born ? branch.born->parameter : here, here, stable});
+  } else if (turned_ || stretches_.back().stable != stable) {
+    const double border = boundary_.value_or(here);
+    stretches_.back().to = border;
+    stretches_.push_back({branch.number, branch.order, border, here, stable});
+  } else {
+    stretches_.back().to = here;
+  }
+  boundary_.reset();
+  turned_ = false;
+}
+
+void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) const {
+  std::ostringstream text;
+  text << name_of(branch) << ": ";
+  if (kind != PointKind::regular) text << gearfilm::name_of(kind) << " at ";
+  text << std::setprecision(digits) << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
+       << point.value.largest_force << "; ";
+  if (kind == PointKind::regular) {
+    text << (point.stable() ? "stable" : "unstable") << ", largest multiplier " << largest_modulus(point.multipliers());
+  } else {
+    text << meaning(kind);
+  }
+  petsc_check(PetscPrintf(comm_, "%s\n", text.str().c_str()));
+}
+
+void BranchReport::finish(const std::vector<Branch>& branches) const {
+  std::ostringstream table;
+  table << "branch  order" << std::setw(14) << "from" << std::setw(14) << "to"
+        << "  [" << unit_ << "]\n"
+        << std::setprecision(digits);
+  for (const Stretch& stretch : stretches_) {
+    table << std::setw(6) << stretch.branch << std::setw(7) << stretch.order << std::setw(14) << stretch.from
+          << std::setw(14) << stretch.to << (stretch.stable ? "  stable" : "  unstable") << "\n";
+  }
+  petsc_check(PetscPrintf(comm_, "%s", table.str().c_str()));
+  for (const Branch& branch : branches) {
+    if (branch.end == BranchEnd::lost) {
+      warn(comm_, name_of(branch) + " is lost at " + place(branch.last, unit_) +
+                      ": no next point however short the step; lower continuation.smallest_step, or come from the "
+                      "other end (continuation.from, and start.H0 with start.V0 for a state on it)");
+    } else if (branch.end == BranchEnd::most_points) {
+      warn(comm_, name_of(branch) + " ends at " + place(branch.last, unit_) + " after " +
+                      std::to_string(branch.points) +
+                      " points; raise continuation.points or "
+                      "continuation.largest_step");
+    }
+  }
+}
+
+Summary BranchReport::branch_summary(const Branch& branch) const {
+  Summary summary = {{"number", branch.number}, {"order", branch.order},      {"born_on", branch.parent},
+                     {"points", branch.points}, {"end", name_of(branch.end)}, {"last_value", branch.last.parameter}};
+  summary["last_H0"] = branch.last.motion.H0;
+  summary["last_V0"] = branch.last.motion.V0;
+  if (branch.parent == 0) summary["born_on"] = nullptr;
+  summary["born_at"] = branch.born ? Summary(branch.born->parameter) : Summary();
+  return summary;
+}
+
+Summary BranchReport::summary() const {
+  Summary stretches = Summary::array();
+  for (const Stretch& stretch : stretches_) {
+    stretches.push_back({{"branch", stretch.branch},
+                         {"order", stretch.order},
+                         {"from", stretch.from},
+                         {"to", stretch.to},
+                         {"stable", stretch.stable}});
+  }
+  return {{"bifurcations", bifurcations_}, {"stretches", std::move(stretches)}};
+}
+
+}  // namespace gearfilm

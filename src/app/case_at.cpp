@@ -1,0 +1,21 @@
+#include "gearfilm/app/case_at.hpp"
+
+namespace gearfilm {
+
+Case case_at(const Case& problem, const std::string& parameter, double value) {
+  ParameterValues values = problem.parameters;
+  values.set(parameter, format_value(value), "value of what is varied");
+  // Films go from point to point: all are on the grid that the case has by itself.
+  const NumericsCase& numerics = problem.numerics;
+  const auto keep = [&](const std::string& name, const std::string& text) {
+    if (!values.has(name)) values.set(name, text, "grid of what is varied");
+  };
+  keep("grid.nx", std::to_string(numerics.nx));
+  keep("grid.ny", std::to_string(numerics.ny));
+  keep("grid.x_min", format_value(numerics.domain.x_min));
+  keep("grid.x_max", format_value(numerics.domain.x_max));
+  keep("grid.y_half", format_value(numerics.domain.y_half));
+  return make_case(values);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,189 @@
+#include "gearfilm/dynamics/dry_flow.hpp"
+
+#include <petscts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "gearfilm/dynamics/back_flanks.hpp"
+#include "gearfilm/dynamics/dry_pair.hpp"
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double integration_tolerance = 1e-10;
+
+constexpr int state_size = 8;  // H_0, V_0, Phi row by row, w
+
+/// H_0 between two steps, by its values and slopes there (cubic of Hermite); s = 0 to 1.
+struct Cubic {
+  double before, after;     ///< H_0
+  double rate, rate_after;  ///< dT V_0
+
+  double operator()(double s) const {
+    const double r = 1.0 - s;
+    return r * r * ((1.0 + 2.0 * s) * before + s * rate) + s * s * ((1.0 + 2.0 * r) * after - r * rate_after);
+  }
+  /// Where its slope is zero, if it changes sign.
+  std::optional<double> turning() const {
+    if (rate * rate_after >= 0.0) return {};
+    // (rate) + 2 b s + 3 a s^2 = 0
+    const double a = rate + rate_after - 2.0 * (after - before), b = 3.0 * (after - before) - 2.0 * rate - rate_after;
+    const double root = std::sqrt(std::max(0.0, b * b - 3.0 * a * rate));
+    const double q = -(b + std::copysign(root, b));
+    for (const double s : {q / (3.0 * a), rate / q}) {
+      if (s >= 0.0 && s <= 1.0) return s;
+    }
+    return {};
+  }
+};
+
+}  // namespace
+
+/// One way through some mesh periods.
+class DryFlowRun {
+public:
+  DryFlowRun(const DryFlow& flow, const Motion& start)
+      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0} {
+    extremes_.smallest_force = extremes_.least_approach = std::numeric_limits<double>::max();
+    petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, state_size, values_.data(), state_.put()));
+    petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
+    petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
+    petsc_check(TSSetType(ts_, TSRK));
+    petsc_check(TSRKSetType(ts_, TSRK5DP));
+    petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
+    petsc_check(TSSetTolerances(ts_, integration_tolerance, nullptr, integration_tolerance, nullptr));
+    petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
+    petsc_check(TSSetMaxSteps(ts_, 1000000));
+    petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));
+    petsc_check(TSSetFromOptions(ts_));
+  }
+
+  /// To the end of a mesh period.
+  void run(int period) {
+    const ContactPath& path = flow_.here_.mesh.path;
+    const double T_m = flow_.here_.period;
+    while (s_ < period - 1e-9) {
+      contacts_ = path.contacts_after(s_ * T_m);
+      const double end = std::min<double>(period, path.next_event(s_ * T_m) / T_m);
+      begins_ = true;
+      petsc_check(TSSetTime(ts_, s_));
+      petsc_check(TSSetMaxTime(ts_, end));
+      if (step_ == 0.0) step_ = 0.05 * (end - s_);
+      petsc_check(TSSetTimeStep(ts_, std::min(step_, end - s_)));
+      petsc_check(TSRestartStep(ts_));
+      petsc_check(TSSolve(ts_, state_));
+      s_ = end;
+    }
+    if (!std::ranges::all_of(values_, [](double value) { return std::isfinite(value); })) {
+      throw SolveError("the dry pair's motion is not finite after " + std::to_string(period) + " mesh period(s)");
+    }
+  }
+
+  Motion motion() const { return {values_[0], values_[1]}; }
+  std::array<std::array<double, 2>, 2> by_start() const {
+    return {{{values_[2], values_[3]}, {values_[4], values_[5]}}};
+  }
+  Motion by_parameter() const { return {values_[6], values_[7]}; }
+  const DryExtremes& extremes() const { return extremes_; }
+
+private:
+  /// T_m dV_0/dT, and its derivative by H_0 on demand.
+  double acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, double* slope) const {
+    const double T = s * pair.period;
+    const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
+    const std::vector<double> forces = contacts.forces(motion.H0);
+    const BackForce back = back_force(pair.mesh, motion.H0, T);
+    const double total = std::accumulate(forces.begin(), forces.end(), -back.value);
+    if (slope) *slope = -pair.period * (contacts.stiffness(forces) + back.slope) / pair.mesh.inertia;
+    return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * motion.V0);
+  }
+
+  static PetscErrorCode rates(TS, PetscReal s, Vec in, Vec out, void* untyped) {
+    return petsc_callback([&] {
+      const DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
+      const DryFlow::Pair &here = self.flow_.here_, &beside = self.flow_.beside_;
+      const VecReading x(in);
+      const VecWriting rate(out);
+      const Motion motion{x[0], x[1]};
+      double slope = 0.0;
+      rate[0] = here.period * motion.V0;
+      rate[1] = self.acceleration(here, s, motion, &slope);
+      // Columns of Phi, then w.
+      for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
+        rate[first] = here.period * x[second];
+        rate[second] = slope * x[first] - here.period * here.damping * x[second];
+      }
+      rate[6] += (beside.period - here.period) * motion.V0 / self.flow_.part_;
+      rate[7] += (self.acceleration(beside, s, motion, nullptr) - rate[1]) / self.flow_.part_;
+    });
+  }
+
+  static PetscErrorCode step_done(TS, PetscInt, PetscReal s, Vec state, void* untyped) {
+    return petsc_callback([&] {
+      DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
+      const VecReading x(state);
+      const Motion motion{x[0], x[1]};
+      if (!self.begins_) self.look_between(s, motion);
+      self.look_at(s, motion.H0);
+      if (s > self.seen_s_ && !self.begins_) self.step_ = s - self.seen_s_;
+      self.begins_ = false;
+      self.seen_s_ = s;
+      self.seen_ = motion;
+    });
+  }
+
+  /// H_0 has its extremes between steps.
+  void look_between(double s, const Motion& motion) {
+    const double ds = s - seen_s_, dT = ds * flow_.here_.period;
+    const Cubic cubic{seen_.H0, motion.H0, dT * seen_.V0, dT * motion.V0};
+    if (const std::optional<double> part = cubic.turning()) look_at(seen_s_ + *part * ds, cubic(*part));
+  }
+
+  void look_at(double s, double H0) {
+    const DryContacts contacts(flow_.here_.force, flow_.here_.mesh, contacts_, s * flow_.here_.period);
+    const std::vector<double> forces = contacts.forces(H0);
+    extremes_.largest_force = std::max(extremes_.largest_force, *std::ranges::max_element(forces));
+    extremes_.smallest_force = std::min(extremes_.smallest_force, std::accumulate(forces.begin(), forces.end(), 0.0));
+    extremes_.least_approach = std::min(extremes_.least_approach, contacts.largest_approach(H0));
+  }
+
+  const DryFlow& flow_;
+  std::array<double, state_size> values_;
+  OwnedVec state_;
+  PetscHandle<TS, TSDestroy> ts_;
+  std::vector<int> contacts_;
+  double s_ = 0.0;
+  double step_ = 0.0;  ///< the last one: a good beginning behind an event
+  bool begins_ = true;
+  double seen_s_ = 0.0;
+  Motion seen_;
+  DryExtremes extremes_;
+};
+
+DryFlow::Pair DryFlow::pair_of(MeshModel mesh, double damping_ratio) {
+  const DryForce force(mesh);
+  const double damping = dry_damping(mesh, damping_ratio), period = mesh.path.mesh_period();
+  return {std::move(mesh), force, damping, period};
+}
+
+DryFlow::DryFlow(MeshModel mesh, MeshModel beside, double part, double damping_ratio)
+    : here_(pair_of(std::move(mesh), damping_ratio)), beside_(pair_of(std::move(beside), damping_ratio)), part_(part) {}
+
+DryFlowEnd DryFlow::operator()(const Motion& start, int mesh_periods) const {
+  DryFlowRun run(*this, start);
+  DryFlowEnd end;
+  for (int n = 1; n <= mesh_periods; ++n) {
+    run.run(n);
+    end.states.push_back(run.motion());
+  }
+  end.by_start = run.by_start();
+  end.by_parameter = run.by_parameter();
+  end.extremes = run.extremes();
+  return end;
+}
+
+}  // namespace gearfilm

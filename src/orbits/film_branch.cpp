@@ -1,0 +1,139 @@
+#include "gearfilm/orbits/film_branch.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "gearfilm/ehl/refit.hpp"
+#include "gearfilm/orbits/free_decay.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double telling_step =
+    1e-3;  // between two states, from which derivatives can be told above the noise of marches
+constexpr double longest_step = 1.0;  // beyond which they are not one linear map's
+
+/// What is to be added to the derivatives of the dry map, in (H_0, V_0, lambda/unit).
+using Correction = std::array<BranchVector, 2>;
+
+/// Of the forces in a march, over the static one.
+struct ForceRange {
+  double largest = 0.0;                                  ///< on one contact
+  double smallest = std::numeric_limits<double>::max();  ///< of all together
+
+  void add(const StepRecord& record, double static_force) {
+    for (const ContactRecord& contact : record.contacts) {
+      largest = std::max(largest, contact.figures["force"] / static_force);
+    }
+    smallest = std::min(smallest, record.pressure_integral() / static_force);
+  }
+};
+
+class FilmMap {
+public:
+  FilmMap(MarchAt march_at, BranchMap dry, const FilmBranchOptions& options)
+      : march_at_(std::move(march_at)), dry_(std::move(dry)), options_(options) {}
+
+  MapValue operator()(const BranchState& at, int order) {
+    ForceRange forces;
+    bool counting = false;
+    double static_force = 1.0;
+    MeshMarch march = march_at_(at.parameter, order, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+      if (counting) forces.add(record, static_force);
+    });
+    static_force = march.mesh().scales.static_force;
+    const double pattern = march.mesh().pattern * march.mesh().path.mesh_period();
+    place(march, at.motion, pattern);
+    PeriodicOrbit orbit;
+    orbit.start = march.state();
+    counting = true;
+    MapValue value;
+    for (int n = 1; n <= order; ++n) {
+      march.run(n * pattern);
+      value.states.push_back(march.motion());
+    }
+    options_.films = march.state();
+    value.largest_force = forces.largest;
+    value.smallest_force = forces.smallest;
+    value.least_approach = forces.smallest - options_.lost;
+    set_derivatives(at, order, value);
+    orbit.end = *options_.films;
+    value.measure = [this, at, order, orbit = std::move(orbit)](MapValue& found) { measure(at, order, orbit, found); };
+    return value;
+  }
+
+private:
+  /// The march begins at the motion, with films that a march has made.
+  void place(MeshMarch& march, const Motion& motion, double pattern) {
+    const bool kept = options_.films && same_lattice(options_.films->shape, march.discretisation()->grid().shape());
+    if (!kept) {
+      march.start(motion);
+      march.run(pattern);
+      options_.films = march.state();
+    }
+    march.resume(0.0, *options_.films);
+    march.displace(motion);
+  }
+
+  void set_derivatives(const BranchState& at, int order, MapValue& value) {
+    const MapValue dry = dry_({{at.motion.H0 - options_.film_shift, at.motion.V0}, at.parameter}, order);
+    const BranchVector u = {at.motion.H0, at.motion.V0, at.parameter / options_.unit};
+    Correction whole = {{{dry.by_motion[0][0], dry.by_motion[0][1], options_.unit * dry.by_parameter.H0},
+                         {dry.by_motion[1][0], dry.by_motion[1][1], options_.unit * dry.by_parameter.V0}}};
+    if (order != last_order_) correction_ = {};
+    for (int row = 0; row < 2; ++row) {
+      for (int n = 0; n < 3; ++n) whole[row][n] += correction_[row][n];
+    }
+    if (order == last_order_) update(u, value.image(), whole);
+    value.by_motion = {{{whole[0][0], whole[0][1]}, {whole[1][0], whole[1][1]}}};
+    value.by_parameter = {whole[0][2] / options_.unit, whole[1][2] / options_.unit};
+    last_order_ = order;
+    last_ = u;
+    last_image_ = value.image();
+  }
+
+  /// What the pair does that is pushed off the orbit.
+  void measure(const BranchState& at, int order, const PeriodicOrbit& orbit, MapValue& value) {
+    MeshMarch march = march_at_(at.parameter, order, [](const StepRecord&, const std::vector<LiveContact>&) {});
+    const Monodromy map = free_decay(march, orbit, {}).map;
+    if (map == Monodromy{}) return;  // the push was gone at once
+    for (int row = 0; row < 2; ++row) {
+      for (int n = 0; n < 2; ++n) correction_[row][n] += map[row][n] - value.by_motion[row][n];
+    }
+    value.by_motion = map;
+  }
+
+  /// Broyden: the least change by which the derivatives agree with the last two marches.
+  void update(const BranchVector& u, const Motion& image, Correction& whole) {
+    const BranchVector step = {u[0] - last_[0], u[1] - last_[1], u[2] - last_[2]};
+    if (length(step) < telling_step || length(step) > longest_step) return;
+    const Motion change = difference(image, last_image_);
+    const double square = dot(step, step);
+    const std::array<double, 2> errors = {(change.H0 - dot(whole[0], step)) / square,
+                                          (change.V0 - dot(whole[1], step)) / square};
+    for (int row = 0; row < 2; ++row) {
+      for (int n = 0; n < 3; ++n) {
+        whole[row][n] += errors[row] * step[n];
+        correction_[row][n] += errors[row] * step[n];
+      }
+    }
+  }
+
+  MarchAt march_at_;
+  BranchMap dry_;
+  FilmBranchOptions options_;  ///< its films: those that the last march ended with
+  Correction correction_{};
+  int last_order_ = 0;
+  BranchVector last_{};
+  Motion last_image_;
+};
+
+}  // namespace
+
+BranchMap film_branch_map(MarchAt march_at, BranchMap dry, const FilmBranchOptions& options) {
+  auto map = std::make_shared<FilmMap>(std::move(march_at), std::move(dry), options);
+  return [map](const BranchState& at, int order) { return (*map)(at, order); };
+}
+
+}  // namespace gearfilm
