@@ -95,7 +95,9 @@ TEST(Continuation, passes_the_fold_of_a_quadratic_map) {
   EXPECT_TRUE(found.of(PointKind::flip, 1).empty());
   for (const Found& at : found.points) {
     EXPECT_NEAR(at.point.state.parameter, at.point.state.motion.H0 * at.point.state.motion.H0, 1e-8);
-    if (at.kind == PointKind::regular) EXPECT_EQ(at.point.stable(), at.point.state.motion.H0 > 0.0);
+    if (at.kind == PointKind::regular) {
+      EXPECT_EQ(at.point.stable(), at.point.state.motion.H0 > 0.0);
+    }
   }
   ASSERT_EQ(found.branches.size(), 1u);
   EXPECT_EQ(found.branches[0].end, BranchEnd::at_bound);
@@ -206,7 +208,8 @@ MeshAt pair_at(const std::string& key, const Settings& settings = {}) {
   return [=](double value) { return mesh_after_leaving(table3_case(with(settings, {{key, format_value(value)}}))); };
 }
 
-// Derivatives of the flow against differences of marches: 1e-10 in each of some hundred steps, over differences of 1e-5.
+// Derivatives of the flow against differences of marches: 1e-10 in each of some hundred steps, over differences of
+// 1e-5.
 TEST(DryFlow, derivatives_agree_with_marches) {
   for (const std::string key : {"pinion.speed_rpm", "pinion.torque", "gear.equivalent_mass"}) {
     for (const Settings& settings : {Settings{}, with(bending(), relieved())}) {

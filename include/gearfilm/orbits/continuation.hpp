@@ -15,7 +15,7 @@ namespace gearfilm {
 
 struct ContinuationOptions {
   double lowest = 0.0, highest = 1.0;  ///< of the parameter: a branch ends there
-  CorrectorOptions corrector;
+  CorrectorOptions corrector{};
   double first_step = 0.02;  ///< lengths in (H_0, V_0, lambda/unit)
   double smallest_step = 1e-6;
   double largest_step = 0.1;
