@@ -61,13 +61,17 @@ class Run(Outcome):
 OF_MPIEXEC = ("mpiexec: Forwarding signal", "[warn] Epoll ")
 
 
+# Of a daemon whose process has gone before it could be told so.
+OF_DAEMON = re.compile(r"\[[^]]*\] PMIX ERROR: ")
+
+
 def before_notice_of_mpiexec(text):
     lines = []
     inside_notice = False
     for line in text.splitlines(keepends=True):
         if line.startswith("-----") and line.strip("-\n") == "":
             inside_notice = not inside_notice
-        elif not inside_notice and not line.startswith(OF_MPIEXEC):
+        elif not inside_notice and not line.startswith(OF_MPIEXEC) and not OF_DAEMON.match(line):
             lines.append(line)
     return "".join(lines)
 
