@@ -55,7 +55,7 @@ BranchBeginning dry_beginning(const Case& problem) {
 BranchBeginning film_beginning(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
   const double from = problem.continuation.from.value();
   const Case first = pair_at(problem, from);
-  const MPI_Comm comm = films->grid().comm();
+  MPI_Comm comm = films->grid().comm();
   const SharedDiscretisation films_there = discretise(comm, first);
   const DryOrbit dry = dry_start(mesh_after_leaving(first));
   FilmBranchOptions options{

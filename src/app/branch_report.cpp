@@ -116,7 +116,7 @@ void BranchReport::finish(const std::vector<Branch>& branches) const {
   }
 }
 
-Summary BranchReport::branch_summary(const Branch& branch) const {
+Summary BranchReport::branch_summary(const Branch& branch) {
   Summary summary = {{"number", branch.number}, {"order", branch.order},      {"born_on", branch.parent},
                      {"points", branch.points}, {"end", name_of(branch.end)}, {"last_value", branch.last.parameter}};
   summary["last_H0"] = branch.last.motion.H0;

@@ -131,7 +131,7 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
     Summary summary = {{"case", problem.name}, {"over", given.parameter}, {"points", points}};
     if (begin.mesh_periods) summary["mesh_periods"] = *begin.mesh_periods;
     summary["branches"] = Summary::array();
-    for (const Branch& branch : branches) summary["branches"].push_back(report.branch_summary(branch));
+    for (const Branch& branch : branches) summary["branches"].push_back(BranchReport::branch_summary(branch));
     summary.update(report.summary());
     summary["completed"] = completed;
     write_summary(comm, run.directory().path(), summary);

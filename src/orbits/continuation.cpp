@@ -34,7 +34,7 @@ public:
       : corrector_(map, branch.order, options.corrector), options_(options), observer_(observer), branch_(branch) {}
 
   /// From a point on it, in the direction of its tangent. Returns its flips.
-  std::vector<BranchPoint> run(BranchPoint first) {
+  std::vector<BranchPoint> run(const BranchPoint& first) {
     report(PointKind::regular, first);
     BranchPoint here = first;
     double step = options_.first_step;
@@ -63,10 +63,12 @@ public:
   std::optional<BranchPoint> beside(const BranchPoint& flip) const {
     const Motion v = flip_direction(flip.value.by_motion);
     const BranchVector across = {v.H0, v.V0, 0.0}, at = corrector_.coordinates(flip.state);
-    for (double step = options_.first_step; step > options_.smallest_step; step *= 0.5) {
+    double step = options_.first_step;
+    while (step > options_.smallest_step) {
       const BranchVector predicted = ahead(at, step, across);
       auto found = corrector_.correct(predicted, across);
       if (found && fits(found->point, predicted, across, step)) return std::move(found->point);
+      step *= 0.5;
     }
     return {};
   }
@@ -188,9 +190,9 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
                                     const ContinuationOptions& options, const BranchObserver& observer) {
   std::vector<Branch> branches;
   std::deque<Birth> births;
-  const auto follow = [&](Branch branch, BranchPoint first) {
+  const auto follow = [&](Branch branch, const BranchPoint& first) {
     BranchRun run(map, options, observer, branch);
-    for (BranchPoint& flip : run.run(std::move(first))) {
+    for (BranchPoint& flip : run.run(first)) {
       if (2 * branch.order <= options.largest_order) births.push_back({branch.number, branch.order, std::move(flip)});
     }
     if (branch.end == BranchEnd::at_flip) forget_birth(births, branch, options);
@@ -203,14 +205,14 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
   if (!upwards) {
     for (double& component : start->tangent) component = -component;
   }
-  follow(trunk, std::move(*start));
+  follow(trunk, *start);
   while (!births.empty()) {
     const Birth birth = std::move(births.front());
     births.pop_front();
     Branch branch{
         branches.back().number + 1, 2 * birth.order, birth.branch, 0, BranchEnd::lost, birth.at.state, birth.at.state};
     if (auto first = BranchRun(map, options, observer, branch).beside(birth.at)) {
-      follow(branch, std::move(*first));
+      follow(branch, *first);
     } else {
       branches.push_back(branch);
     }

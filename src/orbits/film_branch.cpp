@@ -10,9 +10,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr double telling_step =
-    1e-3;  // between two states, from which derivatives can be told above the noise of marches
-constexpr double longest_step = 1.0;  // beyond which they are not one linear map's
+// Between two states, from which derivatives are told: above the noise of marches, and of one linear map.
+constexpr double telling_step = 1e-3, longest_step = 1.0;
 
 /// What is to be added to the derivatives of the dry map, in (H_0, V_0, lambda/unit).
 using Correction = std::array<BranchVector, 2>;
@@ -32,8 +31,8 @@ struct ForceRange {
 
 class FilmMap {
 public:
-  FilmMap(MarchAt march_at, BranchMap dry, const FilmBranchOptions& options)
-      : march_at_(std::move(march_at)), dry_(std::move(dry)), options_(options) {}
+  FilmMap(MarchAt march_at, BranchMap dry, FilmBranchOptions options)
+      : march_at_(std::move(march_at)), dry_(std::move(dry)), options_(std::move(options)) {}
 
   MapValue operator()(const BranchState& at, int order) {
     ForceRange forces;

@@ -24,7 +24,7 @@ public:
 
   /// Lists `bifurcations` and `stretches`.
   Summary summary() const;
-  Summary branch_summary(const Branch& branch) const;
+  static Summary branch_summary(const Branch& branch);
 
 private:
   /// Of a branch between two changes of its stability or direction.

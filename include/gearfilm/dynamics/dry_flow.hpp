@@ -44,8 +44,8 @@ private:
   struct Pair {
     MeshModel mesh;
     DryForce force;
-    double damping;  ///< c
-    double period;   ///< T_m
+    double damping = 0.0;  ///< c
+    double period = 0.0;   ///< T_m
   };
   static Pair pair_of(MeshModel mesh, double damping_ratio);
 
