@@ -114,7 +114,7 @@ private:
   double ambient_log_viscosity_ = 0.0;  ///< without const of free_volume.hpp
 };
 
-/// body.template operator()<viscosity law>(), of the oil's law: so that loops need not ask.
+/// Calls body, a function template of the viscosity law, with the law of the oil: so that loops need not ask.
 template <class Body>
 void with_viscosity_law(const Lubricant& oil, Body body) {
   switch (oil.viscosity_law) {
