@@ -59,16 +59,22 @@ void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
   set_motion(state, {motion(state).H0 - sinking, -sinking / (T1 - T0)});
 }
 
+void LubricatedPair::coast(Vec state, double T0, double T1) const {
+  if (mesh_.inertia == 0.0) return;
+  const Motion last = motion(state);
+  set_motion(state, {last.H0 + (T1 - T0) * last.V0, last.V0});
+}
+
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
 // by some nodes in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
-                                   const std::vector<ContactRecord>& figures) const {
+                                   const std::vector<FilmFigures>& figures) const {
   constexpr double crossed = 0.5;  // of a film, by the motion
   const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
-    const FilmFigures film = film_figures(figures[k].figures);
+    const FilmFigures& film = figures[k];
     if (rise < crossed * film.central_film || film.pressure_integral <= 0.0) continue;
     const HertzContact before = dry_contact(mesh_.scales, conditions, film.pressure_integral);
     const double approach = before.approach - rise * mesh_.scales.thickness;
@@ -104,6 +110,11 @@ void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double s
   const bool together = mesh_.inertia == 0.0 || shift == 0.0;
   system_.linearise(state, rate, shift,
                     together ? FilmSystem::Elimination::exact : FilmSystem::Elimination::border_first);
+}
+
+std::vector<FilmFigures> LubricatedPair::film_figures(Vec state, double T) {
+  place(T);
+  return system_.figures(state);
 }
 
 std::vector<ContactRecord> LubricatedPair::records(Vec state, double T, double dT) {

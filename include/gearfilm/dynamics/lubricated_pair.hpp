@@ -27,10 +27,12 @@ public:
   /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
   /// share.
   void follow_share(Vec state, double T0, double T1) const;
+  /// With inertia: a guess of the motion at T1 from that at T0, of the same V_0.
+  void coast(Vec state, double T0, double T1) const;
 
   /// Where the flanks of a guess at T1 have parted by much of a film since the last state, at T0: pressures of the
-  /// guess as those of Hertz contacts that shrink so far. figures: of the last state.
-  void follow_motion(Vec guess, Vec last, double T0, double T1, const std::vector<ContactRecord>& figures) const;
+  /// guess as those of Hertz contacts that shrink so far. figures: of the films of the last state.
+  void follow_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
   /// Puts every contact where it is at time T.
   void place(double T);
@@ -42,6 +44,8 @@ public:
   void begin_friction(double T, const std::vector<ContactRecord>& contacts);
   void continue_friction(double T, const std::vector<ContactRecord>& contacts);
 
+  /// Of the film of every contact, placed at T. Collective.
+  std::vector<FilmFigures> film_figures(Vec state, double T);
   /// Of every contact, placed at T, after a step of dT. Collective.
   std::vector<ContactRecord> records(Vec state, double T, double dT = 0.0);
 

@@ -63,7 +63,7 @@ private:
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment
   double last_time_ = 0.0;
-  std::vector<ContactRecord> last_contacts_;  ///< of the last step; none before the first
+  std::vector<FilmFigures> last_films_;  ///< after the last step
   double wall_start_ = 0.0;
   PetscInt newton_so_far_ = 0;
   PetscInt krylov_so_far_ = 0;
