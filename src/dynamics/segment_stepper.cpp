@@ -16,6 +16,7 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
       on_step_(std::move(on_step)),
       rows_(pair.system().create_state()),
       rate_(pair.system().create_state()),
+      solved_(pair.system().create_state()),
       jacobian_(shell_jacobian(pair.system())) {
   create_time_scheme();
   configure_solvers();
@@ -68,18 +69,8 @@ void SegmentStepper::create_time_scheme() {
       of(ts).stage_shift_ = 1.5 / (T - begin);
     });
   }));
-  petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal, PetscInt, Vec*) -> PetscErrorCode {
-    return petsc_callback([&] {
-      SNES snes = nullptr;
-      SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
-      petsc_check(TSGetSNES(ts, &snes));
-      petsc_check(SNESGetConvergedReason(snes, &reason));
-      if (reason < 0) {
-        petsc_check(TSGetTime(ts, &of(ts).state_time_));
-      } else {
-        of(ts).at_start_ = false;
-      }
-    });
+  petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal T, PetscInt, Vec* stages) -> PetscErrorCode {
+    return petsc_callback([&] { of(ts).finish_stage(T, stages[0]); });
   }));
   petsc_check(
       TSSetPostStep(ts_, [](TS ts) -> PetscErrorCode { return petsc_callback([&] { of(ts).finish_step(); }); }));
@@ -116,18 +107,41 @@ void SegmentStepper::configure_solvers() {
       [](SNES, Vec state, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
-          Vec last = nullptr;
-          petsc_check(TSGetSolution(own->ts_, &last));
           if (own->at_start_) {
-            own->pair_.follow_share(state, own->last_time_, own->state_time_);
-            own->pair_.coast(state, own->last_time_, own->state_time_);
+            own->pair_.follow_share(state, own->solved_time_, own->state_time_);
+            own->pair_.coast(state, own->solved_time_, own->state_time_);
           }
-          own->pair_.system().restrain(state, last);
-          own->pair_.follow_motion(state, last, own->last_time_, own->state_time_, own->last_films_);
+          own->pair_.system().restrain(state, own->solved_);
+          own->pair_.follow_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
         });
       },
       this));
   petsc_check(TSSetFromOptions(ts_));
+}
+
+void SegmentStepper::set_solved(double T, Vec state) {
+  solved_time_ = T;
+  solved_films_ = pair_.film_figures(state, T);
+  petsc_check(VecCopy(state, solved_));
+}
+
+void SegmentStepper::finish_stage(double T, Vec state) {
+  SNES snes = nullptr;
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  petsc_check(TSGetSNES(ts_, &snes));
+  petsc_check(SNESGetConvergedReason(snes, &reason));
+  if (reason > 0) {
+    set_solved(T, state);
+    at_start_ = false;
+    return;
+  }
+  Vec step_start = nullptr;
+  PetscInt steps = 0;
+  petsc_check(TSGetTime(ts_, &state_time_));
+  petsc_check(TSGetSolution(ts_, &step_start));
+  petsc_check(TSGetStepNumber(ts_, &steps));
+  set_solved(state_time_, step_start);
+  at_start_ = steps == 0;
 }
 
 // PETSc calls this after failed steps too, and leaves a shortened step short for ever.
@@ -152,8 +166,6 @@ void SegmentStepper::finish_step() {
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = MPI_Wtime() - wall_start_;
-  last_films_.clear();
-  for (const ContactRecord& contact : record.contacts) last_films_.push_back(film_figures(contact.figures));
   pair_.continue_friction(T, record.contacts);
   on_step_(record);
   last_time_ = T;
@@ -172,12 +184,13 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   step_ = (T1 - T0) / steps;
   state_time_ = last_time_ = T0;
-  last_films_ = pair_.film_figures(state, T0);
+  set_solved(T0, state);
   at_start_ = true;
   stopped_ = false;
   wall_start_ = MPI_Wtime();
   if (pair_.mesh().friction_in_motion) pair_.begin_friction(T0, pair_.records(state, T0));
   petsc_check(TSSetTime(ts_, T0));
+  petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));
   petsc_check(TSSetTimeStep(ts_, step_));
   petsc_check(TSSolve(ts_, state));

@@ -46,6 +46,9 @@ private:
   static SegmentStepper& of(TS ts);
   void create_time_scheme();
   void configure_solvers();
+  /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
+  void set_solved(double T, Vec state);
+  void finish_stage(double T, Vec state);
   void finish_step();
 
   LubricatedPair& pair_;
@@ -53,17 +56,19 @@ private:
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;
   OwnedVec rate_;  ///< of the last residual: that of the accepted state, once a step is done
+  OwnedVec solved_;  ///< see set_solved
   OwnedMat jacobian_;
   OwnedTS ts_;
   // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
   // PETSc works on (that of the stage, or of the step's start once a stage has failed).
   double state_time_ = 0.0;
   bool stopped_ = false;
-  bool at_start_ = true;      ///< no stage of the segment is done yet
+  bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment
   double last_time_ = 0.0;
-  std::vector<FilmFigures> last_films_;  ///< after the last step
+  double solved_time_ = 0.0;
+  std::vector<FilmFigures> solved_films_;
   double wall_start_ = 0.0;
   PetscInt newton_so_far_ = 0;
   PetscInt krylov_so_far_ = 0;
