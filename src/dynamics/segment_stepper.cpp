@@ -100,8 +100,8 @@ void SegmentStepper::configure_solvers() {
   begin_with_short_restart(ksp);
   // The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
   // slowly. In the first stage it knows no velocity: where the gears part Newton's method would not find the receding
-  // edge (42 iterations, and halved steps, at half the natural frequency), under a rising load it would have to find the
-  // oil outside the contact that the sinking body squeezes.
+  // edge (42 iterations, and halved steps, at half the natural frequency), under a rising load it would have to find
+  // the oil outside the contact that the sinking body squeezes.
   petsc_check(SNESSetComputeInitialGuess(
       snes,
       [](SNES, Vec state, void* context) -> PetscErrorCode {
@@ -176,14 +176,16 @@ void SegmentStepper::finish_step() {
   if (stopped_ || rest < 1e-9 * step_) {  // not one more step of the size of round-off
     petsc_check(TSSetConvergedReason(ts_, stopped_ ? TS_CONVERGED_USER : TS_CONVERGED_TIME));
   } else {
-    petsc_check(TSSetTimeStep(ts_, rest < 1.0001 * step_ ? rest : step_));
+    // A step that was halved does not shift those behind it: the pair's motion after a period would jump.
+    const double done = std::floor((T - begin_) / step_ + 1e-6);
+    petsc_check(TSSetTimeStep(ts_, rest < 1.0001 * step_ ? rest : begin_ + (done + 1.0) * step_ - T));
   }
 }
 
 double SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   step_ = (T1 - T0) / steps;
-  state_time_ = last_time_ = T0;
+  begin_ = state_time_ = last_time_ = T0;
   set_solved(T0, state);
   at_start_ = true;
   stopped_ = false;

@@ -12,21 +12,22 @@ constexpr double near_orbit = 0.2;      // of a push, from where it began
 constexpr double gone = 0.02;           // of a push: what is left is noise
 constexpr double far = 4e-2;            // beyond which the map bends
 constexpr double smallest_push = 1e-4;  // noise is a hundredth of it
+constexpr double well_known = 0.02;     // error of a modulus for which one push is enough
 
 /// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.
-bool forgotten(const std::vector<Motion>& motions, const Motion& orbit) {
+bool forgotten(const Returns& motions, const Motion& orbit) {
   const double push = length(difference(motions[0], orbit));
   const double last = length(difference(motions.back(), motions[motions.size() - 2]));
   return last < gone * push && length(difference(motions.back(), orbit)) < near_orbit * push;
 }
 
 /// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far.
-std::vector<Motion> returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, int periods) {
+Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, int periods) {
   const MeshModel& mesh = march.mesh();
   const Motion& begin = orbit.start.motion;
   march.resume(mesh.next_period(march.T()), orbit.start);
   march.displace({begin.H0 + push, begin.V0});
-  std::vector<Motion> motions = {march.motion()};
+  Returns motions = {march.motion()};
   for (int n = 1; n <= periods; ++n) {
     march.run(march.T() + mesh.period());
     motions.push_back(march.motion());
@@ -37,11 +38,13 @@ std::vector<Motion> returns_of(MeshMarch& march, const PeriodicOrbit& orbit, dou
 
 }  // namespace
 
-FreeDecay fit_decay(const std::vector<Motion>& motions, const Motion& begin, const Motion& end) {
+FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end) {
   std::vector<Return> returns = {{{}, difference(end, begin)}};
-  // The first period's films have not followed the push: it counts only where there is nothing better.
-  for (std::size_t n = motions.size() > 3 ? 1 : 0; n + 1 < motions.size(); ++n) {
-    returns.push_back({difference(motions[n], begin), difference(motions[n + 1], begin)});
+  for (const Returns& motions : pushes) {
+    // The first period's films have not followed the push: it counts only where there is nothing better.
+    for (std::size_t n = motions.size() > 3 ? 1 : 0; n + 1 < motions.size(); ++n) {
+      returns.push_back({difference(motions[n], begin), difference(motions[n + 1], begin)});
+    }
   }
   const AffineFit fit(returns);
   FreeDecay decay{fit.map(), multipliers(fit.map()), 0.0};
@@ -53,18 +56,22 @@ FreeDecay fit_decay(const std::vector<Motion>& motions, const Motion& begin, con
 
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
-  std::vector<Motion> motions;
-  bool near = false;
-  for (double push = options.push; push >= smallest_push && !near; push *= 0.1) {
-    motions = returns_of(march, orbit, push, options.periods);
-    near = length(difference(motions.back(), begin)) <= far;
+  const auto near = [&](const Returns& motions) { return length(difference(motions.back(), begin)) <= far; };
+  double push = options.push;
+  Returns first = returns_of(march, orbit, push, options.periods);
+  while (!near(first) && 0.1 * push >= smallest_push) {
+    push *= 0.1;
+    first = returns_of(march, orbit, push, options.periods);
   }
-  if (forgotten(motions, orbit.end.motion)) {
+  if (forgotten(first, orbit.end.motion)) {
     // Nothing is left to be fitted; how little, the first two returns say.
-    const double kept = length(difference(motions[2], motions[1])) / length(difference(motions[1], motions[0]));
+    const double kept = length(difference(first[2], first[1])) / length(difference(first[1], first[0]));
     return {{}, {kept, 0.0}, kept};
   }
-  return fit_decay(motions, begin, orbit.end.motion);
+  const FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
+  if (decay.modulus_error < well_known) return decay;
+  const Returns other_way = returns_of(march, orbit, -push, options.periods);
+  return fit_decay({first, other_way}, begin, orbit.end.motion);
 }
 
 }  // namespace gearfilm

@@ -66,6 +66,7 @@ private:
   bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment
+  double begin_ = 0.0;        ///< T of the segment
   double last_time_ = 0.0;
   double solved_time_ = 0.0;
   std::vector<FilmFigures> solved_films_;

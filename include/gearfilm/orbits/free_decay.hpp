@@ -4,7 +4,8 @@
 // The pair is pushed off the orbit and marched; H_0 and V_0 are taken once a mesh period. From the first return on the
 // films have followed the motion, and each motion follows from the one before by an affine map, of which the orbit is
 // the fixed point: least squares over all returns give its six numbers, and what is left over gives their errors. Where
-// contact is lost that is also what bends of the map contribute.
+// contact is lost that is also what bends of the map contribute. Where the multipliers are not known well by that, the
+// pair is pushed the other way too: a kink of the map, whose sides differ, then shows in the error.
 #pragma once
 
 #include <array>
@@ -27,9 +28,11 @@ struct FreeDecay {
                                ///< push was gone before there was more to fit than unknowns
 };
 
-/// motions: of the pushed pair after 0, 1, 2, ... mesh periods, at least three; begin and end: of the orbit's period,
-/// nearly the same.
-FreeDecay fit_decay(const std::vector<Motion>& motions, const Motion& begin, const Motion& end);
+/// The motion of a pushed pair after 0, 1, 2, ... mesh periods, at least three.
+using Returns = std::vector<Motion>;
+
+/// After every push that there was; begin and end: of the orbit's period, nearly the same.
+FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end);
 
 /// The march goes on from the orbit's start. Throws SolveError where it cannot be marched.
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options);
