@@ -134,6 +134,7 @@ void MarchOutput::describe_recurrence(Summary& summary) {
   summary["repeats_within"] = recurrence->defect;
   const auto settling = settling_of(points, *recurrence);
   if (!settling) return;
+  summary["settles_on"] = settling->contracts() ? Summary(settling->period) : Summary();
   summary["settling"] = {{"mesh_periods", settling->period},
                          {"multiplier", {settling->multiplier.real(), settling->multiplier.imag()}},
                          {"modulus", std::abs(settling->multiplier)},

@@ -32,6 +32,8 @@ void drive(March&& march, const Case& problem) {
   march.run(end_of(problem, march.mesh()));
 }
 
+std::string mesh_periods(int count) { return count == 1 ? "mesh period" : std::to_string(count) + " mesh periods"; }
+
 /// Whether the march has come to repeat, and how it settles.
 void print_recurrence(MPI_Comm comm, const Summary& summary) {
   if (!summary.contains("repeats_every")) return;
@@ -39,11 +41,14 @@ void print_recurrence(MPI_Comm comm, const Summary& summary) {
   text.precision(3);
   const double defect = summary["repeats_within"].get<double>();
   if (summary["repeats_every"].is_null()) {
-    text << "does not repeat yet: (H0, V0) changes by " << defect << " in a mesh period";
+    text << "does not repeat yet";
+    if (summary.contains("settles_on") && !summary["settles_on"].is_null()) {
+      text << ", but settles on a motion that repeats every " << mesh_periods(summary["settles_on"].get<int>());
+    }
+    text << ": (H0, V0) changes by " << defect << " in a mesh period";
   } else {
-    const int period = summary["repeats_every"].get<int>();
-    text << "repeats every " << (period == 1 ? "" : std::to_string(period) + " ") << "mesh period"
-         << (period == 1 ? "" : "s") << " within " << defect << " in (H0, V0)";
+    text << "repeats every " << mesh_periods(summary["repeats_every"].get<int>()) << " within " << defect
+         << " in (H0, V0)";
   }
   if (summary.contains("settling")) {
     const Summary& settling = summary["settling"];

@@ -22,6 +22,23 @@ double defect_of(const std::vector<PoincarePoint>& points, std::size_t period) {
   return largest;
 }
 
+/// Over so many mesh periods.
+std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, std::size_t period) {
+  if (points.size() <= period) return {};
+  const Motion& last = points.back().motion;
+  std::vector<Return> returns;
+  for (std::size_t n = points.size() - 1; n >= period && returns.size() < most; n -= period) {
+    const Return one{difference(points[n - period].motion, last), difference(points[n].motion, last)};
+    if (length(one.from) > far) break;
+    if (std::max(length(one.from), length(one.to)) > noise) returns.push_back(one);
+  }
+  if (returns.size() < fewest) return {};
+  const AffineFit fit(returns);
+  const auto mu = multipliers(fit.map());
+  const std::complex<double> larger = std::abs(mu[0]) >= std::abs(mu[1]) ? mu[0] : mu[1];
+  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger)};
+}
+
 }  // namespace
 
 void PoincareSection::begin() {
@@ -51,28 +68,25 @@ std::optional<Recurrence> recurrence_of(const std::vector<PoincarePoint>& points
   if (points.size() < 2) return {};
   for (std::size_t period = 1; period <= longest && 2 * period <= points.size(); ++period) {
     const double defect = defect_of(points, period);
-    if (defect < tolerance) return Recurrence{static_cast<int>(period), defect};
+    if (defect >= tolerance) continue;
+    // A swing that dies away comes near itself after some periods, and repeats in the end after fewer.
+    for (std::size_t shorter = 1; shorter < period; ++shorter) {
+      if (period % shorter != 0) continue;
+      const auto settling = settling_over(points, shorter);
+      if (settling && settling->contracts()) return Recurrence{0, defect_of(points, 1)};
+    }
+    return Recurrence{static_cast<int>(period), defect};
   }
   return Recurrence{0, defect_of(points, 1)};
 }
 
 std::optional<Settling> settling_of(const std::vector<PoincarePoint>& points, const Recurrence& recurrence) {
-  const std::size_t period = std::max(recurrence.period, 1);
-  if (points.size() <= period) return {};
-  std::vector<Return> returns;
-  // Of each phase of the motion the last point stands for where it settles.
-  for (std::size_t n = points.size() - period; n-- > 0;) {
-    const std::size_t phase = points.size() - 1 - (points.size() - 1 - n) % period;
-    const Motion& settled = points[phase].motion;
-    const Return one{difference(points[n].motion, settled), difference(points[n + period].motion, settled)};
-    if (length(one.from) > far || returns.size() == most) break;
-    if (length(one.from) > noise && phase == points.size() - 1) returns.push_back(one);
+  if (recurrence.period > 0) return settling_over(points, static_cast<std::size_t>(recurrence.period));
+  for (std::size_t period = 1; period <= longest; ++period) {
+    const auto settling = settling_over(points, period);
+    if (settling && settling->contracts()) return settling;
   }
-  if (returns.size() < fewest) return {};
-  const AffineFit fit(returns);
-  const auto mu = multipliers(fit.map());
-  const std::complex<double> larger = std::abs(mu[0]) >= std::abs(mu[1]) ? mu[0] : mu[1];
-  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger)};
+  return settling_over(points, 1);
 }
 
 }  // namespace gearfilm

@@ -46,6 +46,29 @@ TEST(Poincare, a_motion_that_repeats_every_second_period_says_so) {
   EXPECT_NEAR(std::abs(settling->multiplier), 0.64, 0.01);
 }
 
+TEST(Poincare, a_swing_of_nearly_three_periods_that_dies_away_settles_on_one) {
+  const auto points = spiral(0.95, 2.0 * std::numbers::pi / 3.0 + 0.01, 60);
+  ASSERT_LT(length(difference(points[59].motion, points[56].motion)), 1e-3);
+  const auto recurrence = recurrence_of(points, 1e-3);
+  ASSERT_TRUE(recurrence);
+  EXPECT_EQ(recurrence->period, 0);
+  const auto settling = settling_of(points, *recurrence);
+  ASSERT_TRUE(settling);
+  EXPECT_EQ(settling->period, 1);
+  EXPECT_NEAR(std::abs(settling->multiplier), 0.95, 1e-6);
+}
+
+TEST(Poincare, a_march_on_its_way_to_two_periods_settles_over_two) {
+  const auto points = spiral(0.95, 1.0, 40, 0.3);
+  const auto recurrence = recurrence_of(points, 1e-3);
+  ASSERT_TRUE(recurrence);
+  EXPECT_EQ(recurrence->period, 0);
+  const auto settling = settling_of(points, *recurrence);
+  ASSERT_TRUE(settling);
+  EXPECT_EQ(settling->period, 2);
+  EXPECT_NEAR(std::abs(settling->multiplier), 0.95 * 0.95, 1e-6);
+}
+
 TEST(Poincare, few_points_say_nothing) {
   EXPECT_FALSE(recurrence_of(spiral(0.9, 1.0, 1), 1e-3));
   const auto points = spiral(0.9, 1.0, 4);

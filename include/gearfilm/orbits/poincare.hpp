@@ -37,7 +37,7 @@ private:
 };
 
 struct Recurrence {
-  int period = 0;  ///< mesh periods; 0: it does not repeat within 8
+  int period = 0;  ///< mesh periods; 0: it does not repeat within 8, or is on its way to repeat after fewer
   double defect =
       0.0;  ///< largest difference in (H_0, V_0) of the last `period` points; of one period where none repeats
 };
@@ -47,11 +47,15 @@ struct Settling {
   int period = 1;  ///< mesh periods over which
   std::complex<double> multiplier;
   double modulus_error = 0.0;  ///< twice its standard deviation
+
+  /// Beyond doubt.
+  bool contracts() const { return std::abs(multiplier) + modulus_error < 1.0; }
 };
 
 /// Absent where there are fewer than two points.
 std::optional<Recurrence> recurrence_of(const std::vector<PoincarePoint>& points, double tolerance);
 /// By least squares over the points that are near the last one, yet not lost in noise; absent where these are too few.
+/// Of a march that does not repeat: over the fewest mesh periods over which it contracts, or one.
 std::optional<Settling> settling_of(const std::vector<PoincarePoint>& points, const Recurrence& recurrence);
 
 }  // namespace gearfilm
