@@ -190,7 +190,7 @@ Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
 }  // namespace
 
 void run_bench(MPI_Comm comm, const Case& problem) {
-  require_moving_films(problem, "bench");
+  require_moving_contacts(problem, "bench", false);
   const OutputDirectory directory(comm, problem.run.directory);
   Summary summary;
   summary["case"] = problem.name;

@@ -86,12 +86,10 @@ private:
   std::optional<ResultsTable> table_;
 };
 
-bool is_dry(const Case& problem) { return problem.march.model == MarchModel::dry; }
-
 void check(const Case& problem) {
   require_inertia(problem);
-  if (!is_dry(problem)) require_moving_films(problem, "continuation of another model than dry");
-  if (!is_dry(problem) && !problem.search.with_multipliers) {
+  require_moving_contacts(problem, "continuation", true);
+  if (!problem.dry() && !problem.search.with_multipliers) {
     throw InputError(
         problem.parameters.origin("periodic.multipliers") +
         ": 'periodic.multipliers' is no, but continuation tells stability and bifurcations by them; set it "
@@ -116,14 +114,14 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
   const ContinuationCase& given = problem.continuation;
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "continuation");
-  const BranchBeginning begin = is_dry(problem) ? dry_beginning(problem) : film_beginning(problem, films, run);
+  const BranchBeginning begin = problem.dry() ? dry_beginning(problem) : film_beginning(problem, films, run);
   PointTable table(comm, problem);
-  BranchReport report(comm, given.unit, !is_dry(problem));
+  BranchReport report(comm, given.unit, !problem.dry());
   int points = 0;
   const auto observer = [&](const Branch& branch, PointKind kind, const BranchPoint& point) {
     ++points;
     report.add(branch, kind, point, table.add(branch, kind, point));
-    if (is_dry(problem)) run.stop().check(comm, points);
+    if (problem.dry()) run.stop().check(comm, points);
   };
   std::vector<Branch> branches;
   const auto write = [&](bool completed) {

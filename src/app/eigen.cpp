@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/error.hpp"
@@ -29,6 +30,22 @@ Summary dry_pair_summary(const Case& problem) {
           {"mode_shape", swinging.shape},
           {"rigid_frequency", rigid.frequency},
           {"rigid_mode_shape", rigid.shape}};
+}
+
+/// What the damper beside dry contacts makes of their frequency.
+Summary damper_summary(const Case& problem, double f_n) {
+  const double zeta = problem.march.dry_damping_ratio.value_or(0.0);
+  return {{"damping_ratio", zeta}, {"damped_frequency", f_n * std::sqrt(1.0 - zeta * zeta)}};
+}
+
+/// Multipliers of the dry pair's periodic motion.
+Summary dry_orbit_multipliers(const Case& problem) {
+  const MeshModel mesh = mesh_after_leaving(problem);
+  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion,
+                                     [](const StepRecord&, const std::vector<LiveContact>&) {});
+  Summary summary;
+  add_multipliers(mesh, multipliers(run.orbit.monodromy), summary);
+  return summary;
 }
 
 /// The pair at rest on its films at the chosen position, linearised.
@@ -87,9 +104,14 @@ void print_result(MPI_Comm comm, const Summary& summary) {
   petsc_check(PetscPrintf(comm, "dry pair: k_el %.5g N/m, m_ge %.5g kg, f_n %.2f Hz, mode shape %.4f : %.4f\n",
                           real("k_el"), real("m_ge"), real("f_n"), summary["mode_shape"][0].get<double>(),
                           summary["mode_shape"][1].get<double>()));
-  petsc_check(PetscPrintf(comm, "on its films at xi = %.3f mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
-                          1e3 * real("position"), summary["contacts"].get<int>(), real("film_frequency"),
-                          real("film_damping_ratio")));
+  if (summary.contains("film_frequency")) {
+    petsc_check(PetscPrintf(comm, "on its films at xi = %.3f mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
+                            1e3 * real("position"), summary["contacts"].get<int>(), real("film_frequency"),
+                            real("film_damping_ratio")));
+  } else {
+    petsc_check(PetscPrintf(comm, "with its damper: %.2f Hz, damping ratio %.5f\n", real("damped_frequency"),
+                            real("damping_ratio")));
+  }
   if (!summary.contains("orbit")) return;
   const Summary& orbit = summary["orbit"];
   petsc_check(PetscPrintf(comm, "periodic state: multipliers %.5f %+.5fi of modulus %.5f",
@@ -115,7 +137,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
         ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");
   }
   require_inertia(given);
-  require_moving_films(given, "eigen");
+  require_moving_contacts(given, "eigen", true);
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");
   Case problem = given;
   problem.numerics.solver.multigrid.precision =
@@ -124,8 +146,10 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
-  summary.update(film_summary(problem, films));
-  if (problem.modes.of_orbit) summary["orbit"] = orbit_multipliers(problem, films, run);
+  summary.update(problem.dry() ? damper_summary(problem, summary["f_n"].get<double>()) : film_summary(problem, films));
+  if (problem.modes.of_orbit) {
+    summary["orbit"] = problem.dry() ? dry_orbit_multipliers(problem) : orbit_multipliers(problem, films, run);
+  }
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary);

@@ -27,7 +27,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
       problem_(problem),
       mesh_(mesh),
       purpose_(purpose),
-      lubricated_(problem.march.model != MarchModel::dry || purpose == MarchPurpose::search),
+      lubricated_(!problem.dry()),
       expected_periods_(expected_periods),
       file_(grid.comm(), run.directory() / "results.h5"),
       history_(std::in_place, file_, mesh, lubricated_),
@@ -234,7 +234,7 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
     Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (problem.march.model != MarchModel::dry)
+    if (!problem.dry())
       entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
     summary["contact_losses"].push_back(entry);
   }

@@ -77,9 +77,10 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   const Scales& scales = mesh.scales;
   Summary summary;
   summary["periods_used"] = run.orbit.periods_used;
-  summary["final_grid"] = grid_summary(scales, run.orbit.end.shape);
+  const bool lubricated = !run.orbit.end.films.empty();
+  if (lubricated) summary["final_grid"] = grid_summary(scales, run.orbit.end.shape);
   summary["defect"] = run.orbit.defect;
-  summary["film_defect"] = run.orbit.film_defect;
+  if (lubricated) summary["film_defect"] = run.orbit.film_defect;
   summary["states_after_leaving"] = Summary::array();
   for (const Motion& motion : run.states_after_leaving) {
     summary["states_after_leaving"].push_back({motion.H0, motion.V0});

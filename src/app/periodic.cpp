@@ -5,6 +5,7 @@
 
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
@@ -73,6 +74,7 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
   std::ostringstream text;
   text.precision(4);
   const auto add = [&](const std::string& what, const char* name, double in_unit, const char* unit) {
+    if (!summary.contains(name) || summary[name].is_null()) return;
     const Summary& bar = summary[std::string(name) + "_error"];
     text << what << " " << in_unit * summary[name].get<double>();
     if (!bar.is_null()) text << " +- " << std::setprecision(1) << in_unit * bar.get<double>() << std::setprecision(4);
@@ -101,15 +103,15 @@ void print_result(MPI_Comm comm, const Summary& summary, const std::optional<dou
 
 void run_periodic(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
-  require_moving_films(problem, "periodic");
+  require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   ResumableRun run(problem, grid, "periodic");
   const MeshModel mesh = mesh_after_leaving(problem);
-  const DryOrbit dry = dry_start(mesh);
   if (!mesh.teeth.rigid()) warn_of_hard_entry(comm, mesh);
-  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search, typical_periods * mesh.periods());
+  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search,
+                     (problem.dry() ? 1.0 : typical_periods) * mesh.periods());
   const OrbitObservers observers = {
       [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
       [&](const SearchPeriod& period) { output.end_search_period(period); },
@@ -119,7 +121,11 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
       run.stop()};
   FoundOrbit found;
   try {
-    found = find_orbit(problem, films, mesh, dry, observers);
+    if (problem.dry()) {
+      found.run = run_dry_orbit(problem, mesh, problem.march.start_motion, observers.on_step);
+    } else {
+      found = find_orbit(problem, films, mesh, dry_start(mesh), observers);
+    }
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());
     summary["completed"] = false;
@@ -147,7 +153,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, summary, error, advice(problem, found.run));
-  warn_of_heating(comm, problem, heating_at_pitch(problem));
+  if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_roughness(comm, summary, "lambda_min");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
 }

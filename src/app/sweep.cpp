@@ -118,7 +118,7 @@ std::vector<TableColumn> point_columns(const Given& given) {
 
 /// One row a point; what a failed point lacks is not a number.
 void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
-  const std::vector<TableColumn> figures = point_columns(given_figures(true, problem.traction, problem.roughness));
+  const std::vector<TableColumn> figures = point_columns(given_figures(!problem.dry(), problem.traction, problem.roughness));
   std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
   columns.insert(columns.end(), figures.begin(), figures.end());
   for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})
@@ -142,7 +142,7 @@ void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
 
 void run_sweep(MPI_Comm comm, const Case& problem) {
   require_inertia(problem);
-  require_moving_films(problem, "sweep");
+  require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");
   if (problem.sweep.values.empty()) {
     throw InputError("the case '" + problem.name +

@@ -6,6 +6,7 @@
 
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/coarse_orbit.hpp"
+#include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/state_file.hpp"
@@ -123,22 +124,41 @@ private:
     result["I_n"] = mesh.inertia;
     result["f_m"] = mesh.mesh_frequency_si();
     result["f_n"] = mesh.frequency_si();
-    const SharedDiscretisation films = discretise(group_, here);
-    Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
     try {
-      std::optional<DryOrbit> dry;
-      const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
-      write_films(point, run.orbit.end);
-      result.update(orbit_summary(mesh, run));
-      result["monodromy"] = run.orbit.monodromy;
-      if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
-      if (dry) result["dry_motion"] = motion_json(dry->start);
-      keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
+      if (here.dry()) {
+        find_dry(here, mesh, value, result);
+      } else {
+        find_lubricated(here, mesh, value, point, result);
+      }
     } catch (const SolveError& error) {
       result["error"] = error.what();
       keep({});
     }
     return result;
+  }
+
+  void find_dry(const Case& here, const MeshModel& mesh, double value, Summary& result) {
+    stop_.check(group_, value);
+    result["start"] = last_ ? "neighbour" : "rest";
+    const std::optional<Motion> near = last_ ? std::optional(extrapolated(value)) : here.march.start_motion;
+    const OrbitRun run = run_dry_orbit(here, mesh, near, [](const StepRecord&, const std::vector<LiveContact>&) {});
+    result.update(orbit_summary(mesh, run));
+    result["monodromy"] = run.orbit.monodromy;
+    keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, {}}, {}});
+  }
+
+  void find_lubricated(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point,
+                       Summary& result) {
+    const SharedDiscretisation films = discretise(group_, here);
+    Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+    std::optional<DryOrbit> dry;
+    const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
+    write_films(point, run.orbit.end);
+    result.update(orbit_summary(mesh, run));
+    result["monodromy"] = run.orbit.monodromy;
+    if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
+    if (dry) result["dry_motion"] = motion_json(dry->start);
+    keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
   }
 
   /// The dry orbit next to a lubricated one, if there is any.
@@ -192,16 +212,19 @@ private:
       }
       dry.reset();
     }
-    if (before_) {
-      const double part = (at.value - last_->value) / (last_->value - before_->value);
-      const Motion step{part * (last_->guess.motion.H0 - before_->guess.motion.H0),
-                        part * (last_->guess.motion.V0 - before_->guess.motion.V0)};
-      if (distance(step, {}) < beside) {
-        guess.motion.H0 += step.H0;
-        guess.motion.V0 += step.V0;
-      }
-    }
+    guess.motion = extrapolated(at.value);
     return guess;
+  }
+
+  /// The motion of the last point, and how it changed from the one before.
+  Motion extrapolated(double value) const {
+    const Motion& last = last_->guess.motion;
+    if (!before_) return last;
+    const double part = (value - last_->value) / (last_->value - before_->value);
+    const Motion before = before_->guess.motion;
+    const Motion step{part * (last.H0 - before.H0), part * (last.V0 - before.V0)};
+    if (distance(step, {}) >= beside) return last;
+    return {last.H0 + step.H0, last.V0 + step.V0};
   }
 
   void report(const Summary& point) const {
@@ -211,8 +234,11 @@ private:
     if (point.contains("error")) {
       text << "failed: " << point["error"].get<std::string>();
     } else {
-      text << "force ratio " << point["force_ratio_max"].get<double>() << ", smallest film "
-           << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>() << " mesh periods";
+      text << "force ratio " << point["force_ratio_max"].get<double>();
+      if (!problem_.dry()) {
+        text << ", smallest film " << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>()
+             << " mesh periods";
+      }
       if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
       if (point["contact_lost"].get<bool>()) text << ", contact is lost";
     }

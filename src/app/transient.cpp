@@ -71,7 +71,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
       mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
   require_beyond(run, problem, mesh);
   if (!mesh.teeth.rigid() && !mesh.load) warn_of_hard_entry(comm, mesh);
-  const bool lubricated = problem.march.model != MarchModel::dry;
+  const bool lubricated = !problem.dry();
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, mesh.path.mesh_periods(end_of(problem, mesh)));
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);

@@ -53,7 +53,7 @@ public:
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
-    petsc_check(TSRKSetType(ts_, TSRK5DP));
+    petsc_check(TSRKSetType(ts_, TSRK8VR));
     petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
     petsc_check(TSSetTolerances(ts_, integration_tolerance, nullptr, integration_tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));

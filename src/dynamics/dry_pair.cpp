@@ -81,7 +81,7 @@ void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
   petsc_check(TSCreate(PETSC_COMM_SELF, ts.put()));
   petsc_check(TSSetOptionsPrefix(ts, "dry_"));
   petsc_check(TSSetType(ts, TSRK));
-  petsc_check(TSRKSetType(ts, TSRK5DP));
+  petsc_check(TSRKSetType(ts, TSRK8VR));
   petsc_check(TSSetRHSFunction(
       ts, nullptr,
       [](TS, PetscReal T, Vec in, Vec out, void* untyped) -> PetscErrorCode {

@@ -24,12 +24,13 @@ void require_inertia(const Case& problem) {
                    "wheel.inertia, of a gear pair");
 }
 
-void require_moving_films(const Case& problem, const std::string& command) {
+void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
     throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
-                     ", but " + command + " is for all lubricated contacts, which travel; set it to " + needed);
+                     ", but " + command + " is for all contacts of the pair, which travel; set it to " + needed);
   };
-  if (problem.march.model != MarchModel::dynamic) refuse("model", "dynamic");
+  const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
+  if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
 }
 

@@ -237,7 +237,7 @@ Records continuation_records() {
 
 Records dry_records() {
   return section("dry", Scope::gear_pair,
-                 {optional("0 in a march, " + format_value(typical_film_damping) + " in a continuation",
+                 {optional("0 in a march and at rest, " + format_value(typical_film_damping) + " of periodic motions",
                            number("damping_ratio", "zeta", "-", right_open(0, 1),
                                   "of a viscous damper beside dry contacts, in the place of films; relative to f_n"))});
 }

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
+#include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double difference = 1e-5;          // of the motion, for derivatives of the map
 constexpr double shooting_tolerance = 1e-9;  // a free oscillation in the mesh period
 constexpr double strong_damping = 0.3;
 constexpr double weak_damping = 0.002;  // from here to none at once
@@ -27,32 +28,27 @@ public:
   explicit DryMap(const MeshModel& mesh) : mesh_(mesh) {}
 
   const MeshModel& mesh() const { return mesh_; }
-  void set_damping_ratio(double zeta) { damping_ = dry_damping(mesh_, zeta); }
+  void set_damping_ratio(double zeta) { damping_ratio_ = zeta; }
   /// Free oscillations in a period, but no less than one.
   double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
 
   Motion march(const std::optional<Motion>& start, double periods, double record_step,
                const StepObserver& observer) const {
-    DryMarch dry(mesh_, record_step, observer, damping_);
+    DryMarch dry(mesh_, record_step, observer, dry_damping(mesh_, damping_ratio_));
     dry.start(start);
     dry.run(periods * mesh_.period());
     return dry.motion();
   }
-  Motion operator()(const Motion& start) const {
-    return march(start, 1.0, std::numeric_limits<double>::max(),
-                 [](const StepRecord&, const std::vector<LiveContact>&) {});
-  }
-  Monodromy derivative(const Motion& at) const {
-    const Motion h_plus = (*this)({at.H0 + difference, at.V0}), h_minus = (*this)({at.H0 - difference, at.V0});
-    const Motion v_plus = (*this)({at.H0, at.V0 + difference}), v_minus = (*this)({at.H0, at.V0 - difference});
-    const auto slope = [](double plus, double minus) { return 0.5 * (plus - minus) / difference; };
-    return {{{slope(h_plus.H0, h_minus.H0), slope(v_plus.H0, v_minus.H0)},
-             {slope(h_plus.V0, h_minus.V0), slope(v_plus.V0, v_minus.V0)}}};
-  }
+  Motion operator()(const Motion& start) const { return flow(start).states.back(); }
+  Monodromy derivative(const Motion& at) const { return flow(at).by_start; }
 
 private:
+  DryFlowEnd flow(const Motion& start) const {
+    return DryFlow(mesh_, mesh_, 1.0, damping_ratio_)(start, static_cast<int>(mesh_.periods()));
+  }
+
   const MeshModel& mesh_;
-  double damping_ = 0.0;
+  double damping_ratio_ = 0.0;
 };
 
 /// Solves map(motion) = motion by SNES from a guess. False where it does not converge.
@@ -199,6 +195,20 @@ DryOrbit dry_start(const MeshModel& mesh) {
   } catch (const SolveError&) {
     return {.start = settle(map, damping, {})};
   }
+}
+
+DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near) {
+  if (auto orbit = follow_dry_orbit(mesh, damping_ratio, near)) return *orbit;
+  DryMap map(mesh);
+  Motion start = settle(map, std::max(damping_ratio, weak_damping), near);
+  map.set_damping_ratio(damping_ratio);
+  if (shoot(map, start)) return describe(map, start);
+  std::ostringstream message;
+  message << "no periodic orbit of the dry pair found from H0 = " << near.H0 << ", V0 = " << near.V0
+          << " (start.H0, start.V0): at damping ratio " << damping_ratio << " it comes to (" << start.H0 << ", "
+          << start.V0 << "), which does not repeat after " << mesh.periods()
+          << " mesh period(s); try another periodic.order, or begin at another place";
+  throw SolveError(message.str());
 }
 
 std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {

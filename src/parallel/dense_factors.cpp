@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gearfilm {
 
@@ -19,10 +20,15 @@ void DenseFactors::factor(const std::vector<double>& matrix) {
   }
   petsc_check(MatAssemblyBegin(factors_, MAT_FINAL_ASSEMBLY));
   petsc_check(MatAssemblyEnd(factors_, MAT_FINAL_ASSEMBLY));
-  petsc_check(MatLUFactor(factors_, nullptr, nullptr, nullptr));
+  petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  const PetscErrorCode code = MatLUFactor(factors_, nullptr, nullptr, nullptr);
+  petsc_check(PetscPopErrorHandler());
+  regular_ = code != PETSC_ERR_MAT_LU_ZRPVT;
+  if (regular_) petsc_check(code);
 }
 
 std::vector<double> DenseFactors::solve(std::vector<double> right_side) const {
+  if (!regular_) return std::vector<double>(right_side.size(), std::numeric_limits<double>::quiet_NaN());
   std::ranges::copy(right_side, VecWriting(right_side_).values().begin());
   petsc_check(MatSolve(factors_, right_side_, solution_));
   std::ranges::copy(VecReading(solution_).values(), right_side.begin());

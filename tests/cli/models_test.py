@@ -70,8 +70,10 @@ class OneContact(VibrationTest):
         self.assertLess(alone["force"].max(), 2.0 * static_force)
 
     def test_two_processes_march_alike(self):
-        alone = self.coarse("quasistatic")
-        shared = self.coarse("quasistatic", processes=2)
+        # Without jumps of the load, behind which solver tolerance decides of halved steps.
+        smooth = ["quasistatic", "-load_sharing_kind", "trapezoid"]
+        alone = self.coarse(*smooth)
+        shared = self.coarse(*smooth, processes=2)
         self.assertEqual(len(shared), len(alone))
         for name in ("force", "h_central", "p_central"):
             numpy.testing.assert_allclose(shared[name], alone[name], rtol=1e-4, err_msg=name)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
@@ -45,6 +47,15 @@ TEST(Border, solution_fulfils_the_rows) {
     const Values rows = border.rows(scalars, rates, -film_stiffness * border.displaced(scalars), Border::Of::changes);
     for (std::size_t n = 0; n < wanted.size(); ++n) EXPECT_NEAR(rows[n], wanted[n], 1e-13);
   }
+}
+
+// Films that have all parted carry nothing, wherever they are held: a failed step, not the end of the program.
+TEST(Border, that_nothing_holds_has_no_solution) {
+  DenseFactors factors;
+  factors.factor({0.0, 0.0, 1.0, 2.0});
+  for (const double scalar : factors.solve({1.0, 1.0})) EXPECT_TRUE(std::isnan(scalar));
+  factors.factor({2.0, 0.0, 0.0, 4.0});
+  EXPECT_EQ(factors.solve({1.0, 1.0}), (Values{0.5, 0.25}));
 }
 
 }  // namespace

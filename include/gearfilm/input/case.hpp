@@ -116,6 +116,8 @@ struct Case {
   ModesCase modes;
   RunCase run;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
+
+  bool dry() const { return march.model == MarchModel::dry; }
 };
 
 /// Builds the case from a complete set of values. Throws InputError for values that do not fit together: a pair that

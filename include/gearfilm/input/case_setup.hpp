@@ -19,9 +19,9 @@ int heated_points(const Case& problem);
 void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts, int points);
 /// Throws InputError unless the case is a gear pair with inertia.
 void require_inertia(const Case& problem);
-/// Throws InputError for a case whose march is of dry contacts, or of contacts that are held, where a command needs
-/// lubricated ones that travel.
-void require_moving_films(const Case& problem, const std::string& command);
+/// Throws InputError for a case whose march is of one contact, of contacts that are held, or of dry ones, where a
+/// command needs all lubricated contacts (or dry ones too), which travel.
+void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too);
 /// Throws InputError where pitch errors make a mesh period differ from the next.
 void require_one_pattern(const Case& problem, const std::string& command);
 /// The given ones, else those of two discs with the equivalent mass.

@@ -1,7 +1,7 @@
 // The periodic motion of the dry gear pair, by shooting.
 //
 // Unknown: (H_0, V_0) at the moment a contact has just left; equation: they repeat after one mesh period
-// (dry_pair.hpp). Solved with SNES and a finite-difference Jacobian; a fraction of a second. With a little damping the
+// (dry_pair.hpp). Solved with SNES and the derivatives of dry_flow.hpp; a fraction of a second. With a little damping the
 // start of the lubricated orbit.
 #pragma once
 
@@ -30,6 +30,9 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio);
 /// Where a search for the lubricated pair's orbit begins: the dry pair's at a typical damping. Where it has none, what
 /// it has come to after a time, with a map that forgets its start: the search then marches on at first.
 DryOrbit dry_start(const MeshModel& mesh);
+
+/// The orbit next to a motion, or what the pair settles on from there. Throws SolveError where that is no orbit.
+DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near);
 
 /// The orbit next to a motion near it (that of a neighbouring speed, say). Nothing where the shooting does not
 /// converge.
