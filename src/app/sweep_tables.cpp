@@ -104,50 +104,55 @@ void write_marches(ResultsFile& file, const Case& problem, const Summary& result
   write_table(file, "/diagram", section, sections);
 }
 
-/// The motions that a march repeats; none where it does not.
+/// The motions that a march repeats, or comes near to; none where it does not settle.
 std::vector<Motion> states_of(const Summary& result) {
   if (result.contains("error") || result["settles_on"].is_null()) return {};
   const Summary& all = result["poincare"];
   std::vector<Motion> states;
-  for (std::size_t n = all.size() - result["settles_on"].get<std::size_t>(); n < all.size(); ++n) {
+  for (std::size_t n = all.size() - result["settles_on"].get<std::size_t>(); n + 1 < all.size(); ++n) {
     states.push_back({all[n][0].get<double>(), all[n][1].get<double>()});
   }
+  states.push_back({result["settles_at"][0].get<double>(), result["settles_at"][1].get<double>()});
   return states;
 }
 
-/// Wherever in their period both are.
+/// Wherever in its period the other is, of which the last motion is the best known.
 bool same_motions(const std::vector<Motion>& a, const std::vector<Motion>& b) {
-  constexpr double near = 0.05;  // in (H_0, V_0): marches may still settle
-  if (a.size() != b.size()) return false;
-  for (std::size_t shift = 0; shift < a.size(); ++shift) {
-    double largest = 0.0;
-    for (std::size_t n = 0; n < a.size(); ++n) {
-      largest = std::max(largest, length(difference(a[n], b[(n + shift) % b.size()])));
-    }
-    if (largest < near) return true;
-  }
-  return false;
+  constexpr double near = 0.1;  // in (H_0, V_0): marches may still settle
+  return a.size() == b.size() &&
+         std::ranges::any_of(a, [&](const Motion& motion) { return length(difference(motion, b.back())) < near; });
 }
 
-/// Where every start leads: counted from 1, and 0 where the march does not repeat.
-std::vector<int> basins_of(const Summary& results, std::vector<const Summary*>& attractors) {
+/// The motions on which marches settle, each by the first march that comes there; those that have come to repeat, where
+/// any has.
+std::vector<const Summary*> attractors_in(const Summary& results) {
+  std::vector<const Summary*> attractors;
+  const auto gather = [&](const char* evidence) {
+    for (const Summary& result : results) {
+      if (result.contains("error") || result[evidence].is_null()) continue;
+      const auto same = [&](const Summary* known) { return same_motions(states_of(*known), states_of(result)); };
+      if (std::ranges::none_of(attractors, same)) attractors.push_back(&result);
+    }
+  };
+  gather("repeats_every");
+  if (attractors.empty()) gather("settles_on");
+  return attractors;
+}
+
+/// Where every start leads: counted from 1, and 0 where the march does not settle on any of them.
+std::vector<int> basins_of(const Summary& results, const std::vector<const Summary*>& attractors) {
   std::vector<int> basins;
   for (const Summary& result : results) {
     const std::vector<Motion> states = states_of(result);
-    if (states.empty()) {
-      basins.push_back(0);
-      continue;
-    }
-    const auto known =
-        std::ranges::find_if(attractors, [&](const Summary* of) { return same_motions(states_of(*of), states); });
-    basins.push_back(static_cast<int>(known - attractors.begin()) + 1);
-    if (known == attractors.end()) attractors.push_back(&result);
+    const auto known = std::ranges::find_if(
+        attractors, [&](const Summary* of) { return !states.empty() && same_motions(states_of(*of), states); });
+    basins.push_back(known == attractors.end() ? 0 : static_cast<int>(known - attractors.begin()) + 1);
   }
   return basins;
 }
 
 void write_basins(ResultsFile& file, const Summary& results) {
-  std::vector<const Summary*> attractors;
+  const std::vector<const Summary*> attractors = attractors_in(results);
   const std::vector<int> basins = basins_of(results, attractors);
   std::vector<double> rows;
   for (std::size_t n = 0; n < basins.size(); ++n) {
@@ -170,7 +175,7 @@ void write_basins(ResultsFile& file, const Summary& results) {
 }  // namespace
 
 Summary attractors_of(const Summary& results) {
-  std::vector<const Summary*> attractors;
+  const std::vector<const Summary*> attractors = attractors_in(results);
   const std::vector<int> basins = basins_of(results, attractors);
   const auto share = [&](int number) {
     return static_cast<double>(std::ranges::count(basins, number)) / static_cast<double>(basins.size());
