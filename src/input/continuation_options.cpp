@@ -89,7 +89,9 @@ ContinuationCase read_continuation(const ParameterValues& values, int order) {
     options.highest = std::max(*result.from, result.to);
     options.corrector.unit = (options.highest - options.lowest) / parts;
   }
-  if (on_films) options.corrector.tolerance = values.real("periodic.tolerance");
+  // Dry motions are integrated to 1e-10 a step, and known to some 1e-9 where the pair swings often in a period.
+  constexpr double dry_tolerance = 2e-8;
+  options.corrector.tolerance = on_films ? values.real("periodic.tolerance") : dry_tolerance;
   options.most_points = values.integer("continuation.points");
   const bool follow = values.text("continuation.follow_flips") == "yes";
   options.largest_order = follow ? values.integer("continuation.largest_order") : order;

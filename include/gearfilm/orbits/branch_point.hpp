@@ -56,9 +56,7 @@ struct BranchPoint {
 
 struct CorrectorOptions {
   double unit = 1.0;        ///< change of the parameter that counts as much as 1 of H_0 and V_0
-  /// On |P(x) - x|, largest of both, for each part of the period. The dry pair's P is integrated to 1e-10 a step, and
-  /// known to some 1e-9 for a pair that swings three times in it.
-  double tolerance = 2e-8;
+  double tolerance = 1e-9;  ///< on |P(x) - x|, largest of both, for each part of the period
   int most_iterations = 10;
 };
 
