@@ -37,4 +37,10 @@ public:
   using Unfinished::Unfinished;
 };
 
+/// A run that is to go on is complete: the message says so. Exit status 0.
+class NothingLeft : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace gearfilm

@@ -1,6 +1,7 @@
 #include "gearfilm/app/command_line.hpp"
 
 #include <cctype>
+#include <map>
 
 #include "gearfilm/app/command_docs.hpp"
 #include "gearfilm/app/command_table.hpp"
@@ -11,6 +12,7 @@
 #include "gearfilm/input/memory.hpp"
 #include "gearfilm/input/oddities.hpp"
 #include "gearfilm/input/options.hpp"
+#include "gearfilm/output/provenance.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 
@@ -23,6 +25,15 @@ bool starts_option(const std::string& word) {
   return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
 }
 
+/// The libraries that this program works with, a line each.
+std::string libraries_text(MPI_Comm comm) {
+  std::string text;
+  const std::map<std::string, std::string> names = {
+      {"petsc", "PETSc"}, {"slepc", "SLEPc"}, {"mpi", "MPI"}, {"hdf5", "HDF5"}, {"fftw", "FFTW"}};
+  for (const auto& [key, name] : names) text += name + ": " + provenance(comm).at(key).get<std::string>() + "\n";
+  return text;
+}
+
 bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }
 
 }  // namespace
@@ -32,12 +43,15 @@ bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || w
 CommandLine::CommandLine(int argc, char** argv) {
   petsc_arguments_.emplace_back(argc > 0 ? argv[0] : "gearfilm");
   bool after_option = false;
+  std::string first_option;
   for (int n = 1; n < argc; ++n) {
     const std::string word = argv[n];
     const bool option = starts_option(word);
-    if (word == "-help" || word == "--help" || word == "-h") {
+    const bool first = n == 1;
+    if (first && option) first_option = word;
+    if (word == "-help" || word == "--help" || word == "-h" || (first && word == "help")) {
       help_ = true;
-    } else if (word == "-version" || word == "--version") {
+    } else if (word == "-version" || word == "--version" || (first && word == "version")) {
       version_ = true;
     } else if (option || (after_option && !(is_case_file(word) && case_file_.empty()))) {
       petsc_arguments_.push_back(word);
@@ -47,12 +61,20 @@ CommandLine::CommandLine(int argc, char** argv) {
     }
     after_option = option;
   }
+  if (help_ || version_ || first_option.empty()) return;
+  // PETSc would take the command for the option's value.
+  misplaced_ = first_option;
+  petsc_arguments_.resize(1);
 }
 
 void run(MPI_Comm comm, const CommandLine& command_line) {
   if (command_line.wants_version()) {
-    petsc_check(PetscPrintf(comm, "gearfilm %s\n", version));
+    petsc_check(PetscPrintf(comm, "gearfilm %s\n%s", version, libraries_text(comm).c_str()));
     return;
+  }
+  if (!command_line.misplaced().empty()) {
+    throw InputError("the option " + command_line.misplaced() +
+                     " stands before the command; options come last: gearfilm COMMAND CASE.yaml [-option value ...]");
   }
   if (command_line.wants_help()) {
     petsc_check(PetscPrintf(comm, "%s", help_text().c_str()));

@@ -38,6 +38,9 @@ int main(int argc, char** argv) {
     session.emplace(command_line.petsc_arguments());
     gearfilm::run(PETSC_COMM_WORLD, command_line);
     return done;
+  } catch (const gearfilm::NothingLeft& reason) {
+    (void)PetscPrintf(PETSC_COMM_WORLD, "%s\n", reason.what());
+    return done;
   } catch (const gearfilm::InputError& error) {
     return end(session, "wrong input", error, wrong_input);
   } catch (const gearfilm::SolveError& error) {

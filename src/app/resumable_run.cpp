@@ -7,6 +7,9 @@
 namespace gearfilm {
 namespace {
 
+// What says nothing of the results.
+const std::vector<std::string> conduct = {"output.dir", "restart", "time_limit", "keep_checkpoint"};
+
 // What may differ between a run and its continuation. A march can go on beyond its first end.
 const std::vector<std::string> free_parameters = {
     "output.dir", "restart", "time_limit", "keep_checkpoint", "mesh_periods", "output.spectrum_periods", "case.name"};
@@ -22,6 +25,7 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
                            const std::vector<std::string>& free_sections)
     : comm_(grid.comm()),
       keep_(problem.run.keep_checkpoint),
+      whole_identity_(identity_of(problem, command, conduct)),
       directory_(comm_, problem.run.directory),
       folder_(directory_ / "checkpoint"),
       stop_(problem.run.time_limit) {
@@ -29,11 +33,7 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
   const std::filesystem::path file = identity_file();
   if (problem.run.restart) {
     const std::optional<Summary> before = read_identity(comm_, file);
-    if (!before) {
-      throw InputError(
-          "'" + problem.run.directory.string() +
-          "' has nothing to go on from: no run was begun there, or it was completed; start without -restart");
-    }
+    if (!before) refuse_restart();
     require_same_identity(*before, identity, file);
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::where_it_stopped);
   } else {
@@ -44,6 +44,18 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
   }
 }
 
+void ResumableRun::refuse_restart() const {
+  const std::string folder = "'" + directory_.path().string() + "'";
+  const std::filesystem::path complete = directory_ / "run.json";
+  if (const std::optional<Summary> before = read_identity(comm_, complete)) {
+    require_same_identity(*before, whole_identity_, complete);
+    throw NothingLeft(folder +
+                      " holds this run, which is complete: nothing is left to do (without -restart it is "
+                      "computed anew)");
+  }
+  throw InputError(folder + " has nothing to go on from: no run was begun there; start without -restart");
+}
+
 // Goes before the rest of the folder: a program killed meanwhile leaves nothing that looks as if it could go on.
 void ResumableRun::forget() const {
   std::error_code ignored;
@@ -51,6 +63,7 @@ void ResumableRun::forget() const {
 }
 
 void ResumableRun::complete() {
+  keep_identity(comm_, directory_ / "run.json", whole_identity_);
   if (keep_) return;
   forget();
   checkpoint_->remove();

@@ -62,7 +62,7 @@ OutputDirectory::~OutputDirectory() {
 void OutputDirectory::remove_earlier_results() const {
   if (rank_in(comm_) == 0) {
     std::error_code ignored;
-    for (const char* name : {"results.h5", "results.xmf", "summary.json"}) {
+    for (const char* name : {"results.h5", "results.xmf", "summary.json", "run.json"}) {
       std::filesystem::remove(path_ / name, ignored);
     }
   }

@@ -12,11 +12,16 @@ struct StopSignal {
   int number;
   const char* name;
 };
-constexpr std::array<StopSignal, 2> stop_signals = {{{SIGTERM, "SIGTERM"}, {SIGUSR1, "SIGUSR1"}}};
+constexpr std::array<StopSignal, 3> stop_signals = {
+    {{SIGTERM, "SIGTERM"}, {SIGINT, "Ctrl-C (SIGINT)"}, {SIGUSR1, "SIGUSR1"}}};
 
 volatile std::sig_atomic_t received = 0;
 
-void receive(int signal) { received = signal; }
+/// The second Ctrl-C ends the program at once.
+void receive(int signal) {
+  received = signal;
+  if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
+}
 
 }  // namespace
 

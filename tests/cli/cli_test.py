@@ -96,7 +96,7 @@ class Results(ProgramTest):
 
     def test_results_carry_program_parameters_and_units(self):
         self.run_well("steady", BARBIERI)
-        version = self.run_well("-version").stdout.split()[1]
+        version = self.run_well("version").stdout.split()[1]
         required = re.findall(r"^\| `((?:pinion|wheel|gear|lubricant)\.\w+)` .*\| (?:required|default [^|]*) \|",
                               self.run_well("parameters").stdout, re.MULTILINE)
         self.assertGreater(len(required), 15)
@@ -214,7 +214,8 @@ class Texts(ProgramTest):
         self.assertEqual(self.run_well("--help").stdout, self.run_well("-h").stdout)
 
     def test_version(self):
-        self.assertRegex(self.run_well("-version").stdout, r"\Agearfilm \d+\.\d+\.\d+\S*\n\Z")
+        for words in ("-version", "version"):
+            self.assertRegex(self.run_well(words).stdout, r"\Agearfilm \d+\.\d+\.\d+\S*\n(?:(?:FFTW|HDF5|MPI|PETSc|SLEPc): \S.*\n){5}\Z")
 
     def test_parameters_need_no_case(self):
         table = self.run_well("parameters").stdout

@@ -107,12 +107,12 @@ class Continued(RestartTest):
 class Requests(RestartTest):
     def test_signals_to_a_single_process(self):
         expected = self.uninterrupted(*MARCH)
-        for name in ("SIGTERM", "SIGUSR1"):
+        for name in ("SIGTERM", "SIGUSR1", "SIGINT"):
             with self.subTest(signal=name):
                 run = self.start(*MARCH)
                 run.read_lines(9)
                 run.send(signal.Signals[name])
-                steps = self.assert_stopped(run.end(), f"by {name}")
+                steps = self.assert_stopped(run.end(), f"by {'Ctrl-C (SIGINT)' if name == 'SIGINT' else name}")
                 # The step that was under way is finished, and written.
                 self.assertGreater(len(steps), 65)
                 self.assert_same(self.complete(*MARCH), expected)
@@ -169,8 +169,15 @@ class Refused(RestartTest):
         (self.folder / "run").mkdir()
         for arguments in (MARCH, SEARCH, EIGEN):
             self.assert_refused(["nothing to go on from", "-restart"], *arguments, "-restart")
+
+    def test_a_complete_run_is_left_alone(self):
         self.run_well(*MARCH, "-output_dir", "run")
-        self.assert_refused(["it was completed"], *MARCH, "-restart")
+        before = {path.name: path.read_bytes() for path in (self.folder / "run").iterdir()}
+        run = self.run_well(*MARCH, "-output_dir", "run", "-restart")
+        self.assertEqual(run.stdout, "'run' holds this run, which is complete: nothing is left to do (without "
+                         "-restart it is computed anew)\n")
+        self.assertEqual({path.name: path.read_bytes() for path in (self.folder / "run").iterdir()}, before)
+        self.assert_refused(["grid.nx", "another run"], *[81 if word == 65 else word for word in MARCH], "-restart")
 
     def test_command_that_cannot_go_on(self):
         self.assert_refused(["steady", "-restart"], "steady", BARBIERI, "-restart")

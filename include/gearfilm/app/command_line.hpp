@@ -18,6 +18,8 @@ public:
   bool wants_version() const { return version_; }
   /// First word that is neither the command, the case, an option nor an option's value; empty where there is none.
   const std::string& surplus() const { return surplus_; }
+  /// An option that stands before the command; empty where there is none.
+  const std::string& misplaced() const { return misplaced_; }
   /// What PETSc's options database is to read: everything but requests for help and version.
   std::vector<std::string> petsc_arguments() const { return petsc_arguments_; }
 
@@ -25,6 +27,7 @@ private:
   std::string command_;
   std::string case_file_;
   std::string surplus_;
+  std::string misplaced_;
   bool help_ = false;
   bool version_ = false;
   std::vector<std::string> petsc_arguments_;
