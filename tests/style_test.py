@@ -4,6 +4,8 @@ import pathlib
 import re
 import statistics
 import subprocess
+import sys
+import tempfile
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
@@ -13,7 +15,7 @@ ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "traction", "dynamic
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor
-DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md"))]
+DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md", *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def read(path):
@@ -98,13 +100,6 @@ class Documents(unittest.TestCase):
         self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
                          "write docs/results.md anew: gearfilm figures > docs/results.md")
 
-    def test_links_lead_somewhere(self):
-        for path in DOCUMENTS:
-            for target in re.findall(r"\]\(([^)\s]+)\)", read(path)):
-                if re.match(r"[a-z]+:|#", target):
-                    continue
-                self.assertTrue((path.parent / target.split("#")[0]).exists(), f"{relative(path)}: {target}")
-
     def test_commands_and_options_of_the_documents_exist(self):
         text = output_of("-help")
         commands = set(re.findall(r"^  (\w+)  ", text, re.MULTILINE))
@@ -118,6 +113,40 @@ class Documents(unittest.TestCase):
             for option in re.findall(r"(?<![\w/-])-[a-z]+_\w+", content):
                 if option[1:].split("_")[0] in sections and not petsc.match(option):
                     self.assertIn(option, options, relative(path))
+
+
+class Links(unittest.TestCase):
+    """scripts/check_links.py, of the documents and of a folder with one broken link."""
+
+    def check(self, folder):
+        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/check_links.py", folder], capture_output=True,
+                              text=True, check=False, timeout=60)
+
+    def check_page(self, text):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "other.md").write_text("# A title\n\n## Twice: `here`\n\n## Twice: here\n", encoding="utf-8")
+            (folder / "page.md").write_text(f"# Page\n\n{text}\n", encoding="utf-8")
+            return self.check(folder)
+
+    def test_links_and_anchors_of_the_documents_lead_somewhere(self):
+        done = self.check(SOURCE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertGreater(int(done.stdout.split()[0]), 50)
+
+    def test_whole_links_pass(self):
+        for text in ("[a](other.md)", "[a](other.md#twice-here-1), [b](#page)", "[a](https://example.org/#x)",
+                     "`[a](none.md)`", "    [a](none.md)", "```\n[a](none.md)\n```"):
+            with self.subTest(text=text):
+                self.assertEqual(self.check_page(text).returncode, 0)
+
+    def test_a_broken_link_is_named(self):
+        for text in ("[a](none.md)", "[a](other.md#none)", "[a](#none)", "![a](none.png)", "[a](../page.md)",
+                     "[a](other.md#twice-here-2)", "- [a](none.md)\n    [b](none.md)"):
+            with self.subTest(text=text):
+                done = self.check_page(text)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, r"^check_links: page.md:3: \(.*\): .*; correct it, or the heading\n")
 
 
 if __name__ == "__main__":
