@@ -5,19 +5,10 @@ import unittest
 
 from films import summary_in
 from program import INPUT, SOURCE, ProgramTest
+from shortened import SHORT, shortened
 
 CASES = sorted(INPUT.glob("*.yaml"))
 DOCUMENTS = [SOURCE / "docs/user-guide.md", SOURCE / "docs/gallery.md"]
-# The command for a moment: a coarse grid, few periods, wide tolerances. The thinnest films, those of slow gears, need more
-# lines along x than other short tests have.
-GRID = {"-grid_nx": "129", "-grid_ny": "33"}
-STEP = {"-time_dt": "0.05"}
-SHORT = {"info": {},
-         "static": {"-static_positions": "40"},
-         "steady": GRID,
-         "transient": GRID | STEP | {"-mesh_periods": "0.2"},
-         "periodic": GRID | STEP | {"-periodic_tolerance": "0.1", "-periodic_film_tolerance": "0.9",
-                                    "-periodic_multipliers": "no"}}
 
 
 class NoCommand(Exception):
@@ -38,21 +29,13 @@ def command_in(text, name):
     return words
 
 
-def shortened(words):
-    """The same command for a moment: its own options, but for those that make it short."""
-    short = SHORT[words[0]]
-    given = dict(zip(words[2::2], words[3::2]))
-    together = given | short
-    return [words[0], INPUT.parent / words[1], *(word for option in together.items() for word in option)]
-
-
 class Examples(ProgramTest):
     def test_every_case_begins_with_what_it_shows_and_a_command_that_runs(self):
         self.assertGreaterEqual(len(CASES), 8)
         for path in CASES:
             with self.subTest(case=path.name):
                 words = command_in(path.read_text(encoding="utf-8"), path.name)
-                run = self.run_program(*shortened(words), "-output_dir", path.stem)
+                run = self.run_program(*shortened([words[0], path, *words[2:]]), "-output_dir", path.stem)
                 self.assertEqual(run.status, 0, run)
                 self.assertGreater(len(summary_in(self.folder / path.stem)), 3)
 
