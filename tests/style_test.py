@@ -1,4 +1,5 @@
 """Rules of the house that no compiler checks. Environment: GEARFILM, the binary."""
+import json
 import os
 import pathlib
 import re
@@ -34,6 +35,13 @@ def relative(path):
 
 def output_of(*arguments):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+
+
+def names_of_info():
+    """What `gearfilm info` writes of a gear pair with a mass."""
+    with tempfile.TemporaryDirectory() as folder:
+        output_of("info", str(SOURCE / "input/barbieri2013.yaml"), "-output_dir", folder)
+        return set(json.loads(read(pathlib.Path(folder) / "summary.json")))
 
 
 class Rooms(unittest.TestCase):
@@ -99,6 +107,16 @@ class Documents(unittest.TestCase):
     def test_figure_page_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
                          "write docs/results.md anew: gearfilm figures > docs/results.md")
+
+    def test_symbols_have_keys_and_names_that_exist(self):
+        keys = set(re.findall(r"^\| `(\S+)`", output_of("parameters"), re.MULTILINE))
+        names = set(re.findall(r"`(\w+)`", output_of("figures") + read(SOURCE / "docs/user-guide.md"))) | names_of_info()
+        rows = [line.split("|") for line in read(SOURCE / "docs/symbols.md").splitlines() if line.startswith("| $")]
+        self.assertGreater(len(rows), 50)
+        for cells in rows:
+            self.assertEqual(len(cells), 7, cells)
+            self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[4])), keys, cells[1])
+            self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[5])), names, cells[1])
 
     def test_commands_and_options_of_the_documents_exist(self):
         text = output_of("-help")
