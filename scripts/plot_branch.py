@@ -2,24 +2,18 @@
 """Figure of a continuation: branches of periodic states, stable ones full, unstable ones dashed, bifurcations marked.
 
     scripts/plot_branch.py FOLDER [--name branch]   reads FOLDER/results.h5, writes FOLDER/branch.png and .pdf
+    ... --marches SWEEP                             with dots for the marches of a sweep with sweep.kind marches
 
 Exit status 1, with one line, where the results are missing or not those of `gearfilm continuation`.
 """
 from typing import NamedTuple
 
-from plotting import (BLUE, DARK, GREEN, GREY, VERMILLION, Foreign, PlotError, add_grid, add_legend, command_line, numpy,
-                      open_results, pyplot, read_table, read_text, write_figure)
+from diagrams import MASS, SPEED, TORQUE, Quantity, add_frequency_ratio, draw_marches, read_marches, varied_quantity
+from plotting import (BLUE, DARK, GREEN, GREY, VERMILLION, PlotError, add_grid, add_legend, command_line, numpy,
+                      open_results, pathlib, pyplot, read_table, write_figure)
 
 
-class Quantity(NamedTuple):
-    """A column of the table /continuation, and its label."""
-    column: str
-    label: str
-
-
-VARIED = {"speed": Quantity("speed_rpm", "speed of the pinion [rpm]"),
-          "torque": Quantity("torque", "torque of the pinion [N m]"),
-          "mass": Quantity("m_ge", "equivalent mass [kg]")}
+VARIED = {"speed": SPEED, "torque": TORQUE, "mass": MASS}
 RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static force]"),
              Quantity("H0_after_leaving", "$H_0$ after leaving [-]"),
              Quantity("V0_after_leaving", "$V_0$ after leaving [-]")]
@@ -44,13 +38,11 @@ class Continuation(NamedTuple):
 
 def read_continuation(path):
     with open_results(path, "continuation", "it has no table of points") as results:
-        parameter = read_text(results["parameters"].attrs["continuation.parameter"])
-        if parameter not in VARIED:
-            raise Foreign(f"unknown continuation.parameter '{parameter}'")
-        table = read_table(results, "continuation", USED | {VARIED[parameter].column})
+        varied = varied_quantity(results, "continuation.parameter", VARIED)
+        table = read_table(results, "continuation", USED | {varied.column})
     if not table.size:
         raise PlotError(f"{path} has no point yet")
-    return Continuation(table, VARIED[parameter])
+    return Continuation(table, varied)
 
 
 def stretches(rows):
@@ -82,22 +74,12 @@ def draw_marks(axes, table, varied, response):
                       marker=marker, markersize=6, markerfacecolor="none")
 
 
-def add_frequency_ratio(axes, continuation):
-    """An axis on top with f_m/f_n, for a continuation in the speed; a line in all panels at f_m = f_n."""
-    table = continuation.table
-    speed = table[continuation.varied.column]
-    ratio = numpy.mean(table["f_m"] / table["f_n"] / speed)  # a constant: f_n does not depend on the speed
-    top = axes[0].secondary_xaxis("top", functions=(lambda x: ratio * x, lambda r: r / ratio))
-    top.set_xlabel("$f_m/f_n$ [-]")
-    if speed.min() < 1 / ratio < speed.max():
-        for panel in axes:
-            panel.axvline(1 / ratio, color=GREY, linewidth=0.8, linestyle="--", zorder=0)
-
-
-def draw(continuation):
+def draw(continuation, marches):
     figure, axes = pyplot.subplots(len(RESPONSES), 1, sharex=True, figsize=(8, 2.2 * len(RESPONSES) + 1.4),
                                    constrained_layout=True)
     for panel, response in zip(axes, RESPONSES):
+        if marches is not None:
+            draw_marches(panel, marches, continuation.varied, response.column, color=GREY, label="marches", zorder=0)
         for rows in continuation.branches():
             draw_branch(panel, rows, continuation.varied, response, continuation.colour(rows))
         draw_marks(panel, continuation.table, continuation.varied, response)
@@ -105,7 +87,8 @@ def draw(continuation):
         add_grid(panel)
     over_speed = continuation.varied.column == "speed_rpm"
     if over_speed:
-        add_frequency_ratio(axes, continuation)
+        table = continuation.table
+        add_frequency_ratio(axes, table["speed_rpm"], table["f_m"] / table["f_n"])
     add_legend(axes[0], *axes[0].get_legend_handles_labels(), base=1.2 if over_speed else 1.0)
     axes[-1].set_xlabel(continuation.varied.label)
     figure.align_ylabels(axes)
@@ -113,8 +96,16 @@ def draw(continuation):
 
 
 def main():
-    arguments = command_line(__doc__, "continuation", "branch").parse_args()
-    write_figure(arguments, lambda: draw(read_continuation(arguments.folder / "results.h5")))
+    parser = command_line(__doc__, "continuation", "branch")
+    parser.add_argument("--marches", type=pathlib.Path, help="folder of a sweep of marches over the same quantity")
+    arguments = parser.parse_args()
+
+    def figure():
+        continuation = read_continuation(arguments.folder / "results.h5")
+        swept = arguments.marches
+        return draw(continuation, read_marches(swept / "results.h5", continuation.varied) if swept else None)
+
+    write_figure(arguments, figure)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figure of a sweep: forces, transmission error, film and stability of the periodic states, on the way up and down.
+"""Figure of a sweep: its periodic states on the way up and down, its marches as dots, or its basins.
 
     scripts/plot_sweep.py FOLDER [--name sweep]   reads FOLDER/results.h5, writes FOLDER/sweep.png and FOLDER/sweep.pdf
 
@@ -7,26 +7,29 @@ Exit status 1, with one line, where the results are missing or not those of `gea
 """
 from typing import NamedTuple
 
-from plotting import (BLUE, DARK, GREY, VERMILLION, Foreign, PlotError, add_grid, add_legend, command_line, numpy,
-                      open_results, pyplot, read_table, read_text, write_figure)
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch
+
+from diagrams import (MARCHED, MASS, SPEED, TORQUE, Quantity, add_frequency_ratio, draw_marches, read_marches,
+                      varied_quantity)
+from plotting import (BLUE, DARK, GREEN, GREY, PALE, PURPLE, VERMILLION, PlotError, add_grid, add_legend, command_line,
+                      numpy, open_results, pyplot, read_table, write_figure)
 
 
-class Quantity(NamedTuple):
-    """A column of the table /sweep, and how it is drawn."""
-    column: str
-    label: str
-    scale: float = 1.0
-
-
-VARIED = {"speed": Quantity("speed_rpm", "speed of the pinion [rpm]"),
-          "torque": Quantity("torque", "torque of the pinion [N m]"),
+VARIED = {"speed": SPEED, "torque": TORQUE,
           "equivalent_mass": Quantity("I_n", "dimensionless inertia $I_n$ [-]")}
 RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static force]"),
              Quantity("transmission_error_peak_to_peak", "transmission error,\npeak to peak [µm]", 1e6),
              Quantity("h_min", "smallest film [µm]", 1e6),
              Quantity("floquet_modulus", "modulus of the Floquet\nmultipliers [-]")]
 USED = {"up", "found", "f_m", "f_n", "contact_lost", "stable", "floquet_modulus_error",
-        *(quantity.column for quantity in RESPONSES)}
+        *(quantity.column for quantity in RESPONSES if quantity.column != "h_min")}  # dry pairs have no film
+
+
+DIAGRAM = {"force_ratio_max": "largest force on a\ncontact [static force]", "H0_after_leaving": "$H_0$ [-]",
+           "V0_after_leaving": "$V_0$ [-]"}
+BASINS = (BLUE, VERMILLION, GREEN, PURPLE)
+BASIN_COLUMNS = {"H0", "V0", "attractor", "settles_on", "H0_end", "V0_end", "force_ratio_max"}
 
 
 class Branch(NamedTuple):
@@ -53,13 +56,11 @@ class Sweep(NamedTuple):
 
 def read_sweep(path):
     with open_results(path, "sweep", "it has no table of points") as results:
-        over = read_text(results["parameters"].attrs["sweep.over"])
-        if over not in VARIED:
-            raise Foreign(f"unknown sweep.over '{over}'")
-        table = read_table(results, "sweep", USED | {VARIED[over].column})
+        varied = varied_quantity(results, "sweep.over", VARIED)
+        table = read_table(results, "sweep", USED | {varied.column})
     if not table["found"].any():
         raise PlotError(f"{path} has no periodic state, all points failed")
-    return Sweep(table, VARIED[over])
+    return Sweep(table, varied)
 
 
 def draw_points(axes, branch, varied, response):
@@ -85,19 +86,9 @@ def draw_marks(axes, branch, varied, response):
          markersize=7, markeredgewidth=2, transform=axes.get_xaxis_transform())
 
 
-def add_frequency_ratio(axes, sweep):
-    """An axis on top with f_m/f_n, for a sweep over the speed; a line in all panels at f_m = f_n."""
-    speed = sweep.table[sweep.varied.column]
-    ratio = numpy.mean(sweep.table["f_m"] / sweep.table["f_n"] / speed)  # a constant: f_n does not depend on the speed
-    top = axes[0].secondary_xaxis("top", functions=(lambda x: ratio * x, lambda r: r / ratio))
-    top.set_xlabel("$f_m/f_n$ [-]")
-    if speed.min() < 1 / ratio < speed.max():
-        for panel in axes:
-            panel.axvline(1 / ratio, color=GREY, linewidth=0.8, linestyle="--", zorder=0)
-
-
 def draw(sweep):
-    responses = [response for response in RESPONSES if numpy.isfinite(sweep.table[response.column]).any()]
+    responses = [response for response in RESPONSES if response.column in sweep.table.dtype.names
+                 and numpy.isfinite(sweep.table[response.column]).any()]
     figure, axes = pyplot.subplots(len(responses), 1, sharex=True, figsize=(8, 2.2 * len(responses) + 1),
                                    constrained_layout=True)
     for panel, response in zip(axes, responses):
@@ -110,16 +101,68 @@ def draw(sweep):
             panel.axhline(1, color=GREY, linewidth=0.8, zorder=0)
     over_speed = sweep.varied.column == "speed_rpm"
     if over_speed:
-        add_frequency_ratio(axes, sweep)
+        add_frequency_ratio(axes, sweep.table["speed_rpm"], sweep.table["f_m"] / sweep.table["f_n"])
     add_legend(axes[0], *axes[0].get_legend_handles_labels(), base=1.2 if over_speed else 1.0)
     axes[-1].set_xlabel(sweep.varied.label)
     figure.align_ylabels(axes)
     return figure
 
 
+def draw_diagram(path):
+    """Of a sweep of marches: its motion once a mesh period, at the end of every march."""
+    with open_results(path, "sweep", "it has no table of points") as results:
+        varied = varied_quantity(results, "sweep.over", VARIED | {"equivalent_mass": MASS})
+    rows = read_marches(path, varied)
+    figure, axes = pyplot.subplots(len(MARCHED), 1, sharex=True, figsize=(8, 8), constrained_layout=True)
+    for panel, (column, label) in zip(axes, DIAGRAM.items()):
+        for up, colour, name in ((1, BLUE, "on the way up"), (0, VERMILLION, "on the way down")):
+            way = rows[rows["up"] == up]
+            if way.size:
+                draw_marches(panel, way, varied, column, color=colour, label=name)
+        panel.set_ylabel(label)
+        add_grid(panel)
+    add_legend(axes[0], *axes[0].get_legend_handles_labels())
+    axes[-1].set_xlabel(varied.label)
+    figure.align_ylabels(axes)
+    return figure
+
+
+def draw_basins(table):
+    """Where marches lead from every start of a grid."""
+    H0, V0 = numpy.unique(table["H0"]), numpy.unique(table["V0"])
+    leads_to = table["attractor"].reshape(H0.size, V0.size)
+    figure, axes = pyplot.subplots(figsize=(7, 6), constrained_layout=True)
+    kinds = numpy.unique(leads_to)
+    colours = [BASINS[(number - 1) % len(BASINS)] if number else PALE for number in kinds]
+    axes.pcolormesh(H0, V0, numpy.searchsorted(kinds, leads_to).T, cmap=ListedColormap(colours), vmin=-0.5,
+                    vmax=kinds.size - 0.5, alpha=0.6, shading="nearest")
+    handles = []
+    for number, colour in zip(kinds, colours):
+        ends = table[table["attractor"] == number]
+        name = "does not repeat"
+        if number:
+            name = f"repeats every {ends['settles_on'][0]:.0f}, force {ends['force_ratio_max'][-1]:.2f}"
+            axes.plot(ends["H0_end"][-1], ends["V0_end"][-1], marker="*", markersize=13, color=colour,
+                      markeredgecolor=DARK)
+        handles.append(Patch(color=colour, alpha=0.6, label=f"{name} ({ends.size / table.size:.0%})"))
+    axes.set_xlabel("$H_0$ just after a contact has left [-]")
+    axes.set_ylabel("$V_0$ [-]")
+    add_legend(axes, handles, [handle.get_label() for handle in handles])
+    return figure
+
+
+def draw_any(path):
+    with open_results(path, "sweep", "it has no table of points") as results:
+        basins = read_table(results, "basins", BASIN_COLUMNS) if "basins" in results else None
+        marched = "diagram" in results
+    if basins is not None:
+        return draw_basins(basins)
+    return draw_diagram(path) if marched else draw(read_sweep(path))
+
+
 def main():
     arguments = command_line(__doc__, "sweep", "sweep").parse_args()
-    write_figure(arguments, lambda: draw(read_sweep(arguments.folder / "results.h5")))
+    write_figure(arguments, lambda: draw_any(arguments.folder / "results.h5"))
 
 
 if __name__ == "__main__":

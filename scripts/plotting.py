@@ -26,6 +26,7 @@ except ImportError as missing:
 BLUE = "#0072B2"
 VERMILLION = "#D55E00"
 GREEN = "#009E73"
+PURPLE = "#CC79A7"
 DARK = "#333333"
 GREY = "#999999"  # of marked lines
 PALE = "#DDDDDD"  # of grids

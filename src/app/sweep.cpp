@@ -9,6 +9,7 @@
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
+#include "gearfilm/app/sweep_tables.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -85,57 +86,15 @@ void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, i
   if (!stopped.empty()) throw Stopped(stopped);
 }
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
-
-double number(const Summary& point, const char* name) {
-  const auto found = point.find(name);
-  if (found == point.end() || found->is_null()) return absent;
-  return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
-}
-
-std::vector<TableColumn> point_columns(const Given& given) {
-  std::vector<TableColumn> columns = {{"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"},
-                                      {"I_n", "-"},         {"f_m", "Hz"},     {"f_n", "Hz"}};
-  for (const PeriodFigure& figure : period_figures) {
-    if (figure.of_sweep() && given.has(figure.needs))
-      columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
+void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
+  const int found = summary["points_found"].get<int>(), count = found + summary["points_failed"].get<int>();
+  petsc_check(PetscPrintf(comm, "%d of %d %s\n", found, count,
+                          problem.sweep.marched() ? "marches done" : "periodic states found"));
+  if (!summary.contains("attractors")) return;
+  for (const Summary& attractor : summary["attractors"]) {
+    petsc_check(PetscPrintf(comm, "%5.1f %% of the starts: %s\n", 100.0 * attractor["share"].get<double>(),
+                            description_of(attractor).c_str()));
   }
-  columns.insert(columns.end(), {{"transmission_error_peak_to_peak", "m"},
-                                 {"transmission_error_rms", "m"},
-                                 {"H0_after_leaving", "-"},
-                                 {"V0_after_leaving", "-"},
-                                 {"contact_lost", "-"},
-                                 {"floquet_modulus", "-"},
-                                 {"floquet_modulus_error", "-"},
-                                 {"stable", "-"},
-                                 {"free_frequency", "Hz"},
-                                 {"damping_ratio", "-"},
-                                 {"periods_used", "-"},
-                                 {"defect", "-"},
-                                 {"film_defect", "-"}});
-  return columns;
-}
-
-/// One row a point; what a failed point lacks is not a number.
-void write_table(MPI_Comm comm, const Case& problem, const Summary& results) {
-  const std::vector<TableColumn> figures = point_columns(given_figures(!problem.dry(), problem.traction, problem.roughness));
-  std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
-  columns.insert(columns.end(), figures.begin(), figures.end());
-  for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})
-    columns.push_back({part, "-"});
-  std::vector<double> rows;
-  for (const Summary& point : results) {
-    rows.push_back(point["direction"] == "up" ? 1.0 : 0.0);
-    rows.push_back(point.contains("error") ? 0.0 : 1.0);
-    for (const TableColumn& column : figures) rows.push_back(number(point, column.name.c_str()));
-    for (int n = 0; n < 4; ++n) {
-      rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
-    }
-  }
-  ResultsFile file(comm, problem.run.directory / "results.h5");
-  write_identity(file, problem, "sweep");
-  write_table(file, "/sweep", columns, rows);
-  file.finish();
 }
 
 }  // namespace
@@ -151,8 +110,10 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   if (problem.sweep.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
-  for (double value : problem.sweep.values)
-    (void)case_at(problem, problem.sweep.parameter, value);  // wrong values are said before any work
+  if (problem.sweep.kind != SweepKind::basins) {
+    for (double value : problem.sweep.values)
+      (void)case_at(problem, problem.sweep.parameter, value);  // wrong values are said before any work
+  }
   const int groups = group_count(comm, problem);
   const OutputDirectory directory(comm, problem.run.directory);
   if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));
@@ -166,7 +127,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
     results.push_back(points.read(comm, point).value());
     failures += results.back().contains("error");
   }
-  write_table(comm, problem, results);
+  write_sweep_tables(comm, problem, results);
   const auto count = results.size();
   Summary summary = {{"case", problem.name},
                      {"nx", problem.numerics.nx},
@@ -175,12 +136,14 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
                      {"over", problem.sweep.parameter},
                      {"points_found", count - failures},
                      {"points_failed", failures}};
+  if (problem.sweep.kind == SweepKind::basins) summary["attractors"] = attractors_of(results);
   summary["points"] = std::move(results);
   write_summary(comm, problem.run.directory, summary);
   points.complete(comm);
-  petsc_check(PetscPrintf(comm, "%zu of %zu periodic states found\n", count - failures, count));
+  print_result(comm, problem, summary);
   if (failures == static_cast<int>(count))
-    throw SolveError("no point of the sweep has a periodic state; see the errors in " +
+    throw SolveError(std::string("no point of the sweep ") +
+                     (problem.sweep.marched() ? "was marched" : "has a periodic state") + "; see the errors in " +
                      (problem.run.directory / "summary.json").string());
 }
 

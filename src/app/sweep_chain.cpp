@@ -7,6 +7,7 @@
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/dry_run.hpp"
+#include "gearfilm/app/marched_point.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/state_file.hpp"
@@ -36,9 +37,10 @@ Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].g
 
 /// The same from a point on disk, but for its films.
 Neighbour read_neighbour(const Summary& point) {
-  const Summary& map = point["monodromy"];
   Neighbour neighbour{point["value"].get<double>(), {}, {}};
   neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  if (!point.contains("monodromy")) return neighbour;  // of a march
+  const Summary& map = point["monodromy"];
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 2; ++column) {
       neighbour.guess.monodromy[row][column] = map[row][column].get<double>();
@@ -114,8 +116,13 @@ private:
     if (before_point_) std::filesystem::remove(points_.films(*before_point_), ignored);
   }
 
+  Case case_of(double value) const {
+    if (problem_.sweep.kind == SweepKind::basins) return problem_;
+    return case_at(problem_, problem_.sweep.parameter, value);
+  }
+
   Summary compute(const SweepPoint& point, double value) {
-    const Case here = case_at(problem_, problem_.sweep.parameter, value);
+    const Case here = case_of(value);
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
     result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
     result["torque"] = here.pair.torque;
@@ -125,7 +132,9 @@ private:
     result["f_m"] = mesh.mesh_frequency_si();
     result["f_n"] = mesh.frequency_si();
     try {
-      if (here.dry()) {
+      if (here.sweep.marched()) {
+        march(here, mesh, value, point, result);
+      } else if (here.dry()) {
         find_dry(here, mesh, value, result);
       } else {
         find_lubricated(here, mesh, value, point, result);
@@ -135,6 +144,38 @@ private:
       keep({});
     }
     return result;
+  }
+
+  void march(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point, Summary& result) {
+    std::optional<PairState> from;
+    if (here.sweep.kind == SweepKind::basins) {
+      const Motion& start = here.sweep.starts[point.index];
+      result["H0"] = start.H0;
+      result["V0"] = start.V0;
+      from = PairState{start, {}};
+    } else if (last_) {
+      const PairState& state = last_->guess.neighbour.value_or(PairState{last_->guess.motion, {}});
+      from = rescaled(state, case_of(last_->value).scales, here.scales);
+    } else if (here.march.start_motion) {
+      from = PairState{*here.march.start_motion, {}};
+    }
+    SharedDiscretisation films;
+    std::optional<Checkpoint> checkpoint;
+    if (!here.dry()) {
+      films = discretise(group_, here);
+      checkpoint.emplace(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+    }
+    const auto watch = [&](double T, bool is_new) {
+      if (is_new) stop_.check(group_, mesh.path.mesh_periods(T));
+    };
+    const MarchedPoint marched = march_point(here, mesh, films, from, checkpoint ? &*checkpoint : nullptr, watch);
+    result.update(marched_summary(here, marched));
+    OrbitGuess end{marched.end.motion, {}, {}};
+    if (!marched.end.films.empty()) {
+      write_films(point, marched.end);
+      end.neighbour = marched.end;
+    }
+    keep(Neighbour{value, end, {}});
   }
 
   void find_dry(const Case& here, const MeshModel& mesh, double value, Summary& result) {
@@ -235,7 +276,11 @@ private:
       text << "failed: " << point["error"].get<std::string>();
     } else {
       text << "force ratio " << point["force_ratio_max"].get<double>();
-      if (!problem_.dry()) {
+      if (problem_.sweep.marched()) {
+        const Summary& period = point["settles_on"];
+        const char* how = point["repeats_every"].is_null() ? ", settles on " : ", repeats every ";
+        text << (period.is_null() ? ", does not settle" : how + period.dump() + " mesh period(s)");
+      } else if (!problem_.dry()) {
         text << ", smallest film " << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>()
              << " mesh periods";
       }

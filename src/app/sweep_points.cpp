@@ -55,7 +55,8 @@ std::optional<Summary> SweepPoints::read(MPI_Comm group, const SweepPoint& point
   broadcast(group, text);
   Summary result = Summary::parse(text, nullptr, false);
   // Anything else is not a point that was written whole.
-  if (!result.is_object() || !(result.contains("error") || result.contains("monodromy"))) return {};
+  if (!result.is_object() || !(result.contains("error") || result.contains("monodromy") || result.contains("poincare")))
+    return {};
   return result;
 }
 

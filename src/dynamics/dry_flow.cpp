@@ -16,7 +16,8 @@ namespace {
 
 constexpr double integration_tolerance = 1e-10;
 
-constexpr int state_size = 8;  // H_0, V_0, Phi row by row, w
+constexpr int motion_size = 2;  // H_0, V_0
+constexpr int whole_size = 8;   // these, Phi row by row, w
 
 /// H_0 between two steps, by its values and slopes there (cubic of Hermite); s = 0 to 1.
 struct Cubic {
@@ -46,10 +47,12 @@ struct Cubic {
 /// One way through some mesh periods.
 class DryFlowRun {
 public:
-  DryFlowRun(const DryFlow& flow, const Motion& start)
-      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0} {
-    extremes_.smallest_force = extremes_.least_approach = std::numeric_limits<double>::max();
-    petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, state_size, values_.data(), state_.put()));
+  /// Derivatives: all but the motion is left out without.
+  DryFlowRun(const DryFlow& flow, const Motion& start, bool derivatives)
+      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, derivatives_(derivatives) {
+    forget_extremes();
+    const int size = derivatives ? whole_size : motion_size;
+    petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, values_.data(), state_.put()));
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
@@ -89,6 +92,10 @@ public:
   }
   Motion by_parameter() const { return {values_[6], values_[7]}; }
   const DryExtremes& extremes() const { return extremes_; }
+  void forget_extremes() {
+    extremes_ = {};
+    extremes_.smallest_force = extremes_.least_approach = std::numeric_limits<double>::max();
+  }
 
 private:
   /// T_m dV_0/dT, and its derivative by H_0 on demand.
@@ -111,7 +118,8 @@ private:
       const Motion motion{x[0], x[1]};
       double slope = 0.0;
       rate[0] = here.period * motion.V0;
-      rate[1] = self.acceleration(here, s, motion, &slope);
+      rate[1] = self.acceleration(here, s, motion, self.derivatives_ ? &slope : nullptr);
+      if (!self.derivatives_) return;
       // Columns of Phi, then w.
       for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
         rate[first] = here.period * x[second];
@@ -152,7 +160,8 @@ private:
   }
 
   const DryFlow& flow_;
-  std::array<double, state_size> values_;
+  std::array<double, whole_size> values_;
+  bool derivatives_;
   OwnedVec state_;
   PetscHandle<TS, TSDestroy> ts_;
   std::vector<int> contacts_;
@@ -164,17 +173,28 @@ private:
   DryExtremes extremes_;
 };
 
-DryFlow::Pair DryFlow::pair_of(MeshModel mesh, double damping_ratio) {
+DryFlow::Pair DryFlow::pair_of(const MeshModel& mesh, double damping_ratio) {
   const DryForce force(mesh);
   const double damping = dry_damping(mesh, damping_ratio), period = mesh.path.mesh_period();
-  return {std::move(mesh), force, damping, period};
+  return {mesh, force, damping, period};
 }
 
-DryFlow::DryFlow(MeshModel mesh, MeshModel beside, double part, double damping_ratio)
-    : here_(pair_of(std::move(mesh), damping_ratio)), beside_(pair_of(std::move(beside), damping_ratio)), part_(part) {}
+DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
+    : here_(pair_of(mesh, damping_ratio)), beside_(pair_of(beside, damping_ratio)), part_(part) {}
+
+void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
+                    const std::function<void(const DryPeriod&)>& observer) {
+  const DryFlow flow(mesh, mesh, 1.0, damping_ratio);
+  DryFlowRun run(flow, start, false);
+  for (int n = 1; n <= mesh_periods; ++n) {
+    run.run(n);
+    observer({run.motion(), run.extremes()});
+    run.forget_extremes();
+  }
+}
 
 DryFlowEnd DryFlow::operator()(const Motion& start, int mesh_periods) const {
-  DryFlowRun run(*this, start);
+  DryFlowRun run(*this, start, true);
   DryFlowEnd end;
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);

@@ -59,10 +59,14 @@ void DryMarch::start(const std::optional<Motion>& motion) {
   if (motion) {
     motion_ = *motion;
   } else {
-    const DryContacts contacts(force_, mesh_, mesh_.path.contacts_after(T_), T_);
-    motion_ = {contacts.balance(mesh_.scales.static_force), 0.0};
+    motion_ = balance(mesh_, force_, T_);
   }
   observe(0.0, 0.0);
+}
+
+Motion DryMarch::balance(const MeshModel& mesh, const DryForce& force, double T) {
+  const DryContacts contacts(force, mesh, mesh.path.contacts_after(T), T);
+  return {contacts.balance(mesh.scales.static_force), 0.0};
 }
 
 void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
@@ -81,7 +85,7 @@ void DryMarch::integrate(const std::vector<int>& contacts, double T_end) {
   petsc_check(TSCreate(PETSC_COMM_SELF, ts.put()));
   petsc_check(TSSetOptionsPrefix(ts, "dry_"));
   petsc_check(TSSetType(ts, TSRK));
-  petsc_check(TSRKSetType(ts, TSRK8VR));
+  petsc_check(TSRKSetType(ts, TSRK5DP));
   petsc_check(TSSetRHSFunction(
       ts, nullptr,
       [](TS, PetscReal T, Vec in, Vec out, void* untyped) -> PetscErrorCode {

@@ -197,6 +197,9 @@ Records eigen_records() {
 
 Records sweep_records() {
   const std::string of_list = "from sweep.values";
+  const auto start = [](const char* name, const char* meaning) {
+    return optional("none", number(name, "", "-", {}, meaning));
+  };
   return section(
       "sweep", Scope::gear_pair,
       {choice("over", {"speed", "torque", "equivalent_mass"},
@@ -210,7 +213,14 @@ Records sweep_records() {
        preset(0, whole("chain_points", "", at_least(0),
                        "points that follow one another before a new start from the dry orbit; 0: all of a direction")),
        preset(0, whole("groups", "", at_least(0),
-                       "groups of processes that work on different chains; 0: as many as there are chains"))});
+                       "groups of processes that work on different chains; 0: as many as there are chains")),
+       choice("kind", {"periodic", "marches", "basins"},
+              "periodic states; or marches, each from where the last one ended; or marches from a grid of starts"),
+       preset(200, whole("march_periods", "", closed(2, 1000000), "mesh periods of each march")),
+       preset(16, whole("kept_periods", "", closed(2, 1000000), "at its end, whose motions are kept")),
+       start("H0_from", "smallest H_0 from which marches of basins start"), start("H0_to", "largest H_0"),
+       start("V0_from", "smallest V_0, just after a contact has left"), start("V0_to", "largest V_0"),
+       preset(21, whole("starts", "", closed(2, 10000), "of basins, in H_0 and in V_0 each"))});
 }
 
 Records continuation_records() {

@@ -49,10 +49,50 @@ std::vector<double> read_range(const ParameterValues& values, const Parameter& v
   return list;
 }
 
+/// Starts of basins, row by row of H_0.
+std::vector<Motion> read_starts(const ParameterValues& values) {
+  const auto range = [&](const std::string& of) {
+    const std::string first = "sweep." + of + "_from", last = "sweep." + of + "_to";
+    for (const std::string& name : {first, last}) {
+      if (values.has(name)) continue;
+      throw InputError("'" + name + "' is missing, but sweep.kind is basins; give the range of starts: " + first +
+                       " and " + last);
+    }
+    const double from = values.real(first), to = values.real(last);
+    if (from < to) return std::pair{from, to};
+    throw InputError(values.origin(first) + ": '" + first + "' is " + format_value(from) + ", not below '" + last +
+                     "', " + format_value(to) + "; give the smaller value first");
+  };
+  const auto [H0_from, H0_to] = range("H0");
+  const auto [V0_from, V0_to] = range("V0");
+  const int count = values.integer("sweep.starts");
+  std::vector<Motion> starts;
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      starts.push_back({H0_from + (H0_to - H0_from) * i / (count - 1), V0_from + (V0_to - V0_from) * j / (count - 1)});
+    }
+  }
+  return starts;
+}
+
 }  // namespace
 
 SweepOptions read_sweep(const ParameterValues& values) {
   SweepOptions sweep;
+  const std::string& kind = values.text("sweep.kind");
+  sweep.march_periods = values.integer("sweep.march_periods");
+  sweep.kept_periods = values.integer("sweep.kept_periods");
+  sweep.groups = values.integer("sweep.groups");
+  if (kind == "basins") {
+    sweep.kind = SweepKind::basins;
+    sweep.unit = "(number of the start)";
+    sweep.down = false;
+    sweep.chain_points = 1;
+    sweep.starts = read_starts(values);
+    for (std::size_t n = 0; n < sweep.starts.size(); ++n) sweep.values.push_back(static_cast<double>(n));
+    return sweep;
+  }
+  if (kind == "marches") sweep.kind = SweepKind::marches;
   sweep.parameter = keys().at(values.text("sweep.over"));
   const Parameter& varied = *find_parameter(sweep.parameter);
   sweep.unit = varied.unit;
@@ -71,7 +111,6 @@ SweepOptions read_sweep(const ParameterValues& values) {
   sweep.up = direction != "down";
   sweep.down = direction != "up";
   sweep.chain_points = values.integer("sweep.chain_points");
-  sweep.groups = values.integer("sweep.groups");
   return sweep;
 }
 

@@ -33,6 +33,13 @@ AffineFit::AffineFit(const std::vector<Return>& returns) {
   }
 }
 
+Motion AffineFit::fixed_point() const {
+  const auto& [a, b] = map();
+  const double p = scale_ * solution_[0][2], q = scale_ * solution_[1][2];
+  const double determinant = (1.0 - a[0]) * (1.0 - b[1]) - a[1] * b[0];
+  return {((1.0 - b[1]) * p + a[1] * q) / determinant, (b[0] * p + (1.0 - a[0]) * q) / determinant};
+}
+
 double AffineFit::deviation(const std::complex<double>& mu) const {
   using Vector = std::array<std::complex<double>, 2>;
   const Monodromy m = map();

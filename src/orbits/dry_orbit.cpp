@@ -1,6 +1,7 @@
 #include "gearfilm/orbits/dry_orbit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -16,7 +17,8 @@ constexpr double strong_damping = 0.3;
 constexpr double weak_damping = 0.002;  // from here to none at once
 constexpr double widest_ratio = 0.5;    // of one damping to the last
 constexpr double narrowest_ratio = 0.97;
-constexpr double push = 0.05;  // of H_0, off an orbit of first order
+// Of H_0, off an orbit of first order: the way to where the pair settles may be a long one without order.
+constexpr std::array pushes = {0.05, -0.05, 0.2, -0.2, 0.02, -0.02};
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
@@ -32,21 +34,11 @@ public:
   /// Free oscillations in a period, but no less than one.
   double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
 
-  Motion march(const std::optional<Motion>& start, double periods, double record_step,
-               const StepObserver& observer) const {
-    DryMarch dry(mesh_, record_step, observer, dry_damping(mesh_, damping_ratio_));
-    dry.start(start);
-    dry.run(periods * mesh_.period());
-    return dry.motion();
+  DryFlowEnd operator()(const Motion& start) const {
+    return DryFlow(mesh_, mesh_, 1.0, damping_ratio_)(start, mesh_.periods());
   }
-  Motion operator()(const Motion& start) const { return flow(start).states.back(); }
-  Monodromy derivative(const Motion& at) const { return flow(at).by_start; }
 
 private:
-  DryFlowEnd flow(const Motion& start) const {
-    return DryFlow(mesh_, mesh_, 1.0, damping_ratio_)(start, static_cast<int>(mesh_.periods()));
-  }
-
   const MeshModel& mesh_;
   double damping_ratio_ = 0.0;
 };
@@ -67,7 +59,7 @@ bool shoot(const DryMap& map, Motion& motion) {
         return petsc_callback([&] {
           const VecReading x(in);
           const VecWriting r(out);
-          const Motion end = (*static_cast<const DryMap*>(context))({x[0], x[1]});
+          const Motion end = (*static_cast<const DryMap*>(context))({x[0], x[1]}).states.back();
           r[0] = end.H0 - x[0];
           r[1] = end.V0 - x[1];
         });
@@ -78,7 +70,7 @@ bool shoot(const DryMap& map, Motion& motion) {
       [](SNES, Vec in, Mat, Mat out, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           const VecReading x(in);
-          const Monodromy slope = static_cast<const DryMap*>(context)->derivative({x[0], x[1]});
+          const Monodromy slope = (*static_cast<const DryMap*>(context))({x[0], x[1]}).by_start;
           for (int row = 0; row < 2; ++row) {
             for (int column = 0; column < 2; ++column) {
               petsc_check(MatSetValue(out, row, column, slope[row][column] - (row == column), INSERT_VALUES));
@@ -89,6 +81,14 @@ bool shoot(const DryMap& map, Motion& motion) {
         });
       },
       const_cast<DryMap*>(&map)));
+  // A pair in free flight comes back from where it is pushed: no factors, which there are none of then.
+  KSP ksp = nullptr;
+  PC pc = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  petsc_check(KSPSetType(ksp, KSPGMRES));
+  petsc_check(KSPSetTolerances(ksp, 1e-12, 1e-30, PETSC_DEFAULT, 10));
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCNONE));
   petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
   petsc_check(SNESSetFromOptions(snes));
   {
@@ -106,23 +106,19 @@ bool shoot(const DryMap& map, Motion& motion) {
 }
 
 DryOrbit describe(const DryMap& map, const Motion& start) {
-  DryOrbit orbit;
-  orbit.start = start;
-  orbit.monodromy = map.derivative(start);
-  map.march(start, 1.0, 0.01 * map.mesh().period(), [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    for (const ContactRecord& contact : record.contacts) {
-      orbit.largest_integral = std::max(orbit.largest_integral, contact.figures["force"]);
-    }
-  });
-  return orbit;
+  const DryFlowEnd end = map(start);
+  return {start, end.by_start, end.extremes.largest_force};
 }
 
 /// What the pair comes to from there, or from rest, when it is left to itself.
 Motion settle(DryMap& map, double damping_ratio, const std::optional<Motion>& from) {
   map.set_damping_ratio(damping_ratio);
   const double periods = std::ceil(10.0 + 2.0 / (damping_ratio * map.oscillations()));
-  return map.march(from, periods, std::numeric_limits<double>::max(),
-                   [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const MeshModel& mesh = map.mesh();
+  Motion end = from ? *from : DryMarch::balance(mesh, DryForce(mesh), 0.0);
+  DryFlow::march(mesh, damping_ratio, end, static_cast<int>(periods) * mesh.periods(),
+                 [&](const DryPeriod& period) { end = period.motion; });
+  return end;
 }
 
 /// The orbit of a strongly damped pair, followed to less damping. Returns the damping reached.
@@ -157,10 +153,12 @@ double follow_from_strong_damping(DryMap& map, double damping_ratio, Motion& sta
 DryOrbit find_beside_first_order(DryMap& map, double damping_ratio) {
   MeshModel simple = map.mesh();
   simple.order = 1;
-  Motion start = find_dry_orbit(simple, damping_ratio).start;
-  start = settle(map, std::max(damping_ratio, weak_damping), Motion{start.H0 + push, start.V0});
-  map.set_damping_ratio(damping_ratio);
-  if (shoot(map, start)) return describe(map, start);
+  const Motion first_order = find_dry_orbit(simple, damping_ratio).start;
+  for (const double push : pushes) {
+    Motion start = settle(map, std::max(damping_ratio, weak_damping), Motion{first_order.H0 + push, first_order.V0});
+    map.set_damping_ratio(damping_ratio);
+    if (shoot(map, start)) return describe(map, start);
+  }
   throw SolveError("no periodic orbit of the dry pair found that repeats after " +
                    std::to_string(map.mesh().periods()) + " mesh periods");
 }

@@ -36,7 +36,9 @@ std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, 
   const AffineFit fit(returns);
   const auto mu = multipliers(fit.map());
   const std::complex<double> larger = std::abs(mu[0]) >= std::abs(mu[1]) ? mu[0] : mu[1];
-  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger)};
+  const Motion rest = fit.fixed_point();
+  return Settling{
+      static_cast<int>(period), larger, 2.0 * fit.deviation(larger), {last.H0 + rest.H0, last.V0 + rest.V0}};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "gearfilm/dynamics/dry_force.hpp"
@@ -22,6 +23,12 @@ struct DryExtremes {
   double least_approach = 0.0;  ///< of the contact that is pressed most, F_k = 0 at 0 [-]; negative: all are apart
 };
 
+/// After every mesh period, and in it.
+struct DryPeriod {
+  Motion motion;
+  DryExtremes extremes;
+};
+
 struct DryFlowEnd {
   std::vector<Motion> states;                       ///< after every mesh period
   std::array<std::array<double, 2>, 2> by_start{};  ///< derivative of the last one by the first motion, row by row
@@ -33,10 +40,14 @@ class DryFlow {
 public:
   /// A pair and the same pair at a parameter that is greater by a part of its unit. damping_ratio: dry_damping() of it
   /// is c.
-  DryFlow(MeshModel mesh, MeshModel beside, double part, double damping_ratio);
+  DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio);
 
   /// From T = 0 on. Throws SolveError where the motion is not finite.
   DryFlowEnd operator()(const Motion& start, int mesh_periods) const;
+
+  /// The same motion without derivatives, which for long would grow beyond bounds. The observer may throw.
+  static void march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
+                    const std::function<void(const DryPeriod&)>& observer);
 
 private:
   friend class DryFlowRun;
@@ -47,7 +58,7 @@ private:
     double damping = 0.0;  ///< c
     double period = 0.0;   ///< T_m
   };
-  static Pair pair_of(MeshModel mesh, double damping_ratio);
+  static Pair pair_of(const MeshModel& mesh, double damping_ratio);
 
   Pair here_, beside_;
   double part_;

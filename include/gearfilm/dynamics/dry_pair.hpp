@@ -24,6 +24,9 @@ public:
   /// march.
   DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping = 0.0, MarchKeeper* keeper = nullptr);
 
+  /// At rest at a time.
+  static Motion balance(const MeshModel& mesh, const DryForce& force, double T);
+
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);
   /// One run of the march (march_keeper.hpp).

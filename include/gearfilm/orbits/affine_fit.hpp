@@ -22,6 +22,8 @@ public:
   explicit AffineFit(const std::vector<Return>& returns);
 
   Monodromy map() const { return {{{solution_[0][0], solution_[0][1]}, {solution_[1][0], solution_[1][1]}}}; }
+  /// The motion that the map leaves as it is; not finite where there is none.
+  Motion fixed_point() const;
   /// Standard deviation of an eigenvalue of the map, to first order: d(mu) = w.dM v/(w.v) with its eigenvectors. Zero
   /// where there are no more returns than unknowns, three.
   double deviation(const std::complex<double>& mu) const;

@@ -1,8 +1,8 @@
 // The periodic motion of the dry gear pair, by shooting.
 //
 // Unknown: (H_0, V_0) at the moment a contact has just left; equation: they repeat after one mesh period
-// (dry_pair.hpp). Solved with SNES and the derivatives of dry_flow.hpp; a fraction of a second. With a little damping the
-// start of the lubricated orbit.
+// (dry_pair.hpp). Solved with SNES and the derivatives of dry_flow.hpp; a fraction of a second. With a little damping
+// the start of the lubricated orbit.
 #pragma once
 
 #include "gearfilm/dynamics/dry_pair.hpp"

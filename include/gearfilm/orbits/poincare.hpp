@@ -47,6 +47,7 @@ struct Settling {
   int period = 1;  ///< mesh periods over which
   std::complex<double> multiplier;
   double modulus_error = 0.0;  ///< twice its standard deviation
+  Motion limit;                ///< of the last point and those whole periods before it
 
   /// Beyond doubt.
   bool contracts() const { return std::abs(multiplier) + modulus_error < 1.0; }

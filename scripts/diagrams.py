@@ -1,0 +1,50 @@
+"""What figures over a speed, a torque or a mass share: what is varied, the axis of frequency ratios, marched motions."""
+from typing import NamedTuple
+
+from plotting import GREY, Foreign, PlotError, numpy, open_results, read_table, read_text
+
+
+class Quantity(NamedTuple):
+    """A column of a table, and how it is drawn."""
+    column: str
+    label: str
+    scale: float = 1.0
+
+
+SPEED = Quantity("speed_rpm", "speed of the pinion [rpm]")
+TORQUE = Quantity("torque", "torque of the pinion [N m]")
+MASS = Quantity("m_ge", "equivalent mass [kg]")
+# Columns of the table /diagram, by those of /continuation that mean the same.
+MARCHED = {"force_ratio_max": "force_ratio_max", "H0_after_leaving": "H0", "V0_after_leaving": "V0"}
+
+
+def varied_quantity(results, key, known):
+    """Of an open results file: which of the known quantities its parameter says is varied."""
+    name = read_text(results["parameters"].attrs[key])
+    if name not in known:
+        raise Foreign(f"unknown {key} '{name}'")
+    return known[name]
+
+
+def add_frequency_ratio(axes, speed, frequency_ratio):
+    """An axis on top with f_m/f_n, in figures over the speed; a line in all panels at f_m = f_n."""
+    ratio = numpy.mean(frequency_ratio / speed)  # a constant: f_n does not depend on the speed
+    top = axes[0].secondary_xaxis("top", functions=(lambda x: ratio * x, lambda r: r / ratio))
+    top.set_xlabel("$f_m/f_n$ [-]")
+    if speed.min() < 1 / ratio < speed.max():
+        for panel in axes:
+            panel.axvline(1 / ratio, color=GREY, linewidth=0.8, linestyle="--", zorder=0)
+
+
+def read_marches(path, varied):
+    """The table /diagram of a sweep of marches over the same quantity."""
+    with open_results(path, "sweep", "it has no table of points") as results:
+        if "diagram" not in results:
+            raise PlotError(f"{path} is no sweep of marches; make it with sweep.kind marches")
+        return read_table(results, "diagram", {"up", varied.column, *MARCHED.values()})
+
+
+def draw_marches(axes, rows, varied, column, **style):
+    """A dot for every mesh period that was kept of every march."""
+    axes.plot(rows[varied.column], rows[MARCHED[column]], linestyle="none", marker=".", markersize=4,
+              markeredgewidth=0, **style)
