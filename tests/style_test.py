@@ -16,7 +16,8 @@ ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "traction", "dynamic
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor
-DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CHANGELOG.md", *sorted((SOURCE / "docs").rglob("*.md"))]
+DOCUMENTS = [*(SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+             *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def read(path):
@@ -110,7 +111,8 @@ class Documents(unittest.TestCase):
 
     def test_symbols_have_keys_and_names_that_exist(self):
         keys = set(re.findall(r"^\| `(\S+)`", output_of("parameters"), re.MULTILINE))
-        names = set(re.findall(r"`(\w+)`", output_of("figures") + read(SOURCE / "docs/user-guide.md"))) | names_of_info()
+        named = output_of("figures") + read(SOURCE / "docs/user-guide.md")
+        names = set(re.findall(r"`(\w+)`", named)) | names_of_info()
         rows = [line.split("|") for line in read(SOURCE / "docs/symbols.md").splitlines() if line.startswith("| $")]
         self.assertGreater(len(rows), 50)
         for cells in rows:
@@ -131,6 +133,26 @@ class Documents(unittest.TestCase):
             for option in re.findall(r"(?<![\w/-])-[a-z]+_\w+", content):
                 if option[1:].split("_")[0] in sections and not petsc.match(option):
                     self.assertIn(option, options, relative(path))
+
+
+class Release(unittest.TestCase):
+    def test_one_version_everywhere(self):
+        build = read(SOURCE / "CMakeLists.txt")
+        version = re.search(r"^project\(gearfilm VERSION (\d+\.\d+\.\d+) ", build, re.MULTILINE)[1]
+        minor = version.rpartition(".")[0]
+        for name, pattern, expected in (("CITATION.cff", r"^version: (\S+)$", version),
+                                        ("CHANGELOG.md", r"^## (\S+)", version),
+                                        ("docs/examples/CMakeLists.txt", r"^find_package\(gearfilm (\S+) ", minor),
+                                        ("docs/user-guide.md", r"^find_package\(gearfilm (\S+) ", minor)):
+            found = re.search(pattern, read(SOURCE / name), re.MULTILINE)
+            self.assertEqual(found and found[1], expected, name)
+
+    def test_continuous_integration_is_what_must_pass(self):
+        workflow = read(SOURCE / ".github/workflows/ci.yml")
+        self.assertRegex(workflow, r"(?m)^ +run: \.ci/run$")
+        self.assertTrue(os.access(SOURCE / ".ci/run", os.X_OK))
+        for release in ("bookworm", "trixie"):
+            self.assertIn(release, re.search(r"release: \[(.*)\]", workflow)[1].split(", "))
 
 
 class Links(unittest.TestCase):
