@@ -10,6 +10,8 @@ from shortened import SHORT, shortened
 CASES = sorted(INPUT.glob("*.yaml"))
 DOCUMENTS = [SOURCE / "docs/user-guide.md", SOURCE / "docs/gallery.md"]
 
+LARGEST_IMAGE = 150_000  # bytes
+
 
 class NoCommand(Exception):
     """A case file that does not begin as the others do."""
@@ -54,6 +56,16 @@ class Examples(ProgramTest):
                 with self.subTest(document=document.name, case=path.name):
                     words = command_in(path.read_text(encoding="utf-8"), path.name)
                     self.assertTrue(f"gearfilm {shlex.join(words)}" in text, shlex.join(words))
+
+    def test_gallery_has_a_figure_of_every_case_and_the_script_that_draws_it(self):
+        text = DOCUMENTS[1].read_text(encoding="utf-8")
+        for path in CASES:
+            with self.subTest(case=path.name):
+                script = re.search(rf"^    (scripts/plot_\w+\.py) output/{path.stem}$", text, re.MULTILINE)
+                self.assertTrue(script and (SOURCE / script[1]).exists())
+                image = f"figures/gallery_{path.stem}.png"
+                self.assertTrue(f"]({image})" in text)
+                self.assertLess((SOURCE / "docs" / image).stat().st_size, LARGEST_IMAGE)
 
     def test_a_case_without_them_is_found(self):
         case = CASES[0].read_text(encoding="utf-8")
