@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pages of the public headers with Doxygen, into build/pages/html; a warning is an error.
+# Makes the pages of the documents and of the public headers with Doxygen, into build/pages/html; a warning is an error.
 #   scripts/pages.sh [BUILD]       a configured build folder, build/release by default
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -7,15 +7,20 @@ build=${1:-build/release}
 command -v doxygen >/dev/null || scripts/install.sh doxygen
 [ -f "$build/CMakeCache.txt" ] || cmake --preset release >/dev/null
 
+python=${PYTHON:-/usr/bin/python3}
+"$python" -B scripts/check_links.py
 # The headers that are installed, and nothing else, are public.
 rm -rf build/pages
 cmake --install "$build" --prefix "$PWD/build/pages/headers" --component headers >/dev/null
 headers=build/pages/headers/include
+documents=build/pages/documents
+"$python" -B scripts/page_sources.py "$documents"
 version=$(sed -n 's/^project(gearfilm VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 {
   cat docs/Doxyfile
   echo "PROJECT_NUMBER = $version"
-  echo "INPUT = $headers docs/examples/README.md"
+  echo "INPUT = $headers $documents"
+  echo "USE_MDFILE_AS_MAINPAGE = $documents/README.md"
   echo "STRIP_FROM_PATH = $headers"
   echo "STRIP_FROM_INC_PATH = $headers"
   echo "OUTPUT_DIRECTORY = build/pages"

@@ -44,7 +44,8 @@ def draw_map(figure, axes, film, centre):
     axes.set_aspect("equal")
     axes.set_xlabel("y [mm]")
     axes.set_ylabel("x [mm]")
-    axes.set_title("film thickness; dashed: Hertz ellipse of the reference contact; oil enters from below", fontsize=9)
+    # In two lines, since narrow domains leave little room beside the axes.
+    axes.set_title("film thickness; oil enters from below;\ndashed: Hertz ellipse of the reference contact", fontsize=9)
     figure.colorbar(filled, ax=axes, label="h [µm]", format="%.2f", shrink=0.9)
 
 

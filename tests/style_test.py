@@ -1,9 +1,12 @@
 """Rules of the house that no compiler checks. Environment: GEARFILM, the binary."""
+import json
 import os
 import pathlib
 import re
 import statistics
 import subprocess
+import sys
+import tempfile
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
@@ -13,7 +16,8 @@ ROOMS = ["gear", "lubricant", "contact", "parallel", "ehl", "traction", "dynamic
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor
-DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").rglob("*.md"))]
+DOCUMENTS = [*(SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+             *sorted((SOURCE / "docs").rglob("*.md"))]
 
 
 def read(path):
@@ -32,6 +36,13 @@ def relative(path):
 
 def output_of(*arguments):
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, timeout=60).stdout
+
+
+def names_of_info():
+    """What `gearfilm info` writes of a gear pair with a mass."""
+    with tempfile.TemporaryDirectory() as folder:
+        output_of("info", str(SOURCE / "input/barbieri2013.yaml"), "-output_dir", folder)
+        return set(json.loads(read(pathlib.Path(folder) / "summary.json")))
 
 
 class Rooms(unittest.TestCase):
@@ -98,12 +109,16 @@ class Documents(unittest.TestCase):
         self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
                          "write docs/results.md anew: gearfilm figures > docs/results.md")
 
-    def test_links_lead_somewhere(self):
-        for path in DOCUMENTS:
-            for target in re.findall(r"\]\(([^)\s]+)\)", read(path)):
-                if re.match(r"[a-z]+:|#", target):
-                    continue
-                self.assertTrue((path.parent / target.split("#")[0]).exists(), f"{relative(path)}: {target}")
+    def test_symbols_have_keys_and_names_that_exist(self):
+        keys = set(re.findall(r"^\| `(\S+)`", output_of("parameters"), re.MULTILINE))
+        named = output_of("figures") + read(SOURCE / "docs/user-guide.md")
+        names = set(re.findall(r"`(\w+)`", named)) | names_of_info()
+        rows = [line.split("|") for line in read(SOURCE / "docs/symbols.md").splitlines() if line.startswith("| $")]
+        self.assertGreater(len(rows), 50)
+        for cells in rows:
+            self.assertEqual(len(cells), 7, cells)
+            self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[4])), keys, cells[1])
+            self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[5])), names, cells[1])
 
     def test_commands_and_options_of_the_documents_exist(self):
         text = output_of("-help")
@@ -118,6 +133,60 @@ class Documents(unittest.TestCase):
             for option in re.findall(r"(?<![\w/-])-[a-z]+_\w+", content):
                 if option[1:].split("_")[0] in sections and not petsc.match(option):
                     self.assertIn(option, options, relative(path))
+
+
+class Release(unittest.TestCase):
+    def test_one_version_everywhere(self):
+        build = read(SOURCE / "CMakeLists.txt")
+        version = re.search(r"^project\(gearfilm VERSION (\d+\.\d+\.\d+) ", build, re.MULTILINE)[1]
+        minor = version.rpartition(".")[0]
+        for name, pattern, expected in (("CITATION.cff", r"^version: (\S+)$", version),
+                                        ("CHANGELOG.md", r"^## (\S+)", version),
+                                        ("docs/examples/CMakeLists.txt", r"^find_package\(gearfilm (\S+) ", minor),
+                                        ("docs/user-guide.md", r"^find_package\(gearfilm (\S+) ", minor)):
+            found = re.search(pattern, read(SOURCE / name), re.MULTILINE)
+            self.assertEqual(found and found[1], expected, name)
+
+    def test_continuous_integration_is_what_must_pass(self):
+        workflow = read(SOURCE / ".github/workflows/ci.yml")
+        self.assertRegex(workflow, r"(?m)^ +run: \.ci/run$")
+        self.assertTrue(os.access(SOURCE / ".ci/run", os.X_OK))
+        for release in ("bookworm", "trixie"):
+            self.assertIn(release, re.search(r"release: \[(.*)\]", workflow)[1].split(", "))
+
+
+class Links(unittest.TestCase):
+    """scripts/check_links.py, of the documents and of a folder with one broken link."""
+
+    def check(self, folder):
+        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/check_links.py", folder], capture_output=True,
+                              text=True, check=False, timeout=60)
+
+    def check_page(self, text):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "other.md").write_text("# A title\n\n## Twice: `here`\n\n## Twice: here\n", encoding="utf-8")
+            (folder / "page.md").write_text(f"# Page\n\n{text}\n", encoding="utf-8")
+            return self.check(folder)
+
+    def test_links_and_anchors_of_the_documents_lead_somewhere(self):
+        done = self.check(SOURCE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertGreater(int(done.stdout.split()[0]), 50)
+
+    def test_whole_links_pass(self):
+        for text in ("[a](other.md)", "[a](other.md#twice-here-1), [b](#page)", "[a](https://example.org/#x)",
+                     "`[a](none.md)`", "    [a](none.md)", "```\n[a](none.md)\n```"):
+            with self.subTest(text=text):
+                self.assertEqual(self.check_page(text).returncode, 0)
+
+    def test_a_broken_link_is_named(self):
+        for text in ("[a](none.md)", "[a](other.md#none)", "[a](#none)", "![a](none.png)", "[a](../page.md)",
+                     "[a](other.md#twice-here-2)", "- [a](none.md)\n    [b](none.md)"):
+            with self.subTest(text=text):
+                done = self.check_page(text)
+                self.assertEqual(done.returncode, 1)
+                self.assertRegex(done.stderr, r"^check_links: page.md:3: \(.*\): .*; correct it, or the heading\n")
 
 
 if __name__ == "__main__":

@@ -122,7 +122,7 @@ class Installed(unittest.TestCase):
 
     def test_versions_and_languages_are_asked_for(self):
         """Another minor version, or a project without C, is refused in words that say what to do."""
-        for find, languages, words in (("0.2", "C CXX", "0.2"), ("0.1", "CXX", "LANGUAGES C CXX")):
+        for find, languages, words in (("1.1", "C CXX", "1.1"), ("1.0", "CXX", "LANGUAGES C CXX")):
             project = self.folder / f"project-{find}"
             project.mkdir()
             (project / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.16)\n"

@@ -16,6 +16,7 @@ from vibration import barbieri_with_inertias
 
 BAD_INPUT = SOURCE / "tests/bad_input"
 LONG = 10_000_000
+PLASTIC = INPUT / "plastic_wheel.yaml"  # its modulus is no metal's, which is warned of
 TOO_LARGE = ["larger than 1 MB"]
 
 
@@ -149,9 +150,12 @@ class RightInput(ProgramTest):
                 case.write_bytes(content)
                 self.assertEqual(self.run_well("info", case).stdout, usual)
 
-    def test_every_case_is_usual(self):
-        for case in sorted(INPUT.glob("*.yaml")):
+    def test_every_case_is_usual_but_the_plastic_wheel(self):
+        for case in sorted(set(INPUT.glob("*.yaml")) - {PLASTIC}):
             self.run_well("info", case)
+        run = self.run_program("info", PLASTIC)
+        self.assertEqual((run.status, run.stderr.count("\n")), (0, 1), run)
+        self.assertIn("softer than the metals of gears", run.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,49 @@
+"""Every command of docs/tutorial.md runs, on the case that it has the reader write. Environment as for cli_test.py."""
+import re
+import shlex
+import subprocess
+import sys
+import unittest
+
+from program import SOURCE, ProgramTest
+from shortened import SHORT, shortened
+
+TEXT = (SOURCE / "docs/tutorial.md").read_text(encoding="utf-8")
+PLOTS = re.findall(r"^    (scripts/plot_\w+\.py) (\S+)$", TEXT, re.MULTILINE)
+
+
+def folder_of(words):
+    """Where a command of the tutorial writes: its -output_dir, or output/ and the name of the case."""
+    if "-output_dir" in words:
+        return words[words.index("-output_dir") + 1]
+    return "output/" + words[1].rpartition("/")[2].removesuffix(".yaml")
+
+
+class Tutorial(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write_case(re.search(r"```yaml\n(.*?)```", TEXT, re.DOTALL)[1], "my_pair.yaml")
+        (self.folder / "input").symlink_to(SOURCE / "input")
+
+    def commands(self):
+        return [shlex.split(words) for words in re.findall(r"^    gearfilm (.*)$", TEXT, re.MULTILINE)]
+
+    def test_the_tutorial_has_every_command_that_computes(self):
+        self.assertEqual({words[0] for words in self.commands()}, set(SHORT))
+
+    def test_commands_run_and_their_results_are_drawn(self):
+        for words in self.commands():
+            with self.subTest(command=words):
+                run = self.run_program(*shortened(words))
+                self.assertEqual(run.status, 0, run)
+                self.assertTrue((self.folder / folder_of(words) / "summary.json").exists())
+        self.assertGreater(len(PLOTS), 5)
+        for script, folder in PLOTS:
+            with self.subTest(script=script, folder=folder):
+                done = subprocess.run([sys.executable, "-B", SOURCE / script, folder], cwd=self.folder, timeout=120,
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
