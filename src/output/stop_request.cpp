@@ -13,7 +13,7 @@ struct StopSignal {
   const char* name;
 };
 constexpr std::array<StopSignal, 3> stop_signals = {
-    {{SIGTERM, "SIGTERM"}, {SIGINT, "Ctrl-C (SIGINT)"}, {SIGUSR1, "SIGUSR1"}}};
+    {{SIGTERM, "SIGTERM"}, {SIGINT, "Ctrl-C"}, {SIGUSR1, "SIGUSR1"}}};
 
 volatile std::sig_atomic_t received = 0;
 

@@ -215,7 +215,8 @@ class Texts(ProgramTest):
 
     def test_version(self):
         for words in ("-version", "version"):
-            self.assertRegex(self.run_well(words).stdout, r"\Agearfilm \d+\.\d+\.\d+\S*\n(?:(?:FFTW|HDF5|MPI|PETSc|SLEPc): \S.*\n){5}\Z")
+            self.assertRegex(self.run_well(words).stdout, r"\Agearfilm \d+\.\d+\.\d+\S*\n"
+                             r"(?:(?:FFTW|HDF5|MPI|PETSc|SLEPc): \S.*\n){5}\Z")
 
     def test_parameters_need_no_case(self):
         table = self.run_well("parameters").stdout

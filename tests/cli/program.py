@@ -14,7 +14,7 @@ PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
 MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/mpiexec.sh")))
-RESULT_FILES = {"results.h5", "results.xmf", "run.json", "summary.json"}
+RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
 # Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start. Without a daemon
 # two such processes at a time need temporary folders of their own.

@@ -112,7 +112,7 @@ class Requests(RestartTest):
                 run = self.start(*MARCH)
                 run.read_lines(9)
                 run.send(signal.Signals[name])
-                steps = self.assert_stopped(run.end(), f"by {'Ctrl-C (SIGINT)' if name == 'SIGINT' else name}")
+                steps = self.assert_stopped(run.end(), f"by {'Ctrl-C' if name == 'SIGINT' else name}")
                 # The step that was under way is finished, and written.
                 self.assertGreater(len(steps), 65)
                 self.assert_same(self.complete(*MARCH), expected)
