@@ -4,11 +4,14 @@
 
 #include "gearfilm/app/command_docs.hpp"
 #include "gearfilm/app/commands.hpp"
+#include "gearfilm/app/derived_records.hpp"
 #include "gearfilm/input/parameter.hpp"
 #include "gearfilm/output/results_docs.hpp"
 
 namespace gearfilm {
 namespace {
+
+std::string all_figures() { return figures_markdown() + derived_markdown(); }
 
 constexpr std::array<Command, 9> case_commands = {{
     {"info", run_info, false, "derived quantities of a case, no field solve"},
@@ -25,7 +28,7 @@ constexpr std::array<Command, 9> case_commands = {{
 
 constexpr std::array<TextCommand, 4> printing_commands = {{
     {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
-    {"figures", figures_markdown, "the tables of all figures in the results in Markdown (needs no case)"},
+    {"figures", all_figures, "the tables of all figures in the results in Markdown (needs no case)"},
     {"man", manual_page, "the manual page, for man (needs no case)"},
     {"completion", bash_completion, "completion of commands and options, for bash (needs no case)"},
 }};

@@ -5,6 +5,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/resumable_run.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/results_table.hpp"
@@ -143,6 +144,7 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
   write(true);
   run.complete();
   report.finish(branches);
+  ScreenTable({}).print(comm, run.directory().path());
 }
 
 }  // namespace gearfilm

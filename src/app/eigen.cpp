@@ -1,11 +1,14 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
@@ -99,28 +102,29 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
   return summary;
 }
 
-void print_result(MPI_Comm comm, const Summary& summary) {
-  const auto real = [&](const char* name) { return summary[name].get<double>(); };
-  petsc_check(PetscPrintf(comm, "dry pair: k_el %.5g N/m, m_ge %.5g kg, f_n %.2f Hz, mode shape %.4f : %.4f\n",
-                          real("k_el"), real("m_ge"), real("f_n"), summary["mode_shape"][0].get<double>(),
-                          summary["mode_shape"][1].get<double>()));
-  if (summary.contains("film_frequency")) {
-    petsc_check(PetscPrintf(comm, "on its films at xi = %.3f mm, %d contact(s): %.2f Hz, damping ratio %.5f\n",
-                            1e3 * real("position"), summary["contacts"].get<int>(), real("film_frequency"),
-                            real("film_damping_ratio")));
-  } else {
-    petsc_check(PetscPrintf(comm, "with its damper: %.2f Hz, damping ratio %.5f\n", real("damped_frequency"),
-                            real("damping_ratio")));
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary) {
+  ScreenTable table(summary);
+  table.add("stiffness of the dry pair", "k_el", 1e-6, "N/um")
+      .add("equivalent mass", "m_ge", 1.0, "kg")
+      .add("natural frequency, dry", "f_n", 1.0, "Hz")
+      .add("with its damper", "damped_frequency", 1.0, "Hz")
+      .add("damping ratio", "damping_ratio")
+      .add("position on the line of action", "position", 1e3, "mm")
+      .add("contacts there", "contacts")
+      .add("natural frequency on its films", "film_frequency", 1.0, "Hz")
+      .add("damping ratio on its films", "film_damping_ratio");
+  if (summary.contains("orbit")) {
+    std::ostringstream text;
+    const Summary& orbit = summary["orbit"];
+    text << std::setprecision(5) << orbit["floquet"][0][0].get<double>() << " " << std::showpos
+         << orbit["floquet"][0][1].get<double>() << "i" << std::noshowpos << " of modulus "
+         << orbit["floquet_modulus"].get<double>();
+    if (orbit.contains("film_multiplier_bound")) {
+      text << ", those of the films below " << std::setprecision(2) << orbit["film_multiplier_bound"].get<double>();
+    }
+    table.text("multipliers of the periodic state", text.str());
   }
-  if (!summary.contains("orbit")) return;
-  const Summary& orbit = summary["orbit"];
-  petsc_check(PetscPrintf(comm, "periodic state: multipliers %.5f %+.5fi of modulus %.5f",
-                          orbit["floquet"][0][0].get<double>(), orbit["floquet"][0][1].get<double>(),
-                          orbit["floquet_modulus"].get<double>()));
-  if (orbit.contains("film_multiplier_bound")) {
-    petsc_check(PetscPrintf(comm, ", those of the films below %.1e", orbit["film_multiplier_bound"].get<double>()));
-  }
-  petsc_check(PetscPrintf(comm, "\n"));
+  table.print(comm, folder);
 }
 
 }  // namespace
@@ -152,7 +156,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   }
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, summary);
+  print_result(comm, run.directory().path(), summary);
 }
 
 }  // namespace gearfilm

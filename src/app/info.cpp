@@ -1,6 +1,10 @@
 // `gearfilm info`: everything about a case that needs no field solve.
+#include <iomanip>
+#include <sstream>
+
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/derived_records.hpp"
 #include "gearfilm/output/output_directory.hpp"
 
 namespace gearfilm {
@@ -9,11 +13,17 @@ void run_info(MPI_Comm comm, const Case& problem) {
   const Summary summary = derived_quantities(problem);
   const OutputDirectory directory(comm, problem.run.directory);
   for (const auto& [name, value] : summary.items()) {
+    const DerivedRecord record = derived_record(name);
+    std::ostringstream line;
+    line << std::left << std::setw(36) << name << std::setprecision(8) << std::setw(16);
     if (value.is_number()) {
-      petsc_check(PetscPrintf(comm, "%-36s %.8g\n", name.c_str(), value.get<double>()));
+      line << value.get<double>();
     } else {
-      petsc_check(PetscPrintf(comm, "%-36s %s\n", name.c_str(), value.get<std::string>().c_str()));
+      line << value.get<std::string>();
     }
+    const std::string symbol = record.symbol.empty() ? "" : std::string(record.symbol) + ": ";
+    line << " " << std::setw(5) << record.unit << " " << symbol << record.meaning;
+    petsc_check(PetscPrintf(comm, "%s\n", line.str().c_str()));
   }
   write_summary(comm, problem.run.directory, summary);
 }

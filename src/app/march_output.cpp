@@ -143,7 +143,7 @@ void MarchOutput::describe_recurrence(Summary& summary) {
 
 void MarchOutput::report(const StepRecord& record, double period) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "mesh period " << period << ", force ratio "
+  text << std::fixed << std::setprecision(2) << "mesh period " << period << ", total force ratio "
        << record.pressure_integral() / problem_.scales.static_force;
   if (!record.contacts.empty()) text << ", xi = " << 1e3 * record.contacts.front().position << " mm";
   if (lubricated_ && !record.contacts.empty()) {
@@ -234,8 +234,7 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
   summary["contact_losses"] = Summary::array();
   for (const ContactLoss& loss : statistics.losses()) {
     Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (!problem.dry())
-      entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
+    if (!problem.dry()) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
     summary["contact_losses"].push_back(entry);
   }
   return summary;

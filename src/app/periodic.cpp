@@ -10,6 +10,7 @@
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -57,38 +58,43 @@ std::string advice(const Case& problem, const OrbitRun& run) {
   const long pattern = problem.pair.teeth.pattern();
   const auto asked = static_cast<std::size_t>(problem.search.order);
   if (pattern == 1 && order < asked) {
-    return "\nthis state repeats after " + std::to_string(order) + " mesh period(s) already: it is of order " +
+    return " this state repeats after " + std::to_string(order) + " mesh period(s) already: it is of order " +
            std::to_string(order) + ", not " + std::to_string(asked);
   }
   if (!run.decay) return "";
   const auto& mu = run.decay->multipliers;
   const double lowest = std::min(mu[0].real(), mu[1].real());
   if (mu[0].imag() != 0.0 || lowest > -1.0) return "";
-  return "\na multiplier has passed -1: the motion doubles its period; try -periodic_order " +
-         std::to_string(2 * asked);
+  return " a multiplier has passed -1: the motion doubles its period; try -periodic_order " + std::to_string(2 * asked);
 }
 
-void print_result(MPI_Comm comm, const Summary& summary, const std::optional<double>& error,
-                  const std::string& advice) {
-  constexpr double tolerable = 0.05;
+std::string stability(const Summary& summary) {
+  if (!summary.contains("stable")) return "not asked for (periodic.multipliers no)";
   std::ostringstream text;
-  text.precision(4);
-  const auto add = [&](const std::string& what, const char* name, double in_unit, const char* unit) {
-    if (!summary.contains(name) || summary[name].is_null()) return;
-    const Summary& bar = summary[std::string(name) + "_error"];
-    text << what << " " << in_unit * summary[name].get<double>();
-    if (!bar.is_null()) text << " +- " << std::setprecision(1) << in_unit * bar.get<double>() << std::setprecision(4);
-    text << unit;
-  };
-  add("largest force on one contact", "force_ratio_max", 1.0, " of the static force");
-  add("; largest pressure", "p_max", 1e-9, " GPa");
-  add("; smallest film", "h_min", 1e6, " um");
-  if (summary.contains("stable")) {
-    text << (summary["stable"].get<bool>() ? "; stable" : "; unstable") << ", largest multiplier "
-         << summary["floquet_modulus"].get<double>() << std::setprecision(1) << " +- "
-         << summary["floquet_modulus_error"].get<double>();
-  }
-  petsc_check(PetscPrintf(comm, "%s%s\n", text.str().c_str(), advice.c_str()));
+  text << (summary["stable"].get<bool>() ? "stable" : "unstable") << ", a disturbance is multiplied by "
+       << std::setprecision(4) << summary["floquet_modulus"].get<double>() << " +- " << std::setprecision(1)
+       << summary["floquet_modulus_error"].get<double>() << " in a period";
+  return text.str();
+}
+
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary,
+                  const std::optional<double>& error, const std::string& advice) {
+  constexpr double tolerable = 0.05;
+  ScreenTable(summary)
+      .text("periodic state", stability(summary))
+      .add("largest force on one contact", "force_ratio_max", 1.0, "static forces")
+      .add("total force, largest", "total_force_ratio_max", 1.0, "static forces")
+      .add("total force, smallest", "total_force_ratio_min", 1.0, "static forces")
+      .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("smallest film", "h_min", 1e6, "um")
+      .add("central film at the pitch point", "pitch_h_central", 1e6, "um")
+      .add("transmission error, peak to peak", "transmission_error_peak_to_peak", 1e6, "um")
+      .add("free oscillation", "free_frequency", 1.0, "Hz")
+      .add("its damping ratio", "damping_ratio")
+      .add("mean friction coefficient", "mean_friction_coefficient")
+      .add("efficiency of the mesh", "efficiency")
+      .print(comm, folder);
+  if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
   if (error.value_or(0.0) <= tolerable) return;
   std::ostringstream warning;
   const double percent = 100.0 * *error;
@@ -152,7 +158,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, summary, error, advice(problem, found.run));
+  print_result(comm, run.directory().path(), summary, error, advice(problem, found.run));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_roughness(comm, summary, "lambda_min");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");

@@ -45,7 +45,8 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
 }
 
 void ResumableRun::refuse_restart() const {
-  const std::string folder = "'" + directory_.path().string() + "'";
+  std::string folder("'");
+  folder.append(directory_.path().string()).append("'");
   const std::filesystem::path complete = directory_ / "run.json";
   if (const std::optional<Summary> before = read_identity(comm_, complete)) {
     require_same_identity(*before, whole_identity_, complete);

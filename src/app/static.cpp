@@ -7,6 +7,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
@@ -180,6 +181,7 @@ void run_static(MPI_Comm comm, const Case& problem) {
   summary["iso_stiffness_mesh"] = iso.mesh;
   write_table(comm, problem, rows);
   write_summary(comm, directory.path(), summary);
+  ScreenTable(summary).print(comm, directory.path());
   warn_of_hard_entry(comm, mesh);
 }
 

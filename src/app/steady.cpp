@@ -1,11 +1,13 @@
 // `gearfilm steady`: the stationary film of one contact at one position on the line of action.
 #include <cmath>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/friction_summary.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
@@ -194,31 +196,26 @@ void print_friction(MPI_Comm comm, const Summary& summary) {
   petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
 }
 
-void print_result(MPI_Comm comm, const Position& position, const Summary& summary) {
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Position& position,
+                  const Summary& summary) {
+  std::ostringstream where, work;
+  where << position.label << ", " << summary["nx"].get<int>() << " x " << summary["ny"].get<int>() << " nodes";
+  work << summary["newton_iterations"].get<int>() << " Newton and " << summary["krylov_iterations"].get<int>()
+       << " Krylov iterations on this grid, residual " << std::setprecision(3) << summary["residual"].get<double>();
   const Summary& predicted = summary["predictions"];
-  const auto um = [](const Summary& value) { return 1e6 * value.get<double>(); };
-  petsc_check(PetscPrintf(comm,
-                          "%s, %d x %d nodes: film %.4f um central, %.4f um smallest; pressure %.4f GPa largest; "
-                          "force %.6g N\n",
-                          position.label.c_str(), summary["nx"].get<int>(), summary["ny"].get<int>(),
-                          um(summary["h_central"]), um(summary["h_min"]), 1e-9 * summary["p_max"].get<double>(),
-                          summary["force"].get<double>()));
-  if (!summary["h_central_error"].is_null()) {
-    petsc_check(PetscPrintf(comm,
-                            "error of the grid about %.4f um central, %.4f um smallest; towards finer grids %.4f um, "
-                            "%.4f um\n",
-                            um(summary["h_central_error"]), um(summary["h_min_error"]),
-                            um(summary["h_central_extrapolated"]), um(summary["h_min_extrapolated"])));
-  }
-  petsc_check(
-      PetscPrintf(comm,
-                  "formulas: Hamrock-Dowson %.4f um central, %.4f um smallest; Nijenbanning-Venner-Moes %.4f um "
-                  "central\n",
-                  um(predicted["hamrock_dowson_h_central"]), um(predicted["hamrock_dowson_h_min"]),
-                  um(predicted["nijenbanning_venner_moes_h_central"])));
-  petsc_check(PetscPrintf(comm, "%d Newton and %d Krylov iterations on this grid, residual %.2e\n",
-                          summary["newton_iterations"].get<int>(), summary["krylov_iterations"].get<int>(),
-                          summary["residual"].get<double>()));
+  ScreenTable(summary)
+      .text("stationary film of", where.str())
+      .add("central film", "h_central", 1e6, "um")
+      .add("  towards finer grids", "h_central_extrapolated", 1e6, "um")
+      .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_central", 1e6, "um")
+      .add(predicted, "  by Nijenbanning and others", "nijenbanning_venner_moes_h_central", 1e6, "um")
+      .add("smallest film", "h_min", 1e6, "um")
+      .add("  towards finer grids", "h_min_extrapolated", 1e6, "um")
+      .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_min", 1e6, "um")
+      .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("force", "force", 1.0, "N")
+      .text("work", work.str())
+      .print(comm, folder);
 }
 
 /// The film of the contact on one grid.
@@ -340,7 +337,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   add_errors(problem.scales, solved.errors, summary);
   add_coupling(problem, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
-  print_result(comm, position, summary);
+  print_result(comm, directory.path(), position, summary);
   print_shear(comm, summary);
   print_heating(comm, summary);
   print_friction(comm, summary);

@@ -1,13 +1,16 @@
 // `gearfilm sweep`: periodic states over a range of speeds, torques or masses, each from its neighbour's.
 #include <algorithm>
 #include <chrono>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <thread>
 
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/hard_entry.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/app/sweep_tables.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
@@ -86,10 +89,34 @@ void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, i
   if (!stopped.empty()) throw Stopped(stopped);
 }
 
+/// The extremes over all points, and where they are.
+void print_extremes(MPI_Comm comm, const Case& problem, const Summary& summary) {
+  ScreenTable table(summary);
+  const auto add = [&](const std::string& label, const char* key, double sign, double factor, const char* unit) {
+    const Summary* worst = nullptr;
+    for (const Summary& point : summary["points"]) {
+      if (!point.contains(key) || !point[key].is_number()) continue;
+      if (!worst || sign * point[key].get<double>() > sign * (*worst)[key].get<double>()) worst = &point;
+    }
+    if (!worst) return;
+    std::ostringstream text;
+    text << std::setprecision(5) << factor * (*worst)[key].get<double>() << unit << " at "
+         << (*worst)["value"].get<double>() << " " << problem.sweep.unit << ", "
+         << (*worst)["direction"].get<std::string>();
+    table.text(label, text.str());
+  };
+  add("largest force on one contact", "force_ratio_max", 1.0, 1.0, " static forces");
+  add("largest pressure", "p_max", 1.0, 1e-9, " GPa");
+  add("smallest film", "h_min", -1.0, 1e6, " um");
+  add("largest multiplier", "floquet_modulus", 1.0, 1.0, "");
+  table.print(comm, problem.run.directory);
+}
+
 void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
   const int found = summary["points_found"].get<int>(), count = found + summary["points_failed"].get<int>();
   petsc_check(PetscPrintf(comm, "%d of %d %s\n", found, count,
                           problem.sweep.marched() ? "marches done" : "periodic states found"));
+  if (problem.sweep.kind == SweepKind::periodic) print_extremes(comm, problem, summary);
   if (!summary.contains("attractors")) return;
   for (const Summary& attractor : summary["attractors"]) {
     petsc_check(PetscPrintf(comm, "%5.1f %% of the starts: %s\n", 100.0 * attractor["share"].get<double>(),

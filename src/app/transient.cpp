@@ -5,6 +5,7 @@
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
+#include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -59,6 +60,15 @@ void print_recurrence(MPI_Comm comm, const Summary& summary) {
   petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
 }
 
+void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary) {
+  ScreenTable(summary)
+      .add("largest force on one contact", "force_ratio_max", 1.0, "static forces")
+      .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("smallest film", "h_min", 1e6, "um")
+      .text("losses of contact", std::to_string(summary["contact_losses"].size()))
+      .print(comm, folder);
+}
+
 }  // namespace
 
 void run_transient(MPI_Comm comm, const Case& problem) {
@@ -92,6 +102,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     write_summary(comm, run.directory().path(), summary);
     if (!completed) return;
     print_recurrence(comm, summary);
+    print_extremes(comm, run.directory().path(), summary);
     warn_of_roughness(comm, summary, "lambda_min");
     warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
   };

@@ -73,7 +73,7 @@ class Defaults(ProgramTest):
     def test_info_prints_what_a_run_begins_with(self):
         run, _ = self.summary("info", BARBIERI)
         for name in ("nx", "ny", "x_min", "y_half", "dT", "expected_error_h_central", "steps_in_free_oscillation"):
-            self.assertRegex(run.stdout, rf"(?m)^{name} +[-\d.e]+$")
+            self.assertRegex(run.stdout, rf"(?m)^{name} +[-\d.e]+ +\S.* \S")
 
     def test_step_follows_the_vibration_where_oil_is_slow(self):
         _, fast = self.summary("info", BARBIERI)
