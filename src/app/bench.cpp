@@ -2,14 +2,13 @@
 // (yardstick.hpp).
 #include <cmath>
 
+#include "gearfilm/app/bench_pair.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/stopwatch.hpp"
 #include "gearfilm/app/yardstick.hpp"
-#include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/ehl/multigrid_level.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/orbits/dry_orbit.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/summary.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
@@ -17,28 +16,9 @@
 namespace gearfilm {
 namespace {
 
-struct GridSize {
-  int nx, ny;
-};
 constexpr GridSize standard_grids[] = {{129, 65}, {129, 129}, {257, 257}, {513, 513}};
 constexpr int kernel_runs = 41;
 constexpr int solve_runs = 3;
-
-/// A convolution's time as the first process has it now; on a shared machine it changes.
-double common_unit(MPI_Comm comm, GridSize size) {
-  double unit = convolution_time(size.nx, size.ny);
-  MPI_Bcast(&unit, 1, MPI_DOUBLE, 0, comm);
-  return unit;
-}
-
-/// A film that feels its heat, in the case's own oil or one that thins as oils do.
-TractionModel warm_film(const Case& problem) {
-  constexpr double typical = 0.04;  // 1/K
-  TractionModel model = problem.traction.value_or(TractionModel{});
-  if (!model.heat) model.heat = HeatOptions{.oil = {.temperature_viscosity = typical}};
-  model.heat->in_film = true;
-  return model;
-}
 
 /// The measurements on one grid.
 class GridBench {
@@ -148,45 +128,6 @@ private:
   Summary table_ = Summary::array();
 };
 
-/// The second mesh period of the lubricated pair from the dry periodic orbit shifted by the film: near the periodic
-/// state. The unit is the mean of those before and after it.
-Summary bench_mesh_period(MPI_Comm comm, const Case& problem, GridSize size) {
-  Case resized = problem;
-  resized.numerics.nx = size.nx;
-  resized.numerics.ny = size.ny;
-  const SharedDiscretisation films = discretise(comm, resized);
-  const MeshModel mesh = mesh_after_leaving(resized);
-  const double mesh_period = mesh.path.mesh_period();
-  MarchStatistics statistics(mesh_period, mesh.scales.static_force);
-  MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    statistics.add(record, mesh.given(true));
-  });
-  march.start(dry_guess(resized, films, dry_start(mesh)).motion);
-  march.run(mesh_period);
-  const double before = common_unit(comm, size), start = MPI_Wtime();
-  march.run(2.0 * mesh_period);
-  const double seconds = MPI_Wtime() - start, unit = 0.5 * (before + common_unit(comm, size));
-  const PeriodFigures& period = statistics.periods().back();
-  const double steps = period["steps"].value();
-  const double newton = period["newton_iterations"].value() / steps;
-  const double krylov = period["krylov_iterations"].value() / steps;
-  const int contact_steps = static_cast<int>(period["contact_steps"].value());
-  const double contact_step = period["wall_time"].value() / contact_steps / unit;
-  petsc_check(PetscPrintf(comm,
-                          "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
-                          "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, resized.numerics.steps.dT, seconds, contact_steps, contact_step, newton,
-                          krylov));
-  return {{"nx", size.nx},
-          {"ny", size.ny},
-          {"dT", resized.numerics.steps.dT},
-          {"seconds", seconds},
-          {"contact_steps", contact_steps},
-          {"newton_per_step", newton},
-          {"krylov_per_step", krylov},
-          {"contact_step_convolutions", contact_step}};
-}
-
 }  // namespace
 
 void run_bench(MPI_Comm comm, const Case& problem) {
@@ -196,15 +137,7 @@ void run_bench(MPI_Comm comm, const Case& problem) {
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();
   for (const GridSize size : standard_grids) summary["grids"].push_back(GridBench(comm, problem, size).run());
-  if (problem.pair.line && problem.pair.equivalent_mass) {
-    summary["mesh_period"] = bench_mesh_period(comm, problem, standard_grids[0]);
-    summary["contact_step_convolutions"] = summary["mesh_period"]["contact_step_convolutions"];
-    Case warm = problem;
-    warm.traction = warm_film(problem);
-    summary["thermal_mesh_period"] = bench_mesh_period(comm, warm, standard_grids[0]);
-    summary["thermal_contact_step_ratio"] = summary["thermal_mesh_period"]["contact_step_convolutions"].get<double>() /
-                                            summary["contact_step_convolutions"].get<double>();
-  }
+  if (problem.pair.line && problem.pair.equivalent_mass) summary.update(bench_pair(comm, problem));
   write_summary(comm, problem.run.directory, summary);
 }
 

@@ -1,10 +1,8 @@
 // `gearfilm sweep`: periodic states over a range of speeds, torques or masses, each from its neighbour's.
 #include <algorithm>
-#include <chrono>
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <thread>
 
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/commands.hpp"
@@ -59,16 +57,6 @@ int group_count(MPI_Comm comm, const Case& problem) {
   return groups;
 }
 
-/// A barrier at which early processes sleep: groups may be done minutes apart.
-void wait_for_all(MPI_Comm comm) {
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibarrier(comm, &request);
-  for (int done = 0; !done;) {
-    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-    if (!done) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-}
-
 void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups, const StopRequest& stop) {
   const std::vector<SweepChain> chains = chains_of(problem.sweep);
   int size = 1, rank = 0;
@@ -84,7 +72,7 @@ void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, i
     stopped = reason.what();
   }
   MPI_Comm_free(&group);
-  wait_for_all(comm);
+  wait_asleep(comm);
   stopped = first_reason(comm, stopped);
   if (!stopped.empty()) throw Stopped(stopped);
 }
