@@ -59,6 +59,13 @@ list(JOIN MPI_C_LIBRARIES " " GEARFILM_MPI_LIBS)
 configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilm.pc.in ${PROJECT_BINARY_DIR}/gearfilm.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gearfilm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
+# The Python package of the results, and the scripts that draw its figures.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/gearfilm DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts
+        FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts
+        FILES_MATCHING PATTERN "plot*.py" PATTERN "diagrams.py" PATTERN "pyproject.toml" PATTERN "paper" EXCLUDE
+        PATTERN "refinement" EXCLUDE PATTERN "cmake" EXCLUDE PATTERN "packaging" EXCLUDE PATTERN "gearfilm" EXCLUDE)
+
 # The program itself writes its manual page and its completion, where it runs: not when built for another machine, and
 # not where MPI starts nowhere but in jobs.
 if(NOT CMAKE_CROSSCOMPILING)

@@ -1,0 +1,20 @@
+"""Results of gearfilm in Python: open the folder of a run, run the program, export tables, make a report.
+
+    import gearfilm
+    run = gearfilm.open("output/periodic")              # or gearfilm.run("input/barbieri2013.yaml", "periodic")
+    run.summary["force_ratio_max"], run.parameters["grid.nx"]
+    steps = run.table("history/steps")                  # structured array, SI; run.frame(...) gives a DataFrame
+    film = run.film(xi=0.0)                             # the stored film nearest to a place, mm, um and GPa
+
+    python3 -m gearfilm export FOLDER [TABLE]           CSV
+    python3 -m gearfilm report FOLDER                   one HTML page
+"""
+from .folder import Film, Parameter, ResultsError, RunFolder
+from .running import run
+
+__all__ = ["Film", "Parameter", "ResultsError", "RunFolder", "open", "run"]
+
+
+def open(folder):  # pylint: disable=redefined-builtin
+    """The results in the folder of a run."""
+    return RunFolder(folder)

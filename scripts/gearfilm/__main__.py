@@ -1,0 +1,50 @@
+"""python3 -m gearfilm export FOLDER [TABLE] [-o FILE]      python3 -m gearfilm report FOLDER [-o FILE]"""
+import argparse
+import pathlib
+import sys
+
+from .export import export, list_tables
+from .folder import ResultsError, RunFolder
+from .report import write_report
+
+
+def export_command(arguments):
+    """Prints the list of tables, or one table."""
+    run = RunFolder(arguments.folder)
+    if arguments.table is None:
+        list_tables(run, sys.stdout)
+    elif arguments.output is None:
+        export(run, arguments.table, sys.stdout)
+    else:
+        with arguments.output.open("w", encoding="utf-8") as stream:
+            export(run, arguments.table, stream)
+        print(f"table: {arguments.output}")
+
+
+def report_command(arguments):
+    """Writes the page."""
+    print(f"report: {write_report(RunFolder(arguments.folder), arguments.output)}")
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="gearfilm", description="Results of gearfilm as tables and pages.")
+    commands = parser.add_subparsers(required=True)
+    for name, action, meaning in (("export", export_command, "a table as CSV; without a name the list of them"),
+                                  ("report", report_command, "one HTML page of a run")):
+        one = commands.add_parser(name, help=meaning, description=meaning)
+        one.add_argument("folder", type=pathlib.Path, help="the -output_dir of a run")
+        if name == "export":
+            one.add_argument("table", nargs="?", help="for example history/steps")
+        one.add_argument("-o", "--output", type=pathlib.Path, help="file to write")
+        one.set_defaults(action=action)
+    arguments = parser.parse_args()
+    try:
+        arguments.action(arguments)
+    except ResultsError as error:
+        sys.exit(f"gearfilm: {error}")
+    except OSError as error:
+        sys.exit(f"gearfilm: cannot write: {error}")
+
+
+if __name__ == "__main__":
+    main()

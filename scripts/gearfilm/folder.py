@@ -1,0 +1,181 @@
+"""The folder of a run: summary, parameters, tables and films, with their units."""
+import dataclasses
+import json
+import pathlib
+
+import h5py
+import numpy
+
+FORMAT = 1                      # results_format of include/gearfilm/output/format_version.hpp
+
+
+class ResultsError(Exception):
+    """What keeps results from being read; the text is for the user."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Parameter:
+    """A parameter as the program used it."""
+    value: object               # float where it is a number, else text
+    unit: str
+
+
+@dataclasses.dataclass
+class Film:
+    """Film and pressure of one contact at one time; fields are [x, y]."""
+    contact: int
+    xi: float                   # of the contact, from the pitch point [mm]
+    time: float                 # [s]; nan at rest
+    x: numpy.ndarray            # in the direction of rolling [mm]
+    y: numpy.ndarray            # along the face [mm]
+    thickness: numpy.ndarray    # [um]
+    pressure: numpy.ndarray     # [GPa]
+
+    def dataset(self):
+        """As an xarray.Dataset with named dimensions."""
+        import xarray  # pylint: disable=import-outside-toplevel,import-error
+        fields = {"thickness": (("x", "y"), self.thickness, {"units": "um"}),
+                  "pressure": (("x", "y"), self.pressure, {"units": "GPa"})}
+        axes = {"x": ("x", self.x, {"units": "mm"}), "y": ("y", self.y, {"units": "mm"})}
+        return xarray.Dataset(fields, axes, {"contact": self.contact, "xi_mm": self.xi, "t": self.time})
+
+
+def _text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def _parameter(text):
+    word, _, unit = text.partition(" ")
+    try:
+        return Parameter(float(word), unit)
+    except ValueError:
+        return Parameter(text, "")
+
+
+class RunFolder:
+    """Read when asked for: a folder of a run that still goes on shows what is written so far."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self._results = self.folder / "results.h5"
+        if not self._results.exists() and not (self.folder / "summary.json").exists():
+            raise ResultsError(f"{self.folder} holds no results of gearfilm; give the -output_dir of a run")
+
+    def __repr__(self):
+        return f"RunFolder({str(self.folder)!r}: {self.command})"
+
+    def _open(self):
+        try:
+            results = h5py.File(self._results)
+        except OSError as error:
+            raise ResultsError(f"{self._results} cannot be read: {error}") from None
+        version = results.attrs.get("format_version")
+        if version != FORMAT:
+            results.close()
+            raise ResultsError(f"{self._results} has format version {version}, this package reads {FORMAT}; "
+                               "use the package of the gearfilm that wrote it")
+        return results
+
+    @property
+    def summary(self):
+        """The main results, SI, as a dictionary; empty while there is none."""
+        path = self.folder / "summary.json"
+        if not path.exists():
+            return {}
+        try:
+            return json.loads(path.read_text(encoding="utf-8"))
+        except ValueError:
+            raise ResultsError(f"{path} is no JSON; run the command again") from None
+
+    @property
+    def attributes(self):
+        """Program, version, libraries, command."""
+        if not self._results.exists():
+            return dict(self.summary.get("provenance", {}))
+        with self._open() as results:
+            return {name: _text(value) for name, value in results.attrs.items()}
+
+    @property
+    def command(self):
+        """The command that made the results; "info" and the like leave no more than a summary."""
+        return self.attributes.get("command", "unknown")
+
+    @property
+    def parameters(self):
+        """Every parameter by name."""
+        if not self._results.exists():
+            return {}
+        with self._open() as results:
+            return {name: _parameter(_text(value)) for name, value in results["parameters"].attrs.items()}
+
+    def tables(self):
+        """The names of all tables."""
+        if not self._results.exists():
+            return []
+        found = []
+
+        def visit(name, item):
+            if isinstance(item, h5py.Dataset) and item.dtype.names:
+                found.append(name)
+
+        with self._open() as results:
+            results.visititems(visit)
+        return sorted(found)
+
+    def table(self, name):
+        """A table as a structured array; SI."""
+        with self._open() as results:
+            if name not in results:
+                raise ResultsError(f"{self._results} has no table '{name}'; it has {', '.join(self.tables()) or 'none'}")
+            return results[name][...]
+
+    def units(self, name):
+        """The unit of every column of a table."""
+        with self._open() as results:
+            lines = _text(results[name].attrs["units"]).splitlines()
+        return dict(line.partition(" ")[::2] for line in lines)
+
+    def frame(self, name):
+        """A table as a pandas.DataFrame, with its units in `attrs`."""
+        import pandas  # pylint: disable=import-outside-toplevel,import-error
+        frame = pandas.DataFrame(self.table(name))
+        frame.attrs["units"] = self.units(name)
+        return frame
+
+    @property
+    def thickness_scale(self):
+        """a^2/R_x of the reference contact [m]: of H_0 to h_0."""
+        steps = self.table("history/steps")
+        largest = numpy.argmax(abs(steps["H0"]))
+        return steps["h0"][largest] / steps["H0"][largest]
+
+    def transmission_error(self):
+        """Time [s] and transmission error [um] along the line of action: the gears' approach, -h_0."""
+        steps = self.table("history/steps")
+        return steps["t"], -1e6 * steps["h0"]
+
+    def films(self):
+        """All stored films: one of a steady run, or the contacts of all snapshots."""
+        with self._open() as results:
+            if "snapshots" not in results:
+                return [self._film(results, name, results[name], float("nan")) for name in results
+                        if name.startswith("contact")]
+            return [self._film(results, name, group, float(moment.attrs["t"]), _text(moment.attrs["mesh"]))
+                    for moment in results["snapshots"].values() for name, group in moment.items()]
+
+    def film(self, xi=0.0):
+        """The stored film nearest to a place on the line of action [mm]."""
+        films = self.films()
+        if not films:
+            raise ResultsError(f"{self._results} stores no films; run with -output_snapshot_interval")
+        return min(films, key=lambda film: abs(film.xi - xi))
+
+    @staticmethod
+    def _film(results, name, group, time, mesh=None):
+        place = group if mesh is None else results[mesh]
+        thickness, pressure = (group[field] for field in ("H", "P"))
+        scale = {"m": 1e6, "Pa": 1e-9}
+        return Film(int(name.removeprefix("contact")), 1e3 * float(group.attrs.get("xi", 0.0)), time,
+                    1e3 * place["x"][...], 1e3 * place["y"][...],
+                    scale[_text(thickness.attrs["unit"])] * thickness[...],
+                    scale[_text(pressure.attrs["unit"])] * pressure[...])
