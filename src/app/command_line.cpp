@@ -36,6 +36,11 @@ std::string libraries_text(MPI_Comm comm) {
 
 bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }
 
+/// "-word", "--word", or as a command by its name alone.
+bool asks_for(const std::string& word, const std::string& what, bool as_command) {
+  return word == "-" + what || word == "--" + what || (as_command && word == what);
+}
+
 }  // namespace
 
 // The command and the case are ours; PETSc gets the rest. A case file behind an option is still the case: PETSc's
@@ -43,15 +48,12 @@ bool is_case_file(const std::string& word) { return word.ends_with(".yaml") || w
 CommandLine::CommandLine(int argc, char** argv) {
   petsc_arguments_.emplace_back(argc > 0 ? argv[0] : "gearfilm");
   bool after_option = false;
-  std::string first_option;
   for (int n = 1; n < argc; ++n) {
     const std::string word = argv[n];
     const bool option = starts_option(word);
-    const bool first = n == 1;
-    if (first && option) first_option = word;
-    if (word == "-help" || word == "--help" || word == "-h" || (first && word == "help")) {
+    if (asks_for(word, "help", n == 1) || word == "-h") {
       help_ = true;
-    } else if (word == "-version" || word == "--version" || (first && word == "version")) {
+    } else if (asks_for(word, "version", n == 1)) {
       version_ = true;
     } else if (option || (after_option && !(is_case_file(word) && case_file_.empty()))) {
       petsc_arguments_.push_back(word);
@@ -61,9 +63,9 @@ CommandLine::CommandLine(int argc, char** argv) {
     }
     after_option = option;
   }
-  if (help_ || version_ || first_option.empty()) return;
+  if (help_ || version_ || argc < 2 || !starts_option(argv[1])) return;
   // PETSc would take the command for the option's value.
-  misplaced_ = first_option;
+  misplaced_ = argv[1];
   petsc_arguments_.resize(1);
 }
 
