@@ -10,6 +10,7 @@ from typing import NamedTuple
 from plotting import BLUE, VERMILLION, Foreign, command_line, fill, numpy, open_results, pyplot, write_figure
 
 THICKEST_SHOWN = 1.5  # times the central film
+SLENDER = 0.15         # length of the domain over its width, below which its axes have unequal scales
 
 
 class Film(NamedTuple):
@@ -41,11 +42,15 @@ def draw_map(figure, axes, film, centre):
     angle = numpy.linspace(0, 2 * numpy.pi, 200)
     a, b = film.half_axes
     axes.plot(b * numpy.cos(angle), a * numpy.sin(angle), color="white", linestyle="--", linewidth=1)
-    axes.set_aspect("equal")
+    # As it is; a slender contact would be a sliver, and has unequal axes.
+    slender = numpy.ptp(film.x) < SLENDER * numpy.ptp(film.y)
+    axes.set_aspect("auto" if slender else "equal")
     axes.set_xlabel("y [mm]")
     axes.set_ylabel("x [mm]")
     # In two lines, since narrow domains leave little room beside the axes.
-    axes.set_title("film thickness; oil enters from below;\ndashed: Hertz ellipse of the reference contact", fontsize=9)
+    unequal = "; axes of unequal scales" if slender else ""
+    axes.set_title(f"film thickness; oil enters from below{unequal};\ndashed: Hertz ellipse of the reference contact",
+                   fontsize=9)
     figure.colorbar(filled, ax=axes, label="h [µm]", format="%.2f", shrink=0.9)
 
 

@@ -30,7 +30,7 @@ PURPLE = "#CC79A7"
 DARK = "#333333"
 GREY = "#999999"  # of marked lines
 PALE = "#DDDDDD"  # of grids
-COLOURS = 128     # of a PNG
+COLOURS = 255     # of a PNG
 COLOUR_MAP = "cividis"  # of maps; distinguishable likewise
 RESULTS_FORMAT = 1      # results_format of include/gearfilm/output/format_version.hpp
 

@@ -1,9 +1,12 @@
 """The damped dry pair in `periodic`, `sweep` and `eigen`; sweeps of marches, and basins."""
+import subprocess
+import sys
 import unittest
 
 import numpy
 
 from films import BARBIERI, summary_in
+from program import SECONDS, SOURCE
 from vibration import MARCH, SAME_ORBIT, VibrationTest, table_in
 
 DRY = ["-model", "dry"]
@@ -57,9 +60,16 @@ class DryOrbits(VibrationTest):
 
 
 class Marches(VibrationTest):
+    def draw(self, script, folder, *options):
+        done = subprocess.run([sys.executable, "-B", str(SOURCE / f"scripts/plot_{script}.py"), str(self.folder / folder),
+                               *map(str, options)], capture_output=True, text=True, timeout=SECONDS, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        self.assertTrue((self.folder / folder / f"{script}.png").read_bytes().startswith(b"\x89PNG"))
+
     def test_dry_marches_jump_at_both_ends_of_the_hysteresis(self):
-        self.run_well("sweep", BARBIERI, *DRY, "-sweep_kind", "marches", "-sweep_from", HYSTERESIS, "-sweep_to", 11500,
-                      "-sweep_points", 3, "-sweep_kept_periods", 8, "-output_dir", "marches")
+        self.run_well("sweep", BARBIERI, *DRY, "-sweep_kind", "marches", "-sweep_from", HYSTERESIS, "-sweep_to", 11000,
+                      "-sweep_points", 7, "-sweep_kept_periods", 8, "-start_place", "after_leaving",
+                      "-start_H0", LOW[0], "-start_V0", LOW[1], "-output_dir", "marches")
         points, dots = (table_in(self.folder / "marches", name) for name in ("sweep", "diagram"))
         self.assertEqual(len(dots), 8 * len(points))
         for up, expected in ((1, LOW), (0, HIGH)):
@@ -67,6 +77,11 @@ class Marches(VibrationTest):
             numpy.testing.assert_allclose(settled["H0"], expected[0], atol=5e-3)
             numpy.testing.assert_allclose(settled["V0"], expected[1], atol=5e-3)
         numpy.testing.assert_array_equal(points["settles_on"][points["speed_rpm"] == HYSTERESIS], 1)
+        self.draw("sweep", "marches")
+        with self.subTest("dots behind a branch"):
+            self.run_well("continuation", BARBIERI, *DRY, "-continuation_from", 11000, "-continuation_to", HYSTERESIS,
+                          "-output_dir", "branch")
+            self.draw("branch", "branch", "--marches", self.folder / "marches")
 
     def test_basins_of_the_hysteresis(self):
         run = self.run_well("sweep", BARBIERI, *DRY, "-sweep_kind", "basins", "-pinion_speed_rpm", HYSTERESIS, *RANGE,
@@ -79,8 +94,10 @@ class Marches(VibrationTest):
             found = [attractor for attractor in attractors if attractor["attractor"] and
                      numpy.allclose(attractor["states_after_leaving"], [expected], atol=0.02)]
             self.assertEqual(len(found), 1)
-            self.assertEqual(numpy.count_nonzero(rows["attractor"] == found[0]["attractor"]), 25 * found[0]["share"])
+            count = numpy.count_nonzero(rows["attractor"] == found[0]["attractor"])
+            self.assertAlmostEqual(count, 25 * found[0]["share"])
             self.assertIn(f"{100 * found[0]['share']:5.1f} % of the starts: repeats every 1", run.stdout)
+        self.draw("sweep", "basins")
 
     def test_marches_on_films_go_on_where_they_were_stopped(self):
         sweep = ["sweep", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-sweep_kind", "marches", "-sweep_from", 15000,
