@@ -150,9 +150,9 @@ class RunFolder:
         return steps["h0"][largest] / steps["H0"][largest]
 
     def transmission_error(self):
-        """Time [s] and transmission error [um] along the line of action: the gears' approach, -h_0."""
+        """Time [s] and transmission error [um] along the line of action: by how much the gears have approached."""
         steps = self.table("history/steps")
-        return steps["t"], -1e6 * steps["h0"]
+        return steps["t"], 1e6 * steps["transmission_error"]
 
     def films(self):
         """All stored films: one of a steady run, or the contacts of all snapshots."""

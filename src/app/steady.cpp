@@ -14,6 +14,7 @@
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_file.hpp"
+#include "gearfilm/output/xdmf.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
 
 namespace gearfilm {
@@ -156,7 +157,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
   write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
-             {{0.0, {{group, group + "/mesh", film.grid().shape(), datasets}}}});
+             {{0.0, {{0, group, group + "/mesh", film.grid().shape(), datasets}}}});
   write_summary(comm, problem.run.directory, summary);
 }
 

@@ -29,8 +29,8 @@ History::History(ResultsFile& file, const MeshModel& mesh, bool lubricated)
 void History::append(const StepRecord& record) {
   std::vector<double> rows;
   for (const ContactRecord& contact : record.contacts) {
-    rows.insert(rows.end(),
-                {static_cast<double>(step_), static_cast<double>(contact.number), record.T, contact.position});
+    rows.insert(rows.end(), {static_cast<double>(step_), static_cast<double>(contact.number), record.T,
+                             mesh_.scales.time * record.T, contact.position});
     for (std::size_t n = 0; n < contact_figures.size(); ++n) {
       if (!given_.has(contact_figures[n].needs)) continue;
       rows.push_back(contact_figures[n].unit.in_si(mesh_.scales, contact.figures.values[n]));

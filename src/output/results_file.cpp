@@ -115,43 +115,4 @@ void ResultsFile::finish() {
   if (!published_) take_name();
 }
 
-namespace {
-
-std::string xdmf_data(const std::string& size, const std::string& dataset) {
-  return "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" + size + "\">" + dataset +
-         "</DataItem>";
-}
-
-std::string xdmf_contact(const std::string& results_name, const FieldGroup& group) {
-  const std::string size = std::to_string(group.shape.nx) + " " + std::to_string(group.shape.ny);
-  std::string text =
-      "        <Grid Name=\"" + group.name.substr(group.name.rfind('/') + 1) + "\" GridType=\"Uniform\">\n";
-  text += "          <Topology TopologyType=\"2DSMesh\" Dimensions=\"" + size + "\"/>\n";
-  text += "          <Geometry GeometryType=\"XY\">" + xdmf_data(size + " 2", results_name + ":" + group.mesh) +
-          "</Geometry>\n";
-  for (const std::string& name : group.datasets) {
-    text += "          <Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Node\">" +
-            xdmf_data(size, results_name + ":" + group.name + "/" + name) + "</Attribute>\n";
-  }
-  return text + "        </Grid>\n";
-}
-
-}  // namespace
-
-void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::string& results_name,
-                const std::vector<TimedFields>& series) {
-  std::ostringstream file;
-  file.precision(12);
-  file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
-       << "    <Grid Name=\"films\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (const TimedFields& fields : series) {
-    file << "      <Grid Name=\"contacts\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
-         << "        <Time Value=\"" << fields.time << "\"/>\n";
-    for (const FieldGroup& group : fields.groups) file << xdmf_contact(results_name, group);
-    file << "      </Grid>\n";
-  }
-  file << "    </Grid>\n  </Domain>\n</Xdmf>\n";
-  write_whole(comm, path, file.str());
-}
-
 }  // namespace gearfilm

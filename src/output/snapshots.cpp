@@ -29,7 +29,7 @@ void Snapshots::write(const FilmSnapshot& snapshot) {
   TimedFields fields{time, {}};
   for (const ContactSnapshot& contact : snapshot.contacts) {
     const std::string group = name.str() + "/contact" + std::to_string(contact.number);
-    fields.groups.push_back({group, mesh.group + "/mesh", mesh.grid.shape(), {}});
+    fields.groups.push_back({contact.number, group, mesh.group + "/mesh", mesh.grid.shape(), {}});
     for (const auto& [field, values] : contact.fields) {
       const ContactField kind = field_named(field);
       const std::string dataset(kind.dataset);

@@ -12,8 +12,7 @@ struct StopSignal {
   int number;
   const char* name;
 };
-constexpr std::array<StopSignal, 3> stop_signals = {
-    {{SIGTERM, "SIGTERM"}, {SIGINT, "Ctrl-C"}, {SIGUSR1, "SIGUSR1"}}};
+constexpr std::array<StopSignal, 3> stop_signals = {{{SIGTERM, "SIGTERM"}, {SIGINT, "Ctrl-C"}, {SIGUSR1, "SIGUSR1"}}};
 
 volatile std::sig_atomic_t received = 0;
 

@@ -32,6 +32,7 @@ inline constexpr auto contact_keys = std::to_array<RowKey>({
     {"step", units::count, "row of `/history/steps`"},
     {"contact", units::count, "number of the contact, 0 for the leading one at the start"},
     {"T", units::number, "time in units of a/u_m* at the end of the step"},
+    {"t", units::seconds, "the same"},
     {"xi", metres_as_given, "position on the line of action, from the pitch point"},
 });
 

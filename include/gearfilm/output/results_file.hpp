@@ -85,22 +85,4 @@ private:
   bool damaged_ = false;
 };
 
-/// A group of results.h5 with the fields of one contact.
-struct FieldGroup {
-  std::string name;
-  std::string mesh;  ///< the dataset of the coordinates
-  GridShape shape;
-  std::vector<std::string> datasets;
-};
-
-/// The contacts at one time [s].
-struct TimedFields {
-  double time = 0.0;
-  std::vector<FieldGroup> groups;
-};
-
-/// results.xmf beside results.h5: the description by which ParaView opens the fields, as a series in time.
-void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::string& results_name,
-                const std::vector<TimedFields>& series);
-
 }  // namespace gearfilm

@@ -10,6 +10,7 @@
 
 #include "gearfilm/output/film_snapshot.hpp"
 #include "gearfilm/output/results_file.hpp"
+#include "gearfilm/output/xdmf.hpp"
 
 namespace gearfilm {
 

@@ -1,0 +1,77 @@
+"""The fields of a march as ParaView sees them: its readers' own library, block names, times, values."""
+import unittest
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+from films import BARBIERI
+from vibration import MARCH, VibrationTest
+
+try:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
+except ImportError:
+    vtkXdmfReader = None
+
+
+class Series(VibrationTest):
+    def setUp(self):
+        super().setUp()
+        self.run_well("transient", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-mesh_periods", 1.5,
+                      "-output_snapshot_interval", 0.15, "-output_dir", "march")
+        self.output = self.folder / "march"
+
+    def snapshots(self):
+        """Per snapshot the time and, by block, the fields of its contacts as h5 has them."""
+        with h5py.File(self.output / "results.h5") as results:
+            moments = list(results["snapshots"].values())
+            most = max(len(moment) for moment in moments)
+            return [(moment.attrs["t"], {f"pair{int(name.removeprefix('contact')) % most}": (group["P"][...],
+                                                                                             group["H"][...])
+                                         for name, group in moment.items()}) for moment in moments]
+
+    def test_blocks_have_the_same_names_at_all_times(self):
+        root = xml.etree.ElementTree.parse(self.output / "results.xmf").getroot()
+        blocks = root.findall("./Domain/Grid")
+        self.assertEqual([block.get("Name") for block in blocks], ["pair0", "pair1"])
+        snapshots = self.snapshots()
+        self.assertGreater(len(snapshots), 8)
+        names = set()
+        for block in blocks:
+            moments = block.findall("Grid")
+            self.assertEqual(len(moments), len(snapshots))
+            for moment, (time, present) in zip(moments, snapshots):
+                names.add(moment.get("Name"))
+                self.assertAlmostEqual(float(moment.find("Time").get("Value")), time - snapshots[0][0], places=12)
+                here = moment.find("Topology").get("Dimensions") != "2 2"
+                self.assertEqual(here, block.get("Name") in present)
+        self.assertEqual(len(names), 2 * len(snapshots))    # readers rename those that are not unique
+
+    @unittest.skipIf(vtkXdmfReader is None, "no VTK with an XDMF reader for Python (python3-paraview)")
+    def test_vtk_reads_film_and_pressure_of_one_block_at_every_time(self):
+        reader = vtkXdmfReader()
+        reader.SetFileName(str(self.output / "results.xmf"))
+        reader.UpdateInformation()
+        times = reader.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+        snapshots = self.snapshots()
+        self.assertEqual(len(times), len(snapshots))
+        for time, (stored, blocks) in zip(times, snapshots):
+            self.assertAlmostEqual(time, stored - snapshots[0][0], places=12)
+            reader.UpdateTimeStep(time)
+            contacts = reader.GetOutputDataObject(0)
+            self.assertEqual(contacts.GetNumberOfBlocks(), 2)
+            for number in range(2):
+                name = contacts.GetMetaData(number).Get(vtkCompositeDataSet.NAME())
+                self.assertEqual(name, f"pair{number}")
+                data = contacts.GetBlock(number).GetPointData()
+                fields = [vtk_to_numpy(data.GetArray(field)) for field in ("P", "H")]
+                expected = blocks.get(name, (numpy.zeros(4), numpy.zeros(4)))
+                for seen, field in zip(fields, expected):
+                    numpy.testing.assert_array_equal(seen, field.ravel())
+
+
+if __name__ == "__main__":
+    unittest.main()
