@@ -28,6 +28,7 @@ StopRequest::StopRequest(std::optional<double> time_limit) : time_limit_(time_li
   struct sigaction action = {};
   action.sa_handler = receive;
   action.sa_flags = SA_RESTART;  // writing goes on
+  static_assert(std::tuple_size_v<decltype(before_)> == stop_signals.size());
   for (std::size_t n = 0; n < stop_signals.size(); ++n) sigaction(stop_signals[n].number, &action, &before_[n]);
 }
 

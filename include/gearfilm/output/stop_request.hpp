@@ -24,7 +24,7 @@ public:
 private:
   std::optional<double> time_limit_;
   double start_;
-  std::array<struct sigaction, 2> before_{};  ///< what the signals did before
+  std::array<struct sigaction, 3> before_{};  ///< what the signals did before
 };
 
 }  // namespace gearfilm
