@@ -13,7 +13,8 @@ from plotting import (BLUE, DARK, GREEN, GREY, VERMILLION, PlotError, add_grid, 
                       open_results, pathlib, pyplot, read_table, write_figure)
 
 
-VARIED = {"speed": SPEED, "torque": TORQUE, "mass": MASS}
+VARIED = {"speed": SPEED, "torque": TORQUE, "mass": MASS,
+          "viscosity": Quantity("viscosity", "viscosity of the oil [Pa s]")}
 RESPONSES = [Quantity("force_ratio_max", "largest force on a\ncontact [static force]"),
              Quantity("H0_after_leaving", "$H_0$ after leaving [-]"),
              Quantity("V0_after_leaving", "$V_0$ after leaving [-]")]

@@ -1,4 +1,4 @@
-// `gearfilm continuation`: branches of periodic states in speed, torque or mass, through folds and flips.
+// `gearfilm continuation`: branches of periodic states in speed, torque, mass or viscosity, through folds and flips.
 #include "gearfilm/app/branch_beginning.hpp"
 #include "gearfilm/app/branch_report.hpp"
 #include "gearfilm/app/case_at.hpp"
@@ -20,6 +20,7 @@ std::vector<TableColumn> point_columns() {
           {"speed_rpm", "rpm"},
           {"torque", "N m"},
           {"m_ge", "kg"},
+          {"viscosity", "Pa s"},
           {"f_m", "Hz"},
           {"f_n", "Hz"},
           {"H0_after_leaving", "-"},
@@ -59,11 +60,13 @@ public:
     const MeshModel mesh = mesh_after_leaving(here);
     const auto mu = point.multipliers();
     const double speed = here.parameters.real("pinion.speed_rpm"), mass = *here.pair.equivalent_mass;
+    const Lubricant& oil = here.scales.oil;
     table_->append({static_cast<double>(branch.number), static_cast<double>(branch.order), static_cast<double>(kind),
-                    speed, here.pair.torque, mass, mesh.mesh_frequency_si(), mesh.frequency_si(), point.state.motion.H0,
-                    point.state.motion.V0, point.value.largest_force, point.value.smallest_force, mu[0].real(),
-                    mu[0].imag(), mu[1].real(), mu[1].imag(), static_cast<double>(point.stable())});
-    Summary summary = {{"speed_rpm", speed}, {"torque", here.pair.torque}, {"m_ge", mass}};
+                    speed, here.pair.torque, mass, oil.viscosity, mesh.mesh_frequency_si(), mesh.frequency_si(),
+                    point.state.motion.H0, point.state.motion.V0, point.value.largest_force, point.value.smallest_force,
+                    mu[0].real(), mu[0].imag(), mu[1].real(), mu[1].imag(), static_cast<double>(point.stable())});
+    Summary summary = {
+        {"speed_rpm", speed}, {"torque", here.pair.torque}, {"m_ge", mass}, {"viscosity", oil.viscosity}};
     summary["H0_after_leaving"] = point.state.motion.H0;
     summary["V0_after_leaving"] = point.state.motion.V0;
     summary["force_ratio_max"] = point.value.largest_force;
@@ -101,6 +104,10 @@ void check(const Case& problem) {
   if (!given.from) {
     throw InputError("the case '" + problem.name +
                      "' says nothing about its continuation; give continuation.from and continuation.to");
+  }
+  if (given.parameter == "lubricant.viscosity" && problem.dry()) {
+    throw InputError(problem.parameters.origin("model") +
+                     ": 'model' is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
   }
   if (given.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a continuation in mass needs gear.equivalent_mass in the place of both inertias");

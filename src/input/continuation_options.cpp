@@ -9,8 +9,10 @@ namespace gearfilm {
 namespace {
 
 const std::map<std::string, std::string>& keys() {
-  static const std::map<std::string, std::string> by_choice = {
-      {"speed", "pinion.speed_rpm"}, {"torque", "pinion.torque"}, {"mass", "gear.equivalent_mass"}};
+  static const std::map<std::string, std::string> by_choice = {{"speed", "pinion.speed_rpm"},
+                                                               {"torque", "pinion.torque"},
+                                                               {"mass", "gear.equivalent_mass"},
+                                                               {"viscosity", "lubricant.viscosity"}};
   return by_choice;
 }
 

@@ -231,8 +231,9 @@ Records continuation_records() {
   };
   return section(
       "continuation", Scope::gear_pair,
-      {choice("parameter", {"speed", "torque", "mass"},
-              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m] or gear.equivalent_mass [kg]"),
+      {choice("parameter", {"speed", "torque", "mass", "viscosity"},
+              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m], gear.equivalent_mass [kg] or "
+              "lubricant.viscosity [Pa s]"),
        optional("none", number("from", "", "", {}, "where the branch begins, in the unit of what is varied")),
        optional("none", number("to", "", "", {}, "where it goes to, upwards or downwards; branches end at both ends")),
        step("first_step", &ContinuationOptions::first_step,

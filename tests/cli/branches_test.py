@@ -136,6 +136,21 @@ class Branches(VibrationTest):
             for name in rows.dtype.names:
                 numpy.testing.assert_array_equal(again[name], rows[name], name)
 
+    def test_viscosity(self):
+        self.run_well("continuation", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-continuation_parameter", "viscosity",
+                      "-continuation_from", 0.04, "-continuation_to", 0.05, "-continuation_largest_step", 5,
+                      "-continuation_first_step", 5, "-output_dir", "branches")
+        rows = table_in(self.output, "continuation")
+        self.assertEqual((rows["viscosity"][0], rows["viscosity"][-1]), (0.04, 0.05))
+        self.assertTrue((rows["speed_rpm"] == 15000).all())
+        self.assertGreater(numpy.ptp(rows["H0_after_leaving"]), 0.015)  # thicker oil, thicker films
+        self.run_well("periodic", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-lubricant_viscosity", 0.05,
+                      "-periodic_multipliers", "no", "-output_dir", "periodic")
+        self.assertAlmostEqual(summary_in(self.folder / "periodic")["H0_after_leaving"], rows["H0_after_leaving"][-1],
+                               delta=SAME_ORBIT)
+        self.assert_wrong(["model", "dry", "viscosity"], "continuation", BARBIERI, *DRY, "-continuation_parameter",
+                          "viscosity", "-continuation_from", 0.04, "-continuation_to", 0.05)
+
     def test_mass_beside_inertias(self):
         case = self.write_case(barbieri_with_inertias(1e-3, 4e-3))
         self.assert_wrong(["equivalent_mass", "inertias"], "continuation", case, *DRY, "-continuation_parameter", "mass",
