@@ -55,7 +55,7 @@ private:
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;
-  OwnedVec rate_;  ///< of the last residual: that of the accepted state, once a step is done
+  OwnedVec rate_;    ///< of the last residual: that of the accepted state, once a step is done
   OwnedVec solved_;  ///< see set_solved
   OwnedMat jacobian_;
   OwnedTS ts_;
