@@ -13,10 +13,11 @@ import argparse
 import pathlib
 from typing import NamedTuple
 
-from plot_orbit import read_orbit
-from plot_sweep import RESPONSES, read_sweep
 from plotting import (BLUE, DARK, GREEN, VERMILLION, PlotError, add_grid, add_legend, numpy, open_results, pyplot,
                       read_table, read_text, write_figure)
+
+from gearfilm.drawing.orbit import read_orbit
+from gearfilm.drawing.sweep import RESPONSES, read_sweep
 
 LOOKS = [(BLUE, "-"), (VERMILLION, "--"), (GREEN, "-."), (DARK, ":")]
 DRAWN = ["force_ratio_max", "transmission_error_peak_to_peak", "h_min"]  # of sweeps
@@ -105,7 +106,7 @@ def main():
     parser.add_argument("--into", dest="folder", type=pathlib.Path, help="folder of the figure")
     arguments = parser.parse_args()
     arguments.folder = arguments.folder or arguments.runs[0].folder
-    write_figure(arguments, lambda: draw(arguments.runs))
+    write_figure(arguments.folder, arguments.name, lambda: draw(arguments.runs))
 
 
 if __name__ == "__main__":

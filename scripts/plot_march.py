@@ -1,84 +1,12 @@
 #!/usr/bin/env python3
 """Figure of a march: motion, forces and films over the length travelled, or over time where contacts are held.
 
-    scripts/plot_march.py FOLDER [--name march]   reads FOLDER/results.h5, writes FOLDER/march.png and FOLDER/march.pdf
+    scripts/plot_march.py FOLDER [--name march] [--format png pdf]
+                 reads FOLDER/results.h5, writes FOLDER/march.png and FOLDER/march.pdf
 
 Exit status 1, with one line, where the results are missing or not those of `gearfilm transient` or `periodic`.
 """
-from typing import NamedTuple
-
-from plotting import (BLUE, DARK, GREEN, PALE, VERMILLION, add_grid, command_line, numpy, open_results, pyplot, read_table,
-                      write_figure)
-
-TOOTH_COLOURS = [BLUE, VERMILLION, GREEN]  # teeth take turns
-WIDE_RANGE = 5  # of film thickness: beyond it, when contact is lost, the axis is logarithmic
-
-
-class March(NamedTuple):
-    """The two tables of a history, and what of it is the periodic state."""
-    steps: numpy.ndarray
-    contacts: numpy.ndarray
-    periodic: tuple     # from, to [-]; empty where there is none
-
-    @property
-    def over(self):
-        """What the curves are drawn over, and its label: the length travelled, or time where contacts are held."""
-        if numpy.ptp(self.steps["distance"]) > 0:
-            return 1e3 * self.steps["distance"], "length travelled along the line of action [mm]"
-        return 1e3 * self.steps["t"], "time [ms]; the contacts are held where they are"
-
-
-def read_march(path):
-    with open_results(path, "transient", "it has no history") as results:
-        span = [results["history"].attrs[name] for name in ("periodic_from", "periodic_to")
-                if name in results["history"].attrs]
-        return March(read_table(results, "history/steps", ["T", "t", "distance", "H0", "force_total"]),
-                     read_table(results, "history/contacts", ["step", "contact", "force", "p_max"]), tuple(span))
-
-
-def draw_teeth(axes, march, column, scale, **style):
-    """One line a tooth pair."""
-    distance = dict(zip(march.steps["step"], march.over[0]))
-    for tooth in numpy.unique(march.contacts["contact"]):
-        rows = march.contacts[march.contacts["contact"] == tooth]
-        axes.plot([distance[step] for step in rows["step"]], scale * rows[column],
-                  color=TOOTH_COLOURS[tooth % len(TOOTH_COLOURS)], linewidth=1.2, **style)
-
-
-def draw(march):
-    lubricated = "h_min" in march.contacts.dtype.names
-    figure, rows = pyplot.subplots(4 if lubricated else 3, 1, sharex=True, figsize=(8, 8 if lubricated else 6.5),
-                                   constrained_layout=True)
-    travelled, label = march.over
-    rows[0].plot(travelled, march.steps["H0"], color=DARK, linewidth=1.2)
-    rows[0].set_ylabel("$H_0$ [-]")
-    rows[1].plot(travelled, 1e-3 * march.steps["force_total"], color=DARK, linewidth=1.2)
-    draw_teeth(rows[1], march, "force", 1e-3, linestyle="--")
-    rows[1].set_ylabel("force [kN]\n(dashed: each contact)")
-    draw_teeth(rows[2], march, "p_max", 1e-9)
-    rows[2].set_ylabel("largest pressure [GPa]")
-    if lubricated:
-        draw_teeth(rows[3], march, "h_central", 1e6)
-        draw_teeth(rows[3], march, "h_min", 1e6, linestyle="--")
-        if march.contacts["h_central"].max() > WIDE_RANGE * march.contacts["h_min"].min():
-            rows[3].set_yscale("log")
-        rows[3].set_ylabel("film [µm]\n(dashed: smallest)")
-    rows[-1].set_xlabel(label)
-    if march.periodic:
-        begin, end = numpy.interp(march.periodic, march.steps["T"], travelled)
-        for axes in rows:
-            axes.axvspan(begin, end, color=PALE, alpha=0.5, zorder=0, linewidth=0)
-        rows[0].set_title("shaded: the periodic state", fontsize=9)
-    add_grid(*rows)
-    for axes in rows:
-        axes.margins(x=0)
-    return figure
-
-
-def main():
-    arguments = command_line(__doc__, "transient", "march").parse_args()
-    write_figure(arguments, lambda: draw(read_march(arguments.folder / "results.h5")))
-
+from plotting import draw_command
 
 if __name__ == "__main__":
-    main()
+    draw_command("march")

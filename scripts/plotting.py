@@ -1,148 +1,20 @@
-"""What the plot scripts have in common: their command line, the results they read, their colours, the written figure.
-
-A figure is drawn from FOLDER/results.h5 and written beside it, as PNG and PDF. Exit status 1, with one line, where that
-cannot be done. The scripts import numpy and pyplot from here, so that a missing package is said in one place.
-"""
-import argparse
-import contextlib
-import json
+"""What scripts draw with; a package that is missing is said here, in one line."""
 import pathlib
 import sys
 
-SCRIPT = pathlib.Path(sys.argv[0]).stem
-
 try:
-    import h5py
     import matplotlib
-    import numpy
     matplotlib.use("Agg")
+    import numpy
     from matplotlib import pyplot
-    from matplotlib.collections import Collection
-    from PIL import Image
+
+    from gearfilm.drawing import command as draw_command
+    from gearfilm.drawing.canvas import (BLUE, DARK, GREEN, GREY, PALE, VERMILLION, Foreign, PlotError, add_grid, add_legend,
+                                         fill, open_results, read_summary, read_table, read_text, save, write_figure)
 except ImportError as missing:
-    sys.exit(f"{SCRIPT}: {missing}; needs h5py, matplotlib, numpy (as /usr/bin/python3 has after scripts/setup.sh)")
+    sys.exit(f"{pathlib.Path(sys.argv[0]).stem}: {missing}; needs h5py, matplotlib, numpy, pillow (as /usr/bin/python3 has "
+             "after scripts/setup.sh)")
 
-# Distinguishable with every kind of colour vision: colours of Okabe and Ito.
-BLUE = "#0072B2"
-VERMILLION = "#D55E00"
-GREEN = "#009E73"
-PURPLE = "#CC79A7"
-DARK = "#333333"
-GREY = "#999999"  # of marked lines
-PALE = "#DDDDDD"  # of grids
-COLOURS = 255     # of a PNG
-COLOUR_MAP = "cividis"  # of maps; distinguishable likewise
-RESULTS_FORMAT = 1      # results_format of include/gearfilm/output/format_version.hpp
-
-
-class PlotError(Exception):
-    """Something that keeps the figure from being made; the text is for the user."""
-
-
-class Foreign(Exception):
-    """What results lack, or have instead, when they are not those of the wanted command."""
-
-
-@contextlib.contextmanager
-def open_results(path, command, lack):
-    """The results of `gearfilm <command>`; `lack` is what to say of them when a group or dataset is missing."""
-    if not path.exists():
-        raise PlotError(f"{path} does not exist; run gearfilm {command} first")
-    foreign = f"{path} is not a result of gearfilm {command}"
-    try:
-        with h5py.File(path) as results:
-            require_format(results, path, command)
-            yield results
-    except OSError:
-        raise PlotError(f"{path} is not an HDF5 file that can be read") from None
-    except KeyError:
-        raise PlotError(f"{foreign}: {lack}") from None
-    except Foreign as found:
-        raise PlotError(f"{foreign}: {found}") from None
-
-
-def require_format(results, path, command):
-    """Results of another version of the program may have the same names for something else."""
-    version = results.attrs.get("format_version")
-    if version != RESULTS_FORMAT:
-        theirs = "no format version" if version is None else f"format version {read_text(version)}"
-        raise PlotError(f"{path} has {theirs}, and this script reads version {RESULTS_FORMAT} alone; "
-                        f"run gearfilm {command} again, or use the scripts of the gearfilm that wrote it")
-
-
-def read_table(results, name, columns):
-    """The rows of a table of the results, of which these columns are used."""
-    table = results[name][...]
-    if not set(columns) <= set(table.dtype.names or ()):
-        raise Foreign(f"columns of the {name.split('/')[0]} are missing")
-    return table
-
-
-def read_summary(folder, command):
-    """The values in FOLDER/summary.json of `gearfilm <command>`."""
-    path = folder / "summary.json"
-    try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        summary = None
-    if not isinstance(summary, dict):
-        raise PlotError(f"{path} is missing or not a summary; run gearfilm {command} to its end")
-    return summary
-
-
-def read_text(attribute):
-    return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
-
-
-def add_grid(*panels):
-    """Pale lines behind the curves."""
-    for axes in panels:
-        axes.grid(color=PALE, linewidth=0.6)
-        axes.set_axisbelow(True)
-
-
-def fill(axes, x, y, values, levels):
-    """Map of the values[y, x] in steps of the levels; what is above them in the last colour."""
-    filled = axes.contourf(x, y, values, levels, cmap=COLOUR_MAP, extend="both")
-    # One collection of all levels since Matplotlib 3.8, before one for each.
-    for part in [filled] if isinstance(filled, Collection) else filled.collections:
-        part.set_edgecolor("face")  # no hair lines between the levels of the PDF
-    return filled
-
-
-def add_legend(axes, handles, labels, base=1.0):
-    """A legend above the axes, where it hides nothing, with every label once, from the height `base` of the axes on."""
-    entries = dict(zip(labels, handles))
-    axes.legend(entries.values(), entries.keys(), loc="lower center", bbox_to_anchor=(0.5, base),
-                ncol=min(len(entries), 5), frameon=False, fontsize=8)
-
-
-def command_line(documentation, command, name):
-    """Parser of FOLDER and --name; the first line of the script's documentation describes it."""
-    parser = argparse.ArgumentParser(description=documentation.split("\n", 1)[0])
-    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {command}")
-    parser.add_argument("--name", default=name, help="file name of the figure, without ending")
-    return parser
-
-
-def save(figure, paths):
-    """Writes the figure once for each ending; PNG with a palette, since figures have few colours."""
-    for path in paths:
-        figure.savefig(path, dpi=150)
-        if path.suffix == ".png":
-            with Image.open(path) as image:
-                small = image.convert("RGB").quantize(COLOURS, kmeans=1)
-            small.save(path, optimize=True)
-
-
-def write_figure(arguments, draw):
-    """Writes the figure that draw() returns to the folder of the arguments."""
-    paths = [arguments.folder / f"{arguments.name}.{ending}" for ending in ("png", "pdf")]
-    try:
-        save(draw(), paths)
-    except PlotError as error:
-        sys.exit(f"{SCRIPT}: {error}")
-    except OSError as error:
-        sys.exit(f"{SCRIPT}: cannot write the figure: {error}")
-    for path in paths:
-        print(f"figure: {path}")
+__all__ = ["BLUE", "DARK", "GREEN", "GREY", "PALE", "VERMILLION", "Foreign", "PlotError", "add_grid", "add_legend",
+           "draw_command", "fill", "numpy", "open_results", "pyplot", "read_summary", "read_table", "read_text", "save",
+           "write_figure"]

@@ -87,7 +87,7 @@ def main():
         for film in line_of_action(arguments.case, arguments.folder / "run", arguments.places, options):
             films.append(film)
             print(row(*cells(film)), flush=True)
-    write_figure(arguments, lambda: draw(films))
+    write_figure(arguments.folder, arguments.name, lambda: draw(films))
 
 
 if __name__ == "__main__":

@@ -5,9 +5,12 @@
     run.summary["force_ratio_max"], run.parameters["grid.nx"]
     steps = run.table("history/steps")                  # structured array, SI; run.frame(...) gives a DataFrame
     film = run.film(xi=0.0)                             # the stored film nearest to a place, mm, um and GPa
+    run.fields(), run.forces()                          # all films as xarray, forces [N] over positions [mm]
+    run.draw().savefig("march.pdf")                     # a matplotlib figure; gearfilm.drawing has all kinds
 
     python3 -m gearfilm export FOLDER [TABLE]           CSV
     python3 -m gearfilm report FOLDER                   one HTML page
+    python3 -m gearfilm plot KIND FOLDER                a figure, PNG and PDF
 """
 from .folder import Film, Parameter, ResultsError, RunFolder
 from .running import run

@@ -1,8 +1,12 @@
-"""python3 -m gearfilm export FOLDER [TABLE] [-o FILE]      python3 -m gearfilm report FOLDER [-o FILE]"""
+"""python3 -m gearfilm export FOLDER [TABLE] [-o FILE]      python3 -m gearfilm report FOLDER [-o FILE]
+
+python3 -m gearfilm plot KIND FOLDER [options]
+"""
 import argparse
 import pathlib
 import sys
 
+from . import drawing
 from .export import export, list_tables
 from .folder import ResultsError, RunFolder
 from .report import write_report
@@ -26,6 +30,11 @@ def report_command(arguments):
     print(f"report: {write_report(RunFolder(arguments.folder), arguments.output)}")
 
 
+def plot_command(arguments):
+    """Writes a figure; its own options come after the folder."""
+    drawing.command(arguments.kind, arguments.words, program="gearfilm")
+
+
 def main():
     parser = argparse.ArgumentParser(prog="gearfilm", description="Results of gearfilm as tables and pages.")
     commands = parser.add_subparsers(required=True)
@@ -37,6 +46,11 @@ def main():
             one.add_argument("table", nargs="?", help="for example history/steps")
         one.add_argument("-o", "--output", type=pathlib.Path, help="file to write")
         one.set_defaults(action=action)
+    one = commands.add_parser("plot", help="a figure as PNG and PDF", description="a figure as PNG and PDF")
+    one.add_argument("kind", choices=drawing.KINDS)
+    one.add_argument("words", nargs=argparse.REMAINDER, metavar="FOLDER [options]",
+                     help="of the run; KIND --help tells the options")
+    one.set_defaults(action=plot_command)
     arguments = parser.parse_args()
     try:
         arguments.action(arguments)

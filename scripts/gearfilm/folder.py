@@ -1,5 +1,6 @@
 """The folder of a run: summary, parameters, tables and films, with their units."""
 import dataclasses
+import importlib
 import json
 import pathlib
 
@@ -33,11 +34,20 @@ class Film:
 
     def dataset(self):
         """As an xarray.Dataset with named dimensions."""
-        import xarray  # pylint: disable=import-outside-toplevel,import-error
+        xarray = _optional("xarray")
         fields = {"thickness": (("x", "y"), self.thickness, {"units": "um"}),
                   "pressure": (("x", "y"), self.pressure, {"units": "GPa"})}
         axes = {"x": ("x", self.x, {"units": "mm"}), "y": ("y", self.y, {"units": "mm"})}
         return xarray.Dataset(fields, axes, {"contact": self.contact, "xi_mm": self.xi, "t": self.time})
+
+
+def _optional(package):
+    """A package that only some results need."""
+    try:
+        return importlib.import_module(package)
+    except ImportError:
+        raise ResultsError(f"this needs the Python package {package}, which is not installed: pip install {package}, "
+                           f"or apt-get install python3-{package}") from None
 
 
 def _text(value):
@@ -137,10 +147,21 @@ class RunFolder:
 
     def frame(self, name):
         """A table as a pandas.DataFrame, with its units in `attrs`."""
-        import pandas  # pylint: disable=import-outside-toplevel,import-error
+        pandas = _optional("pandas")
         frame = pandas.DataFrame(self.table(name))
         frame.attrs["units"] = self.units(name)
         return frame
+
+    @property
+    def history(self):
+        """The tables of a march, by their names without "history/": steps, contacts, poincare and others."""
+        return {name.removeprefix("history/"): self.table(name) for name in self.tables() if name.startswith("history/")}
+
+    def forces(self):
+        """Of every contact, by its number: position on the line of action from the pitch point [mm], force [N]."""
+        rows = self.table("history/contacts")
+        return {int(number): (1e3 * rows["xi"][rows["contact"] == number], rows["force"][rows["contact"] == number])
+                for number in numpy.unique(rows["contact"])}
 
     @property
     def thickness_scale(self):
@@ -169,6 +190,34 @@ class RunFolder:
         if not films:
             raise ResultsError(f"{self._results} stores no films; run with -output_snapshot_interval")
         return min(films, key=lambda film: abs(film.xi - xi))
+
+    def fields(self):
+        """Films and pressures of all stored films that share a grid, as one xarray.Dataset over (film, x, y) with the
+        number of the contact, its place xi and the time as coordinates of `film`."""
+        films = self.films()
+        if not films:
+            raise ResultsError(f"{self._results} stores no films; run with -output_snapshot_interval")
+        xarray, first = _optional("xarray"), films[0]
+        if any(not (numpy.array_equal(film.x, first.x) and numpy.array_equal(film.y, first.y)) for film in films):
+            raise ResultsError(f"{self._results} has films on several grids; take them from films()")
+
+        def stacked(name, unit):
+            return ("film", "x", "y"), numpy.stack([getattr(film, name) for film in films]), {"units": unit}
+
+        def each(name, unit):
+            return "film", [getattr(film, name) for film in films], {"units": unit}
+
+        return xarray.Dataset({"thickness": stacked("thickness", "um"), "pressure": stacked("pressure", "GPa")},
+                              {"x": ("x", first.x, {"units": "mm"}), "y": ("y", first.y, {"units": "mm"}),
+                               "xi": each("xi", "mm"), "time": each("time", "s"), "contact": each("contact", "-")})
+
+    def draw(self, kind=None, **options):
+        """A matplotlib Figure: the usual one of the command, or another of gearfilm.drawing.KINDS."""
+        drawing = importlib.import_module(".drawing", __package__)
+        usual = drawing.usual_kinds(self.command)
+        if kind is None and not usual:
+            raise ResultsError(f"{self.folder}: the results of gearfilm {self.command} have no figure")
+        return drawing.draw(self.folder, kind or usual[0], **options)
 
     @staticmethod
     def _film(results, name, group, time, mesh=None):

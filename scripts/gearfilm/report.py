@@ -5,19 +5,13 @@ The page stands alone: figures are inside it, nothing is fetched when it is open
 import base64
 import html
 import io
-import pathlib
 import shlex
-import subprocess
-import sys
-import tempfile
 
 import numpy
 
+from .drawing import draw, usual_kinds
 from .folder import ResultsError
 
-SCRIPTS = pathlib.Path(__file__).resolve().parents[1]
-DRAWN_BY = {"steady": ["plot_film.py"], "transient": ["plot_march.py"], "periodic": ["plot_orbit.py", "plot_march.py"],
-            "sweep": ["plot_sweep.py"], "continuation": ["plot_branch.py"], "static": ["plot_static.py"]}
 UNITS = (("h_", 1e6, "µm"), ("transmission_error", 1e6, "µm"), ("te_", 1e6, "µm"), ("p_", 1e-9, "GPa"))
 BARE = {"case", "provenance", "predictions", "search", "points", "periods", "events", "loads", "branches", "stretches"}
 STYLE = """
@@ -105,24 +99,16 @@ def convergence(run):
 
 
 def figures(run):
-    """What the plot scripts make of the run, as PNG; what they say where they cannot."""
-    for script in DRAWN_BY.get(run.command, []):
-        path = SCRIPTS / script
-        if not path.exists():
-            yield script, None, f"{script} is not beside the package"
+    """Name and PNG of every figure of the run; what is said where one cannot be drawn."""
+    for kind in usual_kinds(run.command):
+        try:
+            drawn = draw(run.folder, kind)
+        except ResultsError as error:
+            yield kind, None, str(error)
             continue
-        with tempfile.TemporaryDirectory() as place:
-            folder = pathlib.Path(place)
-            for file in run.folder.iterdir():
-                if file.is_file():
-                    (folder / file.name).symlink_to(file.resolve())
-            done = subprocess.run([sys.executable, "-B", str(path), str(folder), "--name", "figure"],
-                                  capture_output=True, text=True, check=False)
-            drawn = folder / "figure.png"
-            if drawn.exists():
-                yield script, drawn.read_bytes(), ""
-            else:
-                yield script, None, done.stderr.strip().replace(place, str(run.folder))
+        content = io.BytesIO()
+        drawn.savefig(content, dpi=110, format="png")
+        yield kind, content.getvalue(), ""
 
 
 def case_of(run):
@@ -160,10 +146,10 @@ def page(run):
     section("Main figures", _rows(main_figures(summary), ("figure", "value", "error", "towards finer grids", "unit")))
     known = formulas(summary)
     section("Formulas", _rows(known, ("formula", "value", "unit")) if known else "")
-    for script, picture, trouble in figures(run):
+    for kind, picture, trouble in figures(run):
         image = "" if picture is None else \
-            f'<img alt="{html.escape(script)}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
-        section(f"Figure ({script})", image or f'<p class="warning">{html.escape(trouble)}</p>')
+            f'<img alt="{kind}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
+        section(f"Figure ({kind})", image or f'<p class="warning">{html.escape(trouble)}</p>')
     needed = convergence(run)
     section("Convergence and time", _rows(needed, ("", "")) if needed else "")
     for title, table in lists(summary):

@@ -1,11 +1,11 @@
 """Figures 8 to 10: the motion from rest, the periodic state beside the long march, and the force on a contact."""
 import pathlib
 
+from gearfilm.drawing.march import draw_teeth, read_march
+from gearfilm.drawing.orbit import draw_phases, draw_spectrum, read_orbit
 from paper import printed
 from paper.films import label_life, mark_events, mark_printed
 from paper.life import read_life
-from plot_march import draw_teeth, read_march
-from plot_orbit import draw_phases, draw_spectrum, read_orbit
 from plotting import BLUE, DARK, GREY, VERMILLION, add_grid, numpy, pyplot, read_summary
 
 LONG_MARCH = pathlib.Path(__file__).resolve().parents[2] / "docs/data/table3_march160"  # kept in the repository

@@ -133,8 +133,8 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
-  file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure);
-  file.field(group, "H", "m", domain, film.thickness(), scales.thickness);
+  file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure, group);
+  file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
   std::vector<std::string> datasets = {"P", "H"};
   for (const field::OfTraction& kind : field::traction) {
     const std::vector<double>& values = friction.*kind.values;
@@ -142,7 +142,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
     Field<double> whole(film.grid());
     whole.load(values);
     datasets.emplace_back(kind.field.dataset);
-    file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0);
+    file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0, group);
   }
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);

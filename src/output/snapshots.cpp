@@ -33,7 +33,8 @@ void Snapshots::write(const FilmSnapshot& snapshot) {
     for (const auto& [field, values] : contact.fields) {
       const ContactField kind = field_named(field);
       const std::string dataset(kind.dataset);
-      file_.field(group, dataset, std::string(kind.unit.name), mesh.domain, values, kind.unit.in_si(scales_, 1.0));
+      file_.field(group, dataset, std::string(kind.unit.name), mesh.domain, values, kind.unit.in_si(scales_, 1.0),
+                  mesh.group);
       fields.groups.back().datasets.push_back(dataset);
     }
     file_.attribute(group, "xi", contact.position);

@@ -49,8 +49,8 @@ class Branches(VibrationTest):
                 self.assertEqual(branch["end"], "at an end of the range")
                 self.assertEqual(points["speed_rpm"][-1], 20500)
             with h5py.File(self.output / "results.h5") as results:
-                self.assertIn(b"2 flip", results["continuation"].attrs["kinds"])
-                self.assertIn(b"speed_rpm rpm", results["continuation"].attrs["units"])
+                self.assertIn("2 flip", results["continuation"].attrs["kinds"])
+                self.assertIn("speed_rpm rpm", results["continuation"].attrs["units"])
         with self.subTest("a march stays on the doubled period"):
             born = rows[(rows["branch"] == 2) & (rows["kind"] == 0) & (rows["stable"] == 1)]
             point = born[len(born) // 2]

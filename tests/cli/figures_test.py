@@ -11,8 +11,8 @@ import numpy
 from program import SECONDS, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from plot_orbit import read_orbit  # noqa: E402
-from plot_static import read_static, shares_of_contact  # noqa: E402
+from gearfilm.drawing.orbit import read_orbit  # noqa: E402
+from gearfilm.drawing.static import read_static, shares_of_contact  # noqa: E402
 
 MESH_PERIOD = 7.5      # dimensionless
 TIME_SCALE = 2e-5      # s

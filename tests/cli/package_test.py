@@ -3,6 +3,7 @@ import base64
 import contextlib
 import csv
 import html.parser
+import importlib.util
 import io
 import json
 import os
@@ -85,6 +86,11 @@ class Package(ProgramTest):
         self.assertLess(abs(film.y[middle[1]]), 0.5)
         self.assertEqual(run.parameters["grid.nx"].value, 65)
         self.assertEqual(run.parameters["pinion.torque"].unit, "N m")
+        with h5py.File(run.folder / "results.h5") as results:
+            for field in ("P", "H"):
+                axes = [axis[0].name for axis in results[f"contact0/{field}"].dims]
+                self.assertEqual(axes, ["/contact0/x", "/contact0/y"])
+            self.assertEqual(results["parameters"].attrs["pinion.torque"], "470 N m")   # text, not bytes
 
     def test_tables_and_their_export(self):
         run = self.march()
@@ -102,13 +108,41 @@ class Package(ProgramTest):
         self.assertIn("t [s]", header)
         numpy.testing.assert_allclose([float(row[header.index("H0")]) for row in rows], steps["H0"], rtol=1e-11)
         self.assertIn("history/contacts: ", self.command("export", "march").stdout)
+        self.assertEqual(set(run.history), {"contacts", "poincare", "steps"})
+        number, (place, force) = next(iter(run.forces().items()))
+        rows = run.history["contacts"][run.history["contacts"]["contact"] == number]
+        numpy.testing.assert_array_equal(place, 1e3 * rows["xi"])
+        numpy.testing.assert_array_equal(force, rows["force"])
+
+    def test_optional_packages(self):
+        self.run_well("transient", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-mesh_periods", 0.3, "-output_snapshot_interval",
+                      0.1, "-output_dir", "march")
+        run = gearfilm.open(self.folder / "march")
+        for package, use in (("pandas", lambda: run.frame("history/steps")), ("xarray", run.fields),
+                             ("xarray", run.film().dataset)):
+            with mock.patch.dict(sys.modules, {package: None}):
+                with self.assertRaisesRegex(gearfilm.ResultsError, f"needs the Python package {package}"):
+                    use()
+        if importlib.util.find_spec("pandas"):
+            self.assertEqual(run.frame("history/steps").attrs["units"]["t"], "s")
+        if importlib.util.find_spec("xarray"):
+            fields = run.fields()
+            self.assertEqual(fields.pressure.dims, ("film", "x", "y"))
+            numpy.testing.assert_array_equal(fields.pressure[0], run.films()[0].pressure)
 
     def test_pages_stand_alone(self):
         self.run_well("periodic", BARBIERI, *MARCH, "-output_dir", "periodic")
         self.run_well("info", BARBIERI, "-output_dir", "info")
         self.steady()
         self.march()
-        for name, figures in (("steady", 1), ("march", 1), ("periodic", 2), ("info", 0)):
+        dry = ("-model", "dry", "-dry_damping_ratio", 0.02)
+        for command, *options in (("static",), ("eigen", *dry),
+                                  ("continuation", *dry, "-continuation_from", 28000, "-continuation_to", 26000),
+                                  ("sweep", *dry, "-sweep_from", 14000, "-sweep_to", 15000, "-sweep_points", 3)):
+            done = self.run_program(command, BARBIERI, *options, "-output_dir", command)   # may warn of the entering
+            self.assertEqual(done.status, 0, done)
+        for name, figures in (("steady", 1), ("march", 1), ("periodic", 2), ("info", 0), ("static", 1),
+                              ("continuation", 1), ("eigen", 0), ("sweep", 1)):
             with self.subTest(name=name):
                 done = self.command("report", name)
                 self.assertEqual((done.returncode, done.stderr), (0, ""), done)
@@ -124,6 +158,20 @@ class Package(ProgramTest):
                 for key in summary_in(self.folder / name):
                     if key in ("h_central", "force_ratio_max", "floquet_modulus", "contact_ratio"):
                         self.assertIn(key, words)
+
+    def test_figures_by_the_package(self):
+        run = self.march()
+        self.assertEqual(len(run.draw().axes), 4)
+        self.assertGreater(len(run.draw("orbit", periods=1).axes), 1)
+        done = self.command("plot", "poincare", "march", "--format", "pdf")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (1, "", done.stderr), done)
+        self.assertRegex(done.stderr, r"\Agearfilm: .* has 1 point\(s\); .*\n\Z")
+        done = self.command("plot", "orbit", "march", "--format", "pdf", "--name", "last")
+        self.assertEqual((done.stdout, done.stderr), ("figure: march/last.pdf\n", ""))
+        self.assertFalse((self.folder / "march/last.png").exists())
+        for kind, message in (("film", "not a result of gearfilm steady"), ("nothing", "no figure 'nothing'; there are")):
+            with self.assertRaisesRegex(gearfilm.ResultsError, message):
+                run.draw(kind)
 
     def test_recurrence_and_animation_of_a_march(self):
         self.run_well("transient", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-mesh_periods", 3, "-output_snapshot_interval",

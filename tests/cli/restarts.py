@@ -147,9 +147,17 @@ def tables_in(file):
 
 
 def attributes_in(file):
+    def named(value):
+        """Whatever an axis or a field refers to, by its name: references depend on the places in the file."""
+        if isinstance(value, numpy.ndarray) and value.dtype.names:
+            return str([[file[row[0]].name, *row.tolist()[1:]] for row in value])
+        if isinstance(value, numpy.ndarray) and value.dtype == object:
+            return str([[file[reference].name for reference in axis] for axis in value])
+        return value
+
     attributes = {f"@{name}": value for name, value in file.attrs.items()}
     file.visititems(lambda path, item: attributes.update(
-        {f"{path}@{name}": value for name, value in item.attrs.items() if name not in CONDUCT}))
+        {f"{path}@{name}": named(value) for name, value in item.attrs.items() if name not in CONDUCT}))
     return attributes
 
 

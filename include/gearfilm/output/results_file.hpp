@@ -5,15 +5,17 @@
 //   /parameters      attributes: every parameter of the run
 //   /contact0        attributes: position and scales of the contact
 //   /contact0/P, H   pressure [Pa] and film thickness [m] as (nx, ny)
-//   /contact0/x, y   coordinates along and across entrainment [m]
+//   /contact0/x, y   coordinates along and across entrainment [m]: dimension scales of the fields
 //   /contact0/mesh   the same as (nx, ny, 2), for ParaView through results.xmf
-// Written by all processes together through PETSc's HDF5 viewer; every write that fails is an OutputError on all.
+// Text is UTF-8. Written by all processes together through PETSc's HDF5 viewer; every write that fails is an
+// OutputError on all.
 #pragma once
 
 #include <hdf5.h>
 #include <petscviewerhdf5.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "gearfilm/contact/scales.hpp"
@@ -39,9 +41,9 @@ public:
 
   /// Coordinates of a contact's grid [m].
   void grid(const std::string& group, const WholeDomain& domain, const Scales& scales);
-  /// One field in SI: values times scale.
+  /// One field in SI: values times scale; `axes` is the group of its coordinates, made by grid().
   void field(const std::string& group, const std::string& name, const std::string& unit, const WholeDomain& domain,
-             const Field<double>& values, double scale);
+             const Field<double>& values, double scale, const std::string& axes);
 
   /// A row of so many values after the other, all on the first process; elsewhere `values` counts for nothing. There
   /// are `rows` of them.
@@ -81,6 +83,7 @@ private:
   int rank_ = 0;
   std::filesystem::path path_;
   OwnedViewer viewer_;
+  std::map<std::string, int> fields_of_;  // by the group of their axes
   bool published_ = false;
   bool damaged_ = false;
 };

@@ -1,7 +1,9 @@
 """What figures over a speed, a torque or a mass share: what is varied, the axis of frequency ratios, marched motions."""
 from typing import NamedTuple
 
-from plotting import GREY, Foreign, PlotError, numpy, open_results, read_table, read_text
+import numpy
+
+from .canvas import GREY, Foreign, PlotError, open_results, read_summary, read_table, read_text
 
 
 class Quantity(NamedTuple):
@@ -36,12 +38,20 @@ def add_frequency_ratio(axes, speed, frequency_ratio):
             panel.axvline(1 / ratio, color=GREY, linewidth=0.8, linestyle="--", zorder=0)
 
 
-def read_marches(path, varied):
-    """The table /diagram of a sweep of marches over the same quantity."""
-    with open_results(path, "sweep", "it has no table of points") as results:
-        if "diagram" not in results:
-            raise PlotError(f"{path} is no sweep of marches; make it with sweep.kind marches")
-        return read_table(results, "diagram", {"up", varied.column, *MARCHED.values()})
+def read_marches(folder, varied):
+    """Marched motions, one row a mesh period: of a sweep of marches over the same quantity, or of a transient, from
+    its middle on where its speed is held."""
+    path = folder / "results.h5"
+    with open_results(path, "sweep or transient", "it has no table of points") as results:
+        if "diagram" in results:
+            return read_table(results, "diagram", {varied.column, *MARCHED.values()})
+        if "history/poincare" not in results or varied is not SPEED:
+            raise PlotError(f"{path} has no marches over the {varied.label}; make them with sweep.kind marches")
+        points = read_table(results, "history/poincare", {"pinion_speed", "H0", "V0", "force_max"})
+    force = read_summary(folder, "transient")["static_force"]
+    rows = numpy.rec.fromarrays([points["pinion_speed"], points["force_max"] / force, points["H0"], points["V0"]],
+                                names=[SPEED.column, *MARCHED.values()])
+    return rows if numpy.ptp(points["pinion_speed"]) > 0 else rows[rows.size // 2:]
 
 
 def draw_marches(axes, rows, varied, column, **style):
