@@ -1,11 +1,15 @@
 """The fields of a march as ParaView sees them: its readers' own library, block names, times, values."""
+import shutil
+import subprocess
 import unittest
 import xml.etree.ElementTree
 
 import h5py
 import numpy
+from PIL import Image
 
 from films import BARBIERI
+from program import SECONDS, SOURCE
 from vibration import MARCH, VibrationTest
 
 try:
@@ -71,6 +75,26 @@ class Series(VibrationTest):
                 expected = blocks.get(name, (numpy.zeros(4), numpy.zeros(4)))
                 for seen, field in zip(fields, expected):
                     numpy.testing.assert_array_equal(seen, field.ravel())
+
+    @unittest.skipUnless(shutil.which("pvpython") and shutil.which("xvfb-run"), "no ParaView, or nothing to draw on")
+    def test_paraview_draws_and_loads_the_state(self):
+        def pvpython(*words):
+            return subprocess.run(["xvfb-run", "-a", "pvpython", *map(str, words)], capture_output=True, text=True,
+                                  timeout=SECONDS, check=False)
+
+        done = pvpython(SOURCE / "scripts/paraview_film.py", self.output)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertTrue((self.output / "film_view.png").read_bytes().startswith(b"\x89PNG"))
+        again = self.folder / "again.py"
+        again.write_text("from paraview import simple\n"
+                         f"simple.LoadState({str(self.output / 'film.pvsm')!r})\n"
+                         f"simple.SaveScreenshot({str(self.folder / 'again.png')!r}, simple.GetActiveView())\n",
+                         encoding="utf-8")
+        self.assertEqual(pvpython(again).returncode, 0)
+        first, second = (numpy.asarray(Image.open(path).convert("RGB").resize((300, 200)))
+                         for path in (self.output / "film_view.png", self.folder / "again.png"))
+        for picture in (first, second):
+            self.assertGreater((picture.min(axis=2) < 200).mean(), 0.05)     # more than a white page
 
 
 if __name__ == "__main__":
