@@ -25,12 +25,15 @@ hid_t there(hid_t id) {
 
 std::string text_attribute(hid_t dataset, const char* name) {
   const hid_t attribute = there(H5Aopen(dataset, name, H5P_DEFAULT)), type = there(H5Aget_type(attribute));
-  std::string text(H5Tget_size(type), '\0');
-  EXPECT_FALSE(H5Tis_variable_str(type));
-  there(H5Aread(attribute, type, text.data()));
+  EXPECT_TRUE(H5Tis_variable_str(type));
+  EXPECT_EQ(H5Tget_cset(type), H5T_CSET_UTF8);
+  char* read = nullptr;
+  there(H5Aread(attribute, type, static_cast<void*>(&read)));
+  const std::string text = read;
+  H5free_memory(read);
   H5Tclose(type);
   H5Aclose(attribute);
-  return text.c_str();  // up to its end mark
+  return text;
 }
 
 TableOnDisk read_table(const std::filesystem::path& path, const char* name) {
