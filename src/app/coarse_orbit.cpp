@@ -12,8 +12,10 @@
 namespace gearfilm {
 namespace {
 
-constexpr double most_in_phase = 12.0;  // swings in a mesh period after which twice the step is still in phase
-constexpr double well_known = 0.1;      // error of a multiplier whose map serves a search
+constexpr double most_in_phase = 12.0;    // swings in a mesh period after which twice the step is still in phase
+constexpr double steps_of_a_swing = 180;  // with fewer, by experience, the damping is wrong by more than a tenth
+constexpr double same_orbit = 0.1;        // between the motions of an orbit on two grids
+constexpr double well_known = 0.1;        // error of a multiplier whose map serves a search
 
 /// The case on the coarser grid, where its films have one.
 std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
@@ -39,40 +41,80 @@ void add_grid_error(const Case& coarse, FreeDecay& decay) {
   decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
 }
 
+/// What watches marches that only lead to the orbit.
+OrbitObservers on_the_way(const OrbitObservers& observers, Checkpoint& checkpoint) {
+  return {[](const StepRecord&, const std::vector<LiveContact>&) {},
+          observers.on_coarse_period,
+          observers.on_coarse_period,
+          observers.on_trouble,
+          checkpoint,
+          observers.stop};
+}
+
+OrbitGuess guess_from(const OrbitRun& run) {
+  const PeriodicOrbit& orbit = run.orbit;
+  const bool told = run.decay && run.decay->modulus_error < well_known;
+  return {orbit.end.motion, told ? run.decay->map : orbit.monodromy, orbit.end};
+}
+
+/// Steps of dT tell the orbit, and how it damps: formulas of second order have the frequency w wrong by (w dT)^2/3 of
+/// it.
+bool resolves_swings(const MeshModel& mesh, double dT) { return mesh.frequency() * dT * steps_of_a_swing < 1.0; }
+
 /// The orbits on the coarser grid, one from the other.
 class CoarseSearch {
 public:
-  CoarseSearch(const Case& coarse, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm)
-      : mesh_(mesh),
+  CoarseSearch(Case coarse, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm)
+      : coarse_(std::move(coarse)),
+        mesh_(mesh),
         observers_(observers),
-        films_(discretise(comm, coarse)),
-        on_grid_("on " + std::to_string(coarse.numerics.nx) + " x " + std::to_string(coarse.numerics.ny) + " nodes") {}
+        films_(discretise(comm, coarse_)),
+        on_grid_("on " + std::to_string(coarse_.numerics.nx) + " x " + std::to_string(coarse_.numerics.ny) + " nodes") {
+  }
 
+  const Case& problem() const { return coarse_; }
   const SharedDiscretisation& films() const { return films_; }
 
   /// Nothing, and the reason to the observers, where its films cannot be solved. Throws NoPeriodicState.
+  std::optional<OrbitRun> orbit(const std::function<OrbitGuess()>& guess) { return orbit("coarse", coarse_, guess); }
+
+  /// With the steps of the case itself where twice the step is too long, and with its decay where multipliers are
+  /// asked for.
+  OrbitRun nearest(const Case& fine, const OrbitRun& found) {
+    if (resolves_swings(mesh_, coarse_.numerics.steps.dT)) return with_decay(fine, coarse_, found);
+    Case nearer = coarse_;
+    nearer.numerics.steps.dT = fine.numerics.steps.dT;
+    const std::optional<OrbitRun> own_step = orbit("coarse_grid", nearer, [&] {
+      OrbitGuess guess = guess_from(found);
+      const double swings = mesh_.frequency() * mesh_.period();
+      if (swings > most_in_phase) guess.monodromy = {};
+      return guess;
+    });
+    return own_step ? with_decay(fine, nearer, *own_step) : found;
+  }
+
+private:
+  OrbitRun with_decay(const Case& fine, Case coarse, OrbitRun run) {
+    if (!fine.search.with_multipliers) return run;
+    coarse.numerics.steps.newton = fine.numerics.steps.newton;
+    run.decay = attempt<FreeDecay>("coarse_decay", coarse, [&](const OrbitObservers& own) {
+      return decay_from(coarse, films_, mesh_, run.orbit, own);
+    });
+    if (run.decay) add_grid_error(coarse, *run.decay);
+    return run;
+  }
+
   std::optional<OrbitRun> orbit(const std::string& name, const Case& coarse, const std::function<OrbitGuess()>& guess) {
     return attempt<OrbitRun>(name, coarse,
                              [&](const OrbitObservers& own) { return run_orbit(coarse, films_, mesh_, guess(), own); });
   }
-  std::optional<FreeDecay> decay(const std::string& name, const Case& coarse, const PeriodicOrbit& orbit) {
-    return attempt<FreeDecay>(name, coarse,
-                              [&](const OrbitObservers& own) { return decay_from(coarse, films_, mesh_, orbit, own); });
-  }
 
-private:
   template <class Result, class March>
   std::optional<Result> attempt(const std::string& name, const Case& coarse, March march) {
     const std::string place = on_grid_ + " with dT = " + format_value(coarse.numerics.steps.dT) + ": ";
     Checkpoint checkpoint = observers_.checkpoint.within(name, films_->grid());
-    const OrbitObservers own = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                observers_.on_coarse_period,
-                                observers_.on_coarse_period,
-                                observers_.on_trouble,
-                                checkpoint,
-                                observers_.stop};
     try {
-      return march(own);
+      return march(on_the_way(observers_, checkpoint));
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(place + error.what());
     } catch (const SolveError& error) {
@@ -81,16 +123,20 @@ private:
     }
   }
 
+  Case coarse_;
   const MeshModel& mesh_;
   const OrbitObservers& observers_;
   SharedDiscretisation films_;
   std::string on_grid_;
 };
 
-OrbitGuess guess_from(const OrbitRun& run) {
-  const PeriodicOrbit& orbit = run.orbit;
-  const bool told = run.decay && run.decay->modulus_error < well_known;
-  return {orbit.end.motion, told ? run.decay->map : orbit.monodromy, orbit.end};
+/// By how much the pair lies higher on the films of the case's own grid: as much as one contact at rest does.
+double film_shift(const CoarseSearch& coarse, const Case& problem, const SharedDiscretisation& films) {
+  try {
+    return pitch_film(problem, films).solution.H0 - pitch_film(coarse.problem(), coarse.films()).solution.H0;
+  } catch (const SolveError&) {
+    return 0.0;
+  }
 }
 
 /// With stationary films at this motion.
@@ -103,14 +149,16 @@ PairState still_pair(const Case& problem, const GridShape& shape, const MeshMode
   return march.state();
 }
 
-/// A state of the coarser grid on the grid itself: interpolated, and corrected by what stationary films at the same
-/// motion differ by.
-PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, const PairState& from, MPI_Comm comm) {
+/// A state of the coarser grid on the grid itself, at another motion: interpolated, and corrected by what stationary
+/// films at the two motions differ by.
+PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, const PairState& from,
+                  const Motion& motion, MPI_Comm comm) {
   PairState result = refined(from, comm);
+  result.motion = motion;
   PairState before, after;
   try {
     before = refined(still_pair(coarse, from.shape, mesh, from.motion, comm), comm);
-    after = still_pair(fine, result.shape, mesh, from.motion, comm);
+    after = still_pair(fine, result.shape, mesh, motion, comm);
   } catch (const SolveError&) {
     return result;
   }
@@ -124,6 +172,47 @@ PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, c
   return result;
 }
 
+/// The orbit of the coarser grid as a guess on the case's own.
+OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                         const CoarseSearch& search, const OrbitRun& coarse) {
+  OrbitGuess guess = guess_from(coarse);
+  guess.motion.H0 += film_shift(search, problem, films);
+  guess.neighbour = carried(search.problem(), problem, mesh, *guess.neighbour, guess.motion, films->grid().comm());
+  return guess;
+}
+
+/// The guess after a period with twice the step, where that resolves the swings: films of another case need a march to
+/// become those of this one.
+OrbitGuess with_marched_films(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                              const OrbitGuess& guess, const OrbitObservers& observers) {
+  Case quick = problem;
+  quick.numerics.steps.dT *= 2.0;
+  if (!guess.neighbour || !resolves_swings(mesh, quick.numerics.steps.dT)) return guess;
+  Checkpoint checkpoint = observers.checkpoint.within("coarse_step", films->grid());
+  try {
+    return improve_guess(quick, films, mesh, guess, on_the_way(observers, checkpoint));
+  } catch (const SolveError&) {
+    return guess;
+  }
+}
+
+/// The return of the pair to the orbit next to this one on the coarser grid; nothing where it has none.
+std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                                      const PeriodicOrbit& orbit, const OrbitObservers& observers) {
+  const std::optional<Case> coarse = coarser_case(problem, *films);
+  if (!coarse) return {};
+  CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
+  OrbitGuess guess{orbit.start.motion, orbit.monodromy, {}};
+  guess.motion.H0 -= film_shift(search, problem, films);
+  try {
+    const std::optional<OrbitRun> found = search.orbit([&] { return guess; });
+    if (!found || length(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
+    return search.nearest(problem, *found).decay;
+  } catch (const SolveError&) {
+    return {};
+  }
+}
+
 /// What depends on films, pressures or forces.
 bool has_error(const PeriodFigure& figure) {
   const auto of = [&](const Unit& unit) { return figure.unit.name == unit.name && !figure.unit.whole; };
@@ -134,37 +223,38 @@ bool has_error(const PeriodFigure& figure) {
 
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                       const DryOrbit& dry, const OrbitObservers& observers) {
-  MPI_Comm comm = films->grid().comm();
-  const std::optional<Case> coarse = coarser_case(problem, *films);
   FoundOrbit found;
-  std::optional<OrbitRun> nearest;
-  if (coarse) {
-    CoarseSearch search(*coarse, mesh, observers, comm);
-    found.coarse = search.orbit("coarse", *coarse, [&] { return first_guess(*coarse, search.films(), dry); });
+  OrbitGuess guess;
+  std::optional<FreeDecay> decay;
+  if (const std::optional<Case> coarse = coarser_case(problem, *films)) {
+    CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
+    found.coarse = search.orbit([&] { return first_guess(*coarse, search.films(), dry); });
     if (found.coarse) {
-      Case own_step = *coarse;
-      own_step.numerics.steps.dT = problem.numerics.steps.dT;
-      nearest = search.orbit("coarse_grid", own_step, [&] {
-        OrbitGuess guess = guess_from(*found.coarse);
-        const double swings = mesh.frequency() * mesh.period();
-        if (swings > most_in_phase) guess.monodromy = {};
-        return guess;
-      });
-      own_step.numerics.steps.newton = problem.numerics.steps.newton;
-      if (nearest && problem.search.with_multipliers) {
-        nearest->decay = search.decay("coarse_decay", own_step, nearest->orbit);
-        if (nearest->decay) add_grid_error(own_step, *nearest->decay);
-      }
+      const OrbitRun nearest = search.nearest(problem, *found.coarse);
+      decay = nearest.decay;
+      guess = guess_on_grid(problem, films, mesh, search, nearest);
     }
   }
+  if (!found.coarse) guess = first_guess(problem, films, dry);
   Case last = problem;
-  if (nearest && nearest->decay) last.search.with_multipliers = false;
-  if (!nearest) nearest = found.coarse;
-  OrbitGuess guess = nearest ? guess_from(*nearest) : first_guess(problem, films, dry);
-  if (guess.neighbour) guess.neighbour = carried(*coarse, problem, mesh, *guess.neighbour, comm);
+  if (decay) last.search.with_multipliers = false;
   found.run = run_orbit(last, films, mesh, guess, observers);
-  if (!found.run.decay && nearest) found.run.decay = nearest->decay;
+  if (decay) found.run.decay = decay;
   return found;
+}
+
+OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                         const OrbitGuess& neighbour, const OrbitObservers& observers) {
+  Case alone = problem;
+  alone.search.with_multipliers = false;
+  const OrbitGuess guess = with_marched_films(problem, films, mesh, neighbour, observers);
+  OrbitRun run = run_orbit(alone, films, mesh, guess, observers);
+  if (!problem.search.with_multipliers) return run;
+  run.decay = coarse_decay(problem, films, mesh, run.orbit, observers);
+  if (run.decay) return run;
+  Checkpoint checkpoint = observers.checkpoint.within("decay", films->grid());
+  run.decay = decay_from(problem, films, mesh, run.orbit, on_the_way(observers, checkpoint));
+  return run;
 }
 
 std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {

@@ -15,6 +15,16 @@ void check_stop(const OrbitObservers& observers, const StepRecord& record, MPI_C
   if (observers.checkpoint.is_new(record)) observers.stop.check(comm, record.T / mesh.path.mesh_period());
 }
 
+/// A march of which nothing is kept but its end.
+MeshMarch stoppable_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                          const OrbitObservers& observers) {
+  const auto on_step = [&mesh, &observers, comm = films->grid().comm()](const StepRecord& record,
+                                                                        const std::vector<LiveContact>&) {
+    check_stop(observers, record, comm, mesh);
+  };
+  return make_march(problem, films, mesh, on_step, &observers.checkpoint);
+}
+
 }  // namespace
 
 OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
@@ -50,12 +60,15 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   return run;
 }
 
+OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                         const OrbitGuess& guess, const OrbitObservers& observers) {
+  MeshMarch march = stoppable_march(problem, films, mesh, observers);
+  return improved_guess(march, guess, observers.on_period);
+}
+
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      const PeriodicOrbit& orbit, const OrbitObservers& observers) {
-  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    check_stop(observers, record, films->grid().comm(), mesh);
-  };
-  MeshMarch march = make_march(problem, films, mesh, on_step, &observers.checkpoint);
+  MeshMarch march = stoppable_march(problem, films, mesh, observers);
   return free_decay(march, orbit, {});
 }
 

@@ -228,7 +228,7 @@ private:
       Case brief = at.problem;
       brief.search.options.max_periods = std::min(brief.search.options.max_periods, periods_from_neighbour);
       try {
-        return run_orbit(brief, at.films, at.mesh, from_neighbour(at, dry), observers);
+        return find_orbit_near(brief, at.films, at.mesh, from_neighbour(at, dry), observers);
       } catch (const SolveError& error) {
         result["neighbour_error"] = error.what();
       }

@@ -24,8 +24,8 @@ void MeshMarch::start(const std::optional<Motion>& motion) {
   observe_present();
 }
 
-void MeshMarch::displace(const Motion& motion) {
-  films_.displace(motion);
+void MeshMarch::displace(const Motion& motion, double duration) {
+  films_.displace(motion, duration);
   observe_present();
 }
 

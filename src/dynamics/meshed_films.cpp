@@ -239,24 +239,25 @@ bool MeshedFilms::exchange() {
     if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number));
   }
   // Teeth spring back that a force bent which is gone, and bend under one that is new.
-  if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled()) follow(displaced);
+  if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled())
+    follow(displaced, options_.steps.dT);
   return true;
 }
 
-void MeshedFilms::displace(const Motion& motion) {
+void MeshedFilms::displace(const Motion& motion, double duration) {
   const std::map<int, double> before = displacement_by_number();
   const bool jumps = motion.H0 != motion_.H0;
   motion_ = motion;
-  if (jumps) follow(before);
+  if (jumps) follow(before, std::max(options_.steps.dT, duration));
   make_room();
 }
 
 // One implicit step of the change alone: G = 0 at the new displacements with
-// d(rho H)/dT = rate + (rho H - rho H before)/dT, so that no jump is no change. Where films cannot follow at once, part
-// of the jump is held back as a gap first.
-void MeshedFilms::follow(const std::map<int, double>& before) {
+// d(rho H)/dT = rate + (rho H - rho H before)/duration, so that no jump is no change. Where films cannot follow at
+// once, part of the jump is held back as a gap first.
+void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   constexpr double smallest_part = 1e-3;
-  const double shift = 1.0 / options_.steps.dT;
+  const double shift = 1.0 / duration;
   const Compliance compliance = mesh_.compliance(numbers(), T_);
   const LoadCondition load = LoadCondition::displacement(motion_.H0, compliance);
   const std::vector<double> here = displacements();

@@ -118,12 +118,15 @@ MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, con
   return MeshMarch(films, mesh, options, std::move(observer), keeper);
 }
 
-OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+StationaryResult pitch_film(const Case& problem, const SharedDiscretisation& films) {
   ContactFilm film(films, problem.scales, problem.numerics.solver.multigrid);
-  const StationaryResult at_pitch = located("contact at the pitch point", [&] {
+  return located("contact at the pitch point", [&] {
     return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.numerics.solver);
   });
-  return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);
+}
+
+OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+  return guess_from(dry, pitch_film(problem, films).solution.H0 + problem.scales.approach);
 }
 
 OrbitGuess first_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {

@@ -16,6 +16,9 @@ constexpr double worth_keeping = 5e-3;  // defect of a period whose end serves a
 constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
 constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
 constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
+// That films have to follow a Newton step, a tenth of that in which oil passes the contact: of all times between a step
+// and a mesh period the one after which films repeat best.
+constexpr double time_to_follow = 0.2;
 
 Motion moved(const Motion& from, double by, const Motion& step) {
   return {from.H0 + by * step.H0, from.V0 + by * step.V0};
@@ -87,7 +90,7 @@ public:
       : march_(march), mesh_(march.mesh()), options_(options), observer_(observer), jacobian_(guess.monodromy) {
     if (guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape())) {
       march_.resume(0.0, *guess.neighbour);
-      march_.displace(guess.motion);
+      march_.displace(guess.motion, time_to_follow);
     } else {
       march_.start(guess.motion);
     }
@@ -97,6 +100,11 @@ public:
     while (!march_period()) place_next();
     return {last_.start,          last_.end,         beside_,  last_.begin,
             length(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
+  }
+
+  OrbitGuess improved() {
+    march_period();
+    return {moved(last_.start.motion, 1.0, jacobian_.newton_step(last_.defect)), jacobian_.monodromy(), last_.end};
   }
 
 private:
@@ -149,7 +157,7 @@ private:
       try {
         if (shortening_ < shortest_step) measure_jacobian();
         march_.resume(mesh_.next_period(march_.T()), best_->end);
-        march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+        march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)), time_to_follow);
         return;
       } catch (const SolveError& error) {
         if (periods_ > options_.max_periods) throw;
@@ -218,6 +226,10 @@ private:
 
 OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
   return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};
+}
+
+OrbitGuess improved_guess(MeshMarch& march, const OrbitGuess& guess, const SearchObserver& observer) {
+  return OrbitSearch(march, guess, {}, observer).improved();
 }
 
 PeriodicOrbit find_periodic_orbit(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options,

@@ -69,7 +69,7 @@ class Continued(RestartTest):
     def test_multipliers_of_a_periodic_state(self):
         # All lines have been written before: the program stops within the mesh periods that follow them.
         run = self.start(*SEARCH)
-        run.read_lines(23)
+        run.read_lines(17)
         run.send(signal.SIGUSR1)
         outcome = run.end()
         self.assertEqual(outcome.status, 3, outcome)

@@ -106,6 +106,17 @@ TEST(Orbit, a_bad_guess_recovers) {
   EXPECT_EQ(search(again, {expected.end.motion, expected.monodromy, expected.end}).periods_used, 1);
 }
 
+TEST(Orbit, a_period_and_a_newton_step_improve_a_guess) {
+  RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  const PeriodicOrbit orbit = search(march, dry_guess_of(march));
+  const Motion& begin = orbit.end.motion;
+  const OrbitGuess guess{{begin.H0 + 0.02, begin.V0 - 0.02}, orbit.monodromy, orbit.end};
+  RecordedMarch again(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  const OrbitGuess better = improved_guess(again.march(), guess, [](const SearchPeriod&) {});
+  EXPECT_LT(length(difference(better.motion, begin)), 0.1 * length(difference(guess.motion, begin)));
+  EXPECT_TRUE(better.neighbour);
+}
+
 TEST(Orbit, too_few_periods_are_an_error_that_names_the_defect) {
   RecordedMarch march(table3_case(with(coarse_orbit(), {{"periodic.max_periods", "1"}})));
   try {

@@ -19,6 +19,11 @@ struct FoundOrbit {
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                       const DryOrbit& dry, const OrbitObservers& observers);
 
+/// From the orbit of a neighbouring case, films and all; the multipliers are those of the coarser grid too. Throws
+/// SolveError. Collective.
+OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                         const OrbitGuess& neighbour, const OrbitObservers& observers);
+
 /// Adds error bars to the figures of an orbit's summary, and where they point to: `_error` and `_extrapolated`, null
 /// without a coarser orbit. Returns the largest relative one.
 std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary);

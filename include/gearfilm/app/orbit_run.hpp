@@ -40,6 +40,10 @@ struct OrbitObservers {
 OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                    const OrbitGuess& guess, const OrbitObservers& observers);
 
+/// The guess after one period and one Newton step. Throws SolveError and Stopped.
+OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+                         const OrbitGuess& guess, const OrbitObservers& observers);
+
 /// The return of the pair pushed off an orbit that was found with other tolerances.
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      const PeriodicOrbit& orbit, const OrbitObservers& observers);

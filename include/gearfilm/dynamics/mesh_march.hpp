@@ -35,9 +35,9 @@ public:
   /// Goes on from a state at time T, with one film for each contact that exists just after it, on a grid that holds
   /// both the state's and the present one: they must have the same lattice.
   void resume(double T, const PairState& state);
-  /// Jumps to another motion. The films follow as they would if the jump took no longer than a time step: oil that
-  /// cannot flow away in it stays.
-  void displace(const Motion& motion);
+  /// Jumps to another motion. The films follow as they would if the jump took this long, and at least a time step: oil
+  /// that cannot flow away in it stays.
+  void displace(const Motion& motion, double duration = 0.0);
 
   /// The contacts that exist now, the leading one first.
   const std::vector<LiveContact>& contacts() const { return films_.contacts(); }

@@ -32,8 +32,8 @@ public:
   void start(const std::optional<Motion>& motion);
   /// Lets contacts leave and enter that do so now; false where there are none.
   bool exchange();
-  /// Takes films along to another motion.
-  void displace(const Motion& motion);
+  /// Takes films along to another motion, within a time, or a step where that is longer.
+  void displace(const Motion& motion, double duration);
   /// Takes up a state, with films of these contacts, on a grid that holds both its own and the present one.
   void take_up(double T, const PairState& state, const std::vector<int>& numbers);
   /// What a march has come to: time and motion, and the fields of a contact.
@@ -86,8 +86,8 @@ private:
   void balance_at_rest();
   /// Makes the present films stationary together.
   void settle(const LoadCondition& load);
-  /// Takes the present films within a time step to the present motion from where they were displaced before, by number.
-  void follow(const std::map<int, double>& before);
+  /// Takes the present films within a time to the present motion from where they were displaced before, by number.
+  void follow(const std::map<int, double>& before, double duration);
 
   ContactFilm* free_film();
   /// Puts the present contacts and their fields on a grid of another shape.

@@ -58,6 +58,10 @@ struct PeriodicOrbit {
   Monodromy monodromy{};            ///< of the motion, as the search knew it at its end
 };
 
+/// A better guess by one period and one Newton step, with films that were marched. The march must not have started.
+/// Throws SolveError.
+OrbitGuess improved_guess(MeshMarch& march, const OrbitGuess& guess, const SearchObserver& observer);
+
 /// The march must not have started; its mesh starts (T = 0) just after a contact has left. Throws SolveError with the
 /// defects reached where no orbit is found.
 PeriodicOrbit find_periodic_orbit(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options,
