@@ -109,9 +109,10 @@ private:
     model.heat->in_film = true;
     FilmHeat warm;
     coupled_traction(model, film_, velocities, warm);  // the first sweep begins cold
+    FilmHeat again = warm;
     report("heat of a film that feels it", median_time(
                                                [&] {
-                                                 FilmHeat again = warm;
+                                                 again = warm;
                                                  coupled_traction(model, film_, velocities, again, typical_step);
                                                },
                                                0.0, 0, kernel_runs));

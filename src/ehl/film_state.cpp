@@ -35,7 +35,7 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
 }
 
 /// ln xi_R gains ln F + ln S, of which only ln(eta/eta_0) depends on the pressure.
-template <ViscosityLaw law>
+template <ViscosityLaw law, bool sheared>
 void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection& correction) const {
   const OilLaws laws = laws_;
   const double scale = pressure_scale_, inverse_span = inverse_span_, power = correction.shear_power;
@@ -52,7 +52,8 @@ void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection&
   for (int j = 0; j < count; ++j) {
     const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
     const double log_F = thinning[j] * (1.0 + inverse_span * log_eta.value), by_eta = inverse_span * thinning[j];
-    const LogShearFactor shear = log_shear_factor(power, kappa[j], log_eta.value - log_F);
+    LogShearFactor shear{};
+    if constexpr (sheared) shear = log_shear_factor(power, kappa[j], log_eta.value - log_F);
     const double factor = density_factor[j] * exp(log_F + shear.value);
     const double slope = scale * log_eta.derivative * (by_eta + shear.derivative * (1.0 - by_eta));
     density[j] *= density_factor[j];
@@ -69,7 +70,10 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
     with_density_law(oil_, [&]<DensityLaw density>() {
       for (int i = 0; i < state.pressure.nx(); ++i) evaluate_line<viscosity, density>(state, i);
     });
-    for (int i = 0; i < state.pressure.nx() && !correction.empty(); ++i) correct_line<viscosity>(state, i, correction);
+    for (int i = 0; i < state.pressure.nx() && !correction.empty(); ++i) {
+      correction.sheared ? correct_line<viscosity, true>(state, i, correction)
+                         : correct_line<viscosity, false>(state, i, correction);
+    }
   });
 }
 

@@ -8,9 +8,11 @@
 namespace gearfilm {
 namespace {
 
-// Of the last change of a temperature [K].
-constexpr double tolerance = 1e-6;
+// Of the last change of a temperature [K]. Newton's method squares what is left over the tens of kelvins over which oil
+// changes: 1e-11 K. The viscosities are those before it, 1e-6 of them off.
+constexpr double tolerance = 2e-5;
 constexpr double largest_step = 25.0;  // of Newton's method [K]
+constexpr double small_change = 0.02;  // after which viscosities are right to 1e-7 by their slopes [K]
 constexpr int most_iterations = 240;   // the last ones resisted
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
 // ever: so many iterations in turn are Newton's, and resisted.
@@ -42,9 +44,9 @@ inline double neighbour_coefficient(double conduction, double flow) {
 AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
                        const SurfaceVelocities& velocities, const std::array<double, 2>& conductances, FilmFlow kind)
     : upstream(heat.points),
+      before(heat.points),
       earlier(heat.points),
       downstream(heat.points),
-      before(heat.points),
       arriving(heat.points),
       upstream_factor(heat.points),
       downstream_factor(heat.points),
@@ -70,28 +72,48 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
   }
 }
 
-/// Viscosity, its shares across the film, and the mean stress, at the present temperatures.
+/// Viscosities at the present temperatures.
 template <ViscosityLaw law>
-void AcrossFilm::shear() {
-  const int count = points();
-  Lanes mean{};
-  for (int k = 0; k < count; ++k) {
-    const double weight = weights_[k];
+void AcrossFilm::find_viscosities() {
+  for (int k = 0; k < points(); ++k) {
     each_lane([&](int l) {
       const TemperatureFunction eta = viscosity_.log_viscosity<law>(log_viscosity[l], pressure[l], T_[k][l]);
       log_viscosities_[k][l] = eta.value;
       fluidity_[k][l] = exp(-eta.value);
       slope_[k][l] = eta.derivative;
-      mean[l] += weight * fluidity_[k][l];
     });
   }
-  for (int k = 0; k < count; ++k) {
-    each_lane([&](int l) { share_[k][l] = wet[l] * fluidity_[k][l] / mean[l] + (1.0 - wet[l]); });
+}
+
+/// The same after a change so small that viscosities follow their slopes.
+void AcrossFilm::follow_viscosities() {
+  for (int k = 0; k < points(); ++k) {
+    each_lane([&](int l) {
+      const double gain = slope_[k][l] * right_[k][l];
+      log_viscosities_[k][l] += gain;
+      fluidity_[k][l] *= 1.0 - gain * (1.0 - gain * (0.5 - gain * (1.0 / 6.0)));
+    });
   }
+}
+
+/// Their shares across the film, and the mean stress.
+void AcrossFilm::shear() {
+  const int count = points();
   const double sliding = std::abs(velocities_.sliding);
+  Lanes mean{}, inverse;
+  for (int k = 0; k < count; ++k) {
+    const double weight = weights_[k];
+    each_lane([&](int l) { mean[l] += weight * fluidity_[k][l]; });
+  }
+  each_lane([&](int l) {
+    inverse[l] = wet[l] / mean[l];
+    log_newtonian_[l] = log_ambient_ + log(sliding / (thickness[l] * mean[l]));
+  });
+  for (int k = 0; k < count; ++k) {
+    each_lane([&](int l) { share_[k][l] = fluidity_[k][l] * inverse[l] + (1.0 - wet[l]); });
+  }
   for (int l = 0; l < lanes; ++l) {
     stress_[l] = by_rate_[l] = 0.0;
-    log_newtonian_[l] = log_ambient_ + std::log(sliding / (thickness[l] * mean[l]));
     if (wet[l] == 0.0 || sliding == 0.0) continue;
     const MeanShear found = mean_shear(law_, log_newtonian_[l], half_gradient[l], pressure[l]);
     stress_[l] = found.stress;
@@ -242,20 +264,19 @@ void AcrossFilm::correct() {
       }
     });
   }
-  Lanes by_stress, by_heat{};
   each_lane([&](int l) {
     if constexpr (own) {
       const double determinant = (1.0 + b_bordered[l]) * (1.0 + d_second[l]) - b_second[l] * d_bordered[l];
-      by_stress[l] = (b_right[l] * (1.0 + d_second[l]) - b_second[l] * d_right[l]) / determinant;
-      by_heat[l] = (d_right[l] * (1.0 + b_bordered[l]) - d_bordered[l] * b_right[l]) / determinant;
+      by_stress_[l] = (b_right[l] * (1.0 + d_second[l]) - b_second[l] * d_right[l]) / determinant;
+      by_heat_[l] = (d_right[l] * (1.0 + b_bordered[l]) - d_bordered[l] * b_right[l]) / determinant;
     } else {
-      by_stress[l] = b_right[l] / (1.0 + b_bordered[l]);
+      by_stress_[l] = b_right[l] / (1.0 + b_bordered[l]);
     }
   });
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) {
-      right_[k][l] -= by_stress[l] * bordered_[k][l];
-      if constexpr (own) right_[k][l] -= by_heat[l] * second_[k][l];
+      right_[k][l] -= by_stress_[l] * bordered_[k][l];
+      if constexpr (own) right_[k][l] -= by_heat_[l] * second_[k][l];
     });
   }
 }
@@ -286,7 +307,14 @@ double AcrossFilm::improve(double resistance) {
 /// What follows from the present temperatures.
 void AcrossFilm::update(bool sheared, int iteration) {
   const bool own = flow_ == FilmFlow::own;
-  if (sheared) with_viscosity_law(oil_, [&]<ViscosityLaw law>() { shear<law>(); });
+  if (sheared) {
+    if (iteration > 0 && std::ranges::all_of(change_, [](double change) { return change < small_change; })) {
+      follow_viscosities();
+    } else {
+      with_viscosity_law(oil_, [&]<ViscosityLaw law>() { find_viscosities<law>(); });
+    }
+    shear();
+  }
   if (own) {
     own_.update({fluidity_, slope_, log_viscosities_, share_},
                 {wet, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_),
@@ -300,7 +328,7 @@ void AcrossFilm::update(bool sheared, int iteration) {
 void AcrossFilm::solve() {
   const bool own = flow_ == FilmFlow::own;
   const bool sheared = own || std::ranges::any_of(wet, [](double value) { return value != 0.0; });
-  T_ = own ? before : upstream;
+  T_ = before;
   if (!sheared) {  // heat without a source: the equations are linear
     for (Lanes& share : share_) share.fill(1.0);
     stress_.fill(0.0);
@@ -311,8 +339,9 @@ void AcrossFilm::solve() {
     const int phase = n / patience;
     const bool resisted = phase % 2 != 0;
     const double resistance = resisted ? 0.5 * (phase + 1) : 0.0;
-    if ((own ? improve<true>(resistance) : improve<false>(resistance)) < tolerance && !resisted) return;
+    if ((own ? improve<true>(resistance) : improve<false>(resistance)) < tolerance && !resisted) break;
   }
+  own ? take_stock<true>() : take_stock<false>();
   if (!std::ranges::all_of(change_, [](double change) { return std::isfinite(change); })) {
     throw SolveError("the temperature across the film was not found");
   }
@@ -320,33 +349,43 @@ void AcrossFilm::solve() {
 
 bool AcrossFilm::missed(int lane) const { return !(change_[lane] < tolerance); }
 
-double AcrossFilm::heat_generated(int lane) const {
-  const bool own = flow_ == FilmFlow::own;
-  double sum = stress_[lane] * std::abs(velocities_.sliding);
-  for (int k = 0; k < points(); ++k) {
-    sum += weights_[k] * thickness[lane] * (own ? own_.heat[k][lane] : bent_[k] * poiseuille_heat[lane]);
+/// Means and sums of the solution. What the last change adds to stress and heat is that of the linear equations, so
+/// that heat is balanced as these are solved.
+template <bool own>
+void AcrossFilm::take_stock() {
+  const double sliding = std::abs(velocities_.sliding);
+  const int count = points();
+  Lanes conduction, found;
+  each_lane([&](int l) {
+    conduction[l] = conductivity[l] * (count - 1) / thickness[l];
+    found[l] = change_[l] < tolerance ? 1.0 : 0.0;
+    by_stress_[l] *= found[l];
+    by_heat_[l] *= found[l];
+    stress_[l] += by_rate_[l] * by_stress_[l];
+    heat_generated_[l] = stress_[l] * sliding;
+    heat_carried_[l] = mean_temperature_[l] = largest_temperature_[l] = 0.0;
+  });
+  for (int k = 0; k < count; ++k) {
+    const Lanes &below = T_[std::max(k - 1, 0)], &above = T_[std::min(k + 1, count - 1)];
+    const Lanes& source = own ? source_[k] : upstream[k];
+    const double weight = weights_[k];
+    each_lane([&](int l) {
+      const double T = T_[k][l], width = weight * thickness[l];
+      mean_temperature_[l] += weight * T;
+      largest_temperature_[l] = T > largest_temperature_[l] ? T : largest_temperature_[l];
+      if constexpr (own) {
+        heat_generated_[l] +=
+            width * (own_.heat[k][l] - found[l] * own_.diagonal[k][l] * right_[k][l] - own_.column[k][l] * by_heat_[l]);
+      } else {
+        heat_generated_[l] += width * bent_[k] * poiseuille_heat[l];
+      }
+      heat_carried_[l] += transport_[k][l] * (T - source[l]);
+      if constexpr (own) {
+        heat_carried_[l] += width * stored[l] * (T - earlier[k][l]) + (below_[k][l] - conduction[l]) * (T - below[l]) +
+                            (above_[k][l] - conduction[l]) * (T - above[l]);
+      }
+    });
   }
-  return sum;
-}
-
-double AcrossFilm::heat_carried(int lane) const {
-  const bool own = flow_ == FilmFlow::own;
-  const double conduction = conductivity[lane] * (points() - 1) / thickness[lane];
-  double sum = 0.0;
-  for (int k = 0; k < points(); ++k) {
-    const double T = T_[k][lane];
-    sum += transport_[k][lane] * (T - (own ? source_[k][lane] : upstream[k][lane]));
-    if (own) sum += weights_[k] * thickness[lane] * stored[lane] * (T - earlier[k][lane]);
-    if (own && k > 0) sum += (below_[k][lane] - conduction) * (T - T_[k - 1][lane]);
-    if (own && k + 1 < points()) sum += (above_[k][lane] - conduction) * (T - T_[k + 1][lane]);
-  }
-  return sum;
-}
-
-double AcrossFilm::mean_temperature(int lane) const {
-  double sum = 0.0;
-  for (int k = 0; k < points(); ++k) sum += weights_[k] * T_[k][lane];
-  return sum;
 }
 
 }  // namespace gearfilm

@@ -16,12 +16,6 @@ namespace {
 constexpr double least_flow = 0.1;     // of u_m h
 constexpr double least_filled = 1e-3;  // of a torn film
 
-std::array<double, 2> wall_conductances(const TractionModel& model, const SurfaceVelocities& velocities,
-                                        const MovingSource& source) {
-  return {1.0 / (surface_response(model.bodies[0], velocities.pinion()) * source.own_weight()),
-          1.0 / (surface_response(model.bodies[1], velocities.wheel()) * source.own_weight())};
-}
-
 /// The march along x.
 class HeatMarch {
 public:
@@ -35,14 +29,17 @@ public:
         inverse_span_(inverse_roelands_span(film.scales().oil)),
         h_x_(film.scales().length * grid_.h_x()),
         own_(flow == FilmFlow::own),
+        response_{surface_response(model.bodies[0], velocities.pinion()),
+                  surface_response(model.bodies[1], velocities.wheel())},
         source_(grid_.nx(), h_x_),
         line_(film),
-        across_(model.law, film.scales().oil, *model.heat, velocities, wall_conductances(model, velocities, source_),
-                flow),
+        across_(model.law, film.scales().oil, *model.heat, velocities,
+                {1.0 / (response_[0] * source_.own_weight()), 1.0 / (response_[1] * source_.own_weight())}, flow),
         heat_(heat),
         flow_(rows(), HUGE_VAL),
         base_pinion_(rows()),
-        base_wheel_(rows()) {
+        base_wheel_(rows()),
+        gain_(static_cast<std::size_t>(rows()) * points()) {
     const std::size_t nodes = grid_.local_size();
     if (time_step) {
       storage_ = model.heat->oil.density * model.heat->oil.heat_capacity / *time_step;
@@ -71,7 +68,7 @@ public:
     const int edge = grid_.local_row(grid_.rows() - 1);  // nothing happens there
     line_.load(0);
     for (int j = 0; j < rows(); ++j) {
-      store_profile(0, j, model_.heat->oil.temperature);
+      store_entering(0, j);
       for (int k = 0; own_ && k < points(); ++k) {
         const double place = static_cast<double>(k) / (points() - 1);
         passing(0, j)[k] = line_.density[j] * line_.thickness[j] * (velocities_.wheel() + place * velocities_.sliding);
@@ -80,7 +77,7 @@ public:
     for (int i = 1; i < grid_.nx(); ++i) {
       if (edge >= 0) {
         std::copy_n(profile(0, edge), points(), profile(i, edge));
-        store_profile(i, edge, model_.heat->oil.temperature);
+        store_entering(i, edge);
       }
       solve_line(i);
     }
@@ -102,6 +99,8 @@ private:
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
   double* profile(int i, int j) { return heat_.temperatures.data() + at(i, j) * points(); }
+  /// What a sweep changed on the line that was solved last.
+  double* gain(int j) { return gain_.data() + static_cast<std::size_t>(j) * points(); }
   /// rho/rho_0 h u_k [m^2/s].
   double* passing(int i, int j) { return heat_.passing.data() + at(i, j) * points(); }
 
@@ -148,10 +147,8 @@ private:
     across_.half_gradient[l] = 0.5 * h * line_.gradient[j];
     across_.carried[l] = density * heat_by_step();
     across_.conductivity[l] = filled * model_.heat->oil.conductivity_at(p);
-    across_.base_pinion[l] =
-        model_.bodies[0].temperature + surface_response(model_.bodies[0], velocities_.pinion()) * base_pinion_[j];
-    across_.base_wheel[l] =
-        model_.bodies[1].temperature + surface_response(model_.bodies[1], velocities_.wheel()) * base_wheel_[j];
+    across_.base_pinion[l] = model_.bodies[0].temperature + response_[0] * base_pinion_[j];
+    across_.base_wheel[l] = model_.bodies[1].temperature + response_[1] * base_wheel_[j];
     across_.poiseuille_flow[l] = 0.0;
     across_.poiseuille_heat[l] = 0.0;
     across_.flow[l] = filled * velocities_.mean;
@@ -177,7 +174,7 @@ private:
   double theta(int i, int j) const { return film_.correction().empty() ? 0.0 : film_.correction().thinning[at(i, j)]; }
   double log_shear_factor(int i, int j, int l) const {
     const FlowCorrection& flow = film_.correction();
-    if (flow.empty()) return 0.0;
+    if (!flow.sheared) return 0.0;
     const double x = across_.log_viscosity[l] - theta(i, j) * by_thinning(l);
     return gearfilm::log_shear_factor(flow.shear_power, flow.shear[at(i, j)], x).value;
   }
@@ -197,7 +194,10 @@ private:
   void load_profiles(int l, int i, int j) {
     const double *near = profile(i - 1, j), *far = profile(std::max(i - 2, 0), j);
     if (!own_) {
-      for (int k = 0; k < points(); ++k) across_.upstream[k][l] = near[k];
+      for (int k = 0; k < points(); ++k) {
+        across_.upstream[k][l] = near[k];
+        across_.before[k][l] = line_.wet[j] ? 2.0 * near[k] - far[k] : near[k];
+      }
       return;
     }
     // (3 T_i - 4 T_i-1 + T_i-2)/2 where the oil comes that way.
@@ -216,7 +216,8 @@ private:
       const bool returns = wet && storage_ == 0.0 && returning[k] < 0.0 && returning_far[k] < 0.0;
       across_.downstream_factor[k][l] = returns ? 1.5 : 1.0;
       across_.downstream[k][l] = returns ? (4.0 * next[k] - next_far[k]) / 3.0 : next[k];
-      across_.before[k][l] = profile(i, j)[k];
+      // That of the sweep before, changed as upstream.
+      across_.before[k][l] = profile(i, j)[k] + (wet && !returning_ ? gain(j)[k] : 0.0);
       across_.earlier[k][l] = earlier[k];
       across_.arriving[k][l] = heat_by_step() * (wet ? 2.0 * passed[k] - 0.5 * passed_far[k] : passed[k]);
     }
@@ -225,14 +226,17 @@ private:
   void store_lane(int l, int i, int j) {
     const std::size_t node = at(i, j);
     double* T = profile(i, j);
-    for (int k = 0; k < points(); ++k) T[k] = across_.temperatures()[k][l];
+    for (int k = 0; k < points(); ++k) {
+      gain(j)[k] = across_.temperatures()[k][l] - T[k];
+      T[k] = across_.temperatures()[k][l];
+    }
     fields_.shear_stress[node] = std::copysign(across_.stress()[l], velocities_.sliding);
     fields_.heat_flux_pinion[node] = across_.heat_pinion(l);
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
-    fields_.heat_generated[node] = across_.heat_generated(l);
-    fields_.heat_carried[node] = across_.heat_carried(l);
+    fields_.heat_generated[node] = across_.heat_generated()[l];
+    fields_.heat_carried[node] = across_.heat_carried()[l];
     if (across_.missed(l)) fields_.missed += 1.0;
-    store_profile(i, j, across_.mean_temperature(l));
+    store_profile(i, j, across_.mean_temperature()[l], across_.largest_temperature()[l]);
     if (own_) store_flow(l, i, j);
   }
 
@@ -258,14 +262,19 @@ private:
     if (line_.wet[j]) flow_[j] = mass * (velocities_.mean + wedge + across_.poiseuille_flow[l]);
   }
 
-  void store_profile(int i, int j, double mean) {
+  /// Oil that enters between its walls.
+  void store_entering(int i, int j) {
+    store_profile(i, j, model_.heat->oil.temperature, *std::max_element(profile(i, j), profile(i, j) + points()));
+  }
+
+  void store_profile(int i, int j, double mean, double largest) {
     const std::size_t node = at(i, j);
     const double* T = profile(i, j);
     fields_.temperature_wheel[node] = T[0];
     fields_.temperature_pinion[node] = T[points() - 1];
     fields_.temperature_mean[node] = mean;
     fields_.temperature_mid[node] = T[points() / 2];
-    fields_.temperature_max[node] = *std::max_element(T, T + points());
+    fields_.temperature_max[node] = largest;
   }
 
   const Grid& grid_;
@@ -276,16 +285,18 @@ private:
   double inverse_span_;
   double h_x_;  // [m]
   bool own_;
-  bool returning_ = false;       // on the way back
-  double storage_ = 0.0;         // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
-  std::vector<double> earlier_;  // T_k a time step ago
+  std::array<double, 2> response_;  // of pinion and wheel (moving_source.hpp)
+  bool returning_ = false;          // on the way back
+  double storage_ = 0.0;            // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
+  std::vector<double> earlier_;     // T_k a time step ago
   MovingSource source_;
   FilmLine line_;
   AcrossFilm across_;
   FilmHeat& heat_;
   std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last wet node of every row
   std::vector<double> base_pinion_, base_wheel_;  // sums of moving_source.hpp
-  int last_returning_ = 0;                        // line where oil turns back
+  std::vector<double> gain_;
+  int last_returning_ = 0;  // line where oil turns back
   TractionFields fields_;
 };
 

@@ -28,7 +28,9 @@ AcrossFilm couette(const ShearLaw& law, double sliding, int points) {
   film.conductivity.fill(heat.oil.conductivity);
   film.base_pinion.fill(heat.oil.temperature);
   film.base_wheel.fill(heat.oil.temperature);
-  for (AcrossFilm::Lanes& T : film.upstream) T.fill(heat.oil.temperature);
+  for (auto* profiles : {&film.upstream, &film.before}) {
+    for (AcrossFilm::Lanes& T : *profiles) T.fill(heat.oil.temperature);
+  }
   film.solve();
   return film;
 }

@@ -75,7 +75,7 @@ public:
 private:
   template <ViscosityLaw law, DensityLaw density_law>
   void evaluate_line(FilmState& state, int i) const;
-  template <ViscosityLaw law>
+  template <ViscosityLaw law, bool sheared>
   void correct_line(FilmState& state, int i, const FlowCorrection& correction) const;
 
   Lubricant oil_;

@@ -41,6 +41,7 @@ public:
   Lanes base_pinion{};      ///< wall temperatures without heat [K]
   Lanes base_wheel{};
   std::vector<Lanes> upstream;  ///< T_k there, the wheel's wall first [K]
+  std::vector<Lanes> before;    ///< T_k of a guess, which makes u(z) of a film that feels its heat
   // Of a film that does not feel its heat, and of a torn one.
   Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
   Lanes flow{};             ///< mean of u(z) [m/s]
@@ -49,14 +50,13 @@ public:
   Lanes stored{};                 ///< rho c over the time step [W/(m^3 K)]; 0 at rest
   std::vector<Lanes> earlier;     ///< T_k a time step ago [K]
   std::vector<Lanes> downstream;  ///< T_k there [K]
-  std::vector<Lanes> before;      ///< T_k of the sweep before, which makes u(z)
   std::vector<Lanes> arriving;    ///< what h u_k rho c/h_x is less by from upstream on, over step_factor [W/(m^2 K)]
   Lanes step_factor{};            ///< 1.5 of steps of second order, else 1
   std::vector<Lanes> upstream_factor;  ///< the same of T_k
   std::vector<Lanes> downstream_factor;
 
   int points() const { return static_cast<int>(weights_.size()); }
-  /// Finds the temperatures, from those upstream, to 1e-6 K; lanes where that takes too long count as missed. Throws
+  /// Finds the temperatures, from the guess, to 1e-9 K; lanes where that takes too long count as missed. Throws
   /// SolveError where one is not finite.
   void solve();
   bool missed(int lane) const;
@@ -66,9 +66,10 @@ public:
   const Lanes& stress() const { return stress_; }                ///< |tau_m| [Pa]
   double heat_pinion(int lane) const { return (T_.back()[lane] - base_pinion[lane]) * conductances_[0]; }  ///< [W/m^2]
   double heat_wheel(int lane) const { return (T_.front()[lane] - base_wheel[lane]) * conductances_[1]; }
-  double heat_generated(int lane) const;
-  double heat_carried(int lane) const;
-  double mean_temperature(int lane) const;
+  const Lanes& heat_generated() const { return heat_generated_; }  ///< [W/m^2]
+  const Lanes& heat_carried() const { return heat_carried_; }
+  const Lanes& mean_temperature() const { return mean_temperature_; }  ///< [K]
+  const Lanes& largest_temperature() const { return largest_temperature_; }
   /// ln of eta |u_s|/h, eta the harmonic mean over the film [ln Pa].
   double log_newtonian(int lane) const { return log_newtonian_[lane]; }
   // Of a film that feels its heat.
@@ -77,6 +78,8 @@ public:
 
 private:
   template <ViscosityLaw law>
+  void find_viscosities();
+  void follow_viscosities();
   void shear();
   void set_transport();
   void set_own_transport();
@@ -89,6 +92,8 @@ private:
   void correct();
   template <bool own>
   double improve(double resistance);
+  template <bool own>
+  void take_stock();
 
   ShearLaw law_;
   Lubricant oil_;
@@ -108,6 +113,8 @@ private:
   std::vector<Lanes> log_viscosities_, fluidity_, slope_, share_;  ///< ln eta, 1/eta to ambient, d ln eta/dT, n
   std::vector<Lanes> diagonal_, right_, bordered_, second_;
   Lanes stress_{}, by_rate_{}, log_newtonian_{};
+  Lanes by_stress_{}, by_heat_{};  ///< parts of rank one of the last change
+  Lanes heat_generated_{}, heat_carried_{}, mean_temperature_{}, largest_temperature_{};
   Lanes change_{};  ///< largest of the last iteration
 };
 

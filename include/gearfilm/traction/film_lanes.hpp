@@ -13,6 +13,7 @@ using FilmLanes = std::array<double, film_lanes>;
 template <class Operation>
 inline void each_lane(Operation operation) {
   GEARFILM_INDEPENDENT_ITERATIONS
+  GEARFILM_NOT_UNROLLED
   for (int l = 0; l < film_lanes; ++l) operation(l);
 }
 
