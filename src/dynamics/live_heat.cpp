@@ -7,7 +7,7 @@ std::string name_of(int point) { return std::string(field::heat) + std::to_strin
 
 }  // namespace
 
-void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& fields) {
+void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t rows, ContactFields& fields) {
   if (model.heats_film()) {
     const ThermalOil& oil = model.heat->oil;
     const std::size_t points = model.heat->points;
@@ -15,7 +15,7 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& 
       std::vector<double>& values = fields[name_of(static_cast<int>(k))];
       values.resize(heat.flow.wedge.size());
       for (std::size_t n = 0; n < values.size(); ++n) {
-        values[n] = oil.temperature_viscosity * (heat.temperatures[n * points + k] - oil.temperature);
+        values[n] = oil.temperature_viscosity * (heat.temperatures[place_across(n, rows, points, k)] - oil.temperature);
       }
     }
   }
@@ -23,7 +23,7 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& 
     fields[std::string(known.field.name)] = heat.flow.*known.values;
 }
 
-FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields) {
+FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields, std::size_t rows) {
   FilmHeat heat;
   for (const field::OfCorrection& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
   heat.flow.shear_power = thinning_power(model.law);
@@ -35,7 +35,7 @@ FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields) {
   for (std::size_t k = 0; k < points; ++k) {
     const std::vector<double>& values = fields.at(name_of(static_cast<int>(k)));
     for (std::size_t n = 0; n < values.size(); ++n) {
-      heat.temperatures[n * points + k] = oil.temperature + values[n] / oil.temperature_viscosity;
+      heat.temperatures[place_across(n, rows, points, k)] = oil.temperature + values[n] / oil.temperature_viscosity;
     }
   }
   return heat;

@@ -21,20 +21,21 @@ LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFi
   CoupledFilm heated = solve_coupled(*film, load, options, *mesh.traction, velocities, found);
   found = std::move(heated.film);
   LiveContact contact{number, film, still(found.solution.pressure), {}};
-  keep_heat(*mesh.traction, heated.heat, contact.fields);
+  keep_heat(*mesh.traction, heated.heat, film->grid().y_count(), contact.fields);
   take_up_heat(mesh, contact);
   return contact;
 }
 
 void take_up_heat(const MeshModel& mesh, LiveContact& contact) {
   if (!corrects_films(mesh)) return;
-  contact.heat = std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh.traction, contact.fields)});
+  contact.heat =
+      std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh.traction, contact.fields, contact.film->grid().y_count())});
   contact.film->set_correction(contact.heat->state.flow);
 }
 
 void put_down_heat(const MeshModel& mesh, LiveContact& contact) {
   if (!contact.heat) return;
-  keep_heat(*mesh.traction, contact.heat->state, contact.fields);
+  keep_heat(*mesh.traction, contact.heat->state, contact.film->grid().y_count(), contact.fields);
   take_up_heat(mesh, contact);
 }
 

@@ -215,31 +215,54 @@ void AcrossFilm::assemble(double resistance) {
   });
 }
 
-/// Gauss on the tridiagonal part, for all right sides. The diagonal becomes its inverse.
+/// Gauss on the tridiagonal part, for all right sides: from both walls to the middle, two chains of divisions that wait
+/// for themselves but not for each other, and out again. The diagonal becomes its inverse.
 template <bool own>
 void AcrossFilm::eliminate() {
-  const int count = points();
-  each_lane([&](int l) { diagonal_[0][l] = 1.0 / diagonal_[0][l]; });
-  for (int k = 1; k < count; ++k) {
+  const int last = points() - 1, middle = last / 2;
+  // Row k, whose neighbour is gone, by what connects them in their rows.
+  const auto fold = [this](int k, int neighbour, const Lanes& here, const Lanes& there) {
     each_lane([&](int l) {
-      const double factor = below_[k][l] * diagonal_[k - 1][l];
-      diagonal_[k][l] = 1.0 / (diagonal_[k][l] - factor * above_[k - 1][l]);
-      right_[k][l] += factor * right_[k - 1][l];
-      bordered_[k][l] += factor * bordered_[k - 1][l];
-      if constexpr (own) second_[k][l] += factor * second_[k - 1][l];
+      const double factor = here[l] * diagonal_[neighbour][l];
+      diagonal_[k][l] -= factor * there[l];
+      right_[k][l] += factor * right_[neighbour][l];
+      bordered_[k][l] += factor * bordered_[neighbour][l];
+      if constexpr (own) second_[k][l] += factor * second_[neighbour][l];
     });
-  }
-  for (int k = count - 1; k >= 0; --k) {
+  };
+  const auto invert = [this](int k) { each_lane([&](int l) { diagonal_[k][l] = 1.0 / diagonal_[k][l]; }); };
+  const auto solve = [this](int k) {
     each_lane([&](int l) {
-      if (k < count - 1) {
-        right_[k][l] += above_[k][l] * right_[k + 1][l];
-        bordered_[k][l] += above_[k][l] * bordered_[k + 1][l];
-        if constexpr (own) second_[k][l] += above_[k][l] * second_[k + 1][l];
-      }
       right_[k][l] *= diagonal_[k][l];
       bordered_[k][l] *= diagonal_[k][l];
       if constexpr (own) second_[k][l] *= diagonal_[k][l];
     });
+  };
+  const auto put_in = [&](int k, int neighbour, const Lanes& here) {
+    each_lane([&](int l) {
+      right_[k][l] += here[l] * right_[neighbour][l];
+      bordered_[k][l] += here[l] * bordered_[neighbour][l];
+      if constexpr (own) second_[k][l] += here[l] * second_[neighbour][l];
+    });
+    solve(k);
+  };
+  invert(0);
+  invert(last);
+  for (int n = 1; n < middle; ++n) {
+    const int k = last - n;
+    fold(n, n - 1, below_[n], above_[n - 1]);
+    fold(k, k + 1, above_[k], below_[k + 1]);
+    invert(n);
+    invert(k);
+  }
+  fold(middle, middle - 1, below_[middle], above_[middle - 1]);
+  fold(middle, middle + 1, above_[middle], below_[middle + 1]);
+  invert(middle);
+  solve(middle);
+  for (int n = middle - 1; n >= 0; --n) {
+    const int k = last - n;
+    put_in(n, n + 1, above_[n]);
+    put_in(k, k - 1, below_[k]);
   }
 }
 

@@ -46,11 +46,9 @@ public:
       earlier_ = heat.temperatures;
     }
     if (heat.temperatures.empty()) heat.temperatures.assign(nodes * points(), model.heat->oil.temperature);
-    for (int j = 0; j < rows(); ++j) {
-      std::fill_n(profile(0, j), points(), model.heat->oil.temperature);
-      profile(0, j)[0] = model.bodies[1].temperature;
-      profile(0, j)[points() - 1] = model.bodies[0].temperature;
-    }
+    std::fill_n(temperatures(0, 0), points() * rows(), model.heat->oil.temperature);
+    std::fill_n(temperatures(0, 0), rows(), model.bodies[1].temperature);
+    std::fill_n(temperatures(0, points() - 1), rows(), model.bodies[0].temperature);
     for (auto* field :
          {&fields_.shear_stress, &fields_.temperature_pinion, &fields_.temperature_wheel, &fields_.temperature_mean,
           &fields_.temperature_mid, &fields_.temperature_max, &fields_.heat_flux_pinion, &fields_.heat_flux_wheel,
@@ -71,12 +69,12 @@ public:
       store_entering(0, j);
       for (int k = 0; own_ && k < points(); ++k) {
         const double place = static_cast<double>(k) / (points() - 1);
-        passing(0, j)[k] = line_.density[j] * line_.thickness[j] * (velocities_.wheel() + place * velocities_.sliding);
+        passing(0, k)[j] = line_.density[j] * line_.thickness[j] * (velocities_.wheel() + place * velocities_.sliding);
       }
     }
     for (int i = 1; i < grid_.nx(); ++i) {
       if (edge >= 0) {
-        std::copy_n(profile(0, edge), points(), profile(i, edge));
+        for (int k = 0; k < points(); ++k) temperatures(i, k)[edge] = temperatures(0, k)[edge];
         store_entering(i, edge);
       }
       solve_line(i);
@@ -87,7 +85,7 @@ public:
     for (int i = storage_ > 0.0 ? 0 : last_returning_; i > 0; --i) solve_line(i);
     if (grid_.local_row(0) == 0) {
       for (int i = 0; i < grid_.nx(); ++i) {
-        fields_.across.insert(fields_.across.end(), profile(i, 0), profile(i, 0) + points());
+        for (int k = 0; k < points(); ++k) fields_.across.push_back(temperatures(i, k)[0]);
       }
     }
     return std::move(fields_);
@@ -98,11 +96,13 @@ private:
   int solved_rows() const { return grid_.local_row(grid_.rows() - 1) >= 0 ? rows() - 1 : rows(); }
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
-  double* profile(int i, int j) { return heat_.temperatures.data() + at(i, j) * points(); }
+  /// Row after row, at a point across the film of a line.
+  std::size_t at_point(int i, int k) const { return (static_cast<std::size_t>(i) * points() + k) * rows(); }
+  double* temperatures(int i, int k) { return heat_.temperatures.data() + at_point(i, k); }
   /// What a sweep changed on the line that was solved last.
-  double* gain(int j) { return gain_.data() + static_cast<std::size_t>(j) * points(); }
+  double* gain(int k) { return gain_.data() + at_point(0, k); }
   /// rho/rho_0 h u_k [m^2/s].
-  double* passing(int i, int j) { return heat_.passing.data() + at(i, j) * points(); }
+  double* passing(int i, int k) { return heat_.passing.data() + at_point(i, k); }
 
   void solve_line(int i) {
     line_.load(i);
@@ -121,7 +121,11 @@ private:
       } else {
         load_isothermal_flow(l, i, j);
       }
-      load_profiles(l, i, j);
+    }
+    if (first + AcrossFilm::lanes <= solved_rows()) {
+      load_profiles(i, [first](int l) { return first + l; });
+    } else {
+      load_profiles(i, [first, last = solved_rows() - 1](int l) { return std::min(first + l, last); });
     }
     try {
       across_.solve();
@@ -131,8 +135,10 @@ private:
               << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
-    for (int l = 0; l < AcrossFilm::lanes && first + l < solved_rows(); ++l) {
-      if (!returning_ || line_.wet[first + l]) store_lane(l, i, first + l);
+    const int count = std::min(AcrossFilm::lanes, solved_rows() - first);
+    store_profiles(i, first, count);
+    for (int l = 0; l < count; ++l) {
+      if (stored(first + l)) store_lane(l, i, first + l);
     }
   }
 
@@ -191,63 +197,99 @@ private:
   /// rho_0 c/h_x [J/(m^4 K)].
   double heat_by_step() const { return model_.heat->oil.density * model_.heat->oil.heat_capacity / h_x_; }
 
-  void load_profiles(int l, int i, int j) {
-    const double *near = profile(i - 1, j), *far = profile(std::max(i - 2, 0), j);
-    if (!own_) {
-      for (int k = 0; k < points(); ++k) {
-        across_.upstream[k][l] = near[k];
-        across_.before[k][l] = line_.wet[j] ? 2.0 * near[k] - far[k] : near[k];
-      }
+  /// row: of a lane.
+  template <class Row>
+  void load_profiles(int i, Row row) {
+    const int before = i - 1, far = std::max(i - 2, 0);
+    if (own_) {
+      load_own_profiles(i, row);
       return;
     }
-    // (3 T_i - 4 T_i-1 + T_i-2)/2 where the oil comes that way.
-    const bool wet = line_.wet[j] && i > 1;
-    const int last = grid_.nx() - 1;
-    const double *next = profile(std::min(i + 1, last), j), *next_far = profile(std::min(i + 2, last), j);
-    const double *returning = passing(std::min(i + 1, last), j), *returning_far = passing(std::min(i + 2, last), j);
-    const double *passed = passing(i - 1, j), *passed_far = passing(std::max(i - 2, 0), j);
-    const double* earlier = storage_ > 0.0 ? earlier_.data() + at(i, j) * points() : profile(i, j);
-    across_.stored[l] = storage_ * line_.density[j];
-    across_.step_factor[l] = wet ? 1.5 : 1.0;
     for (int k = 0; k < points(); ++k) {
-      const bool second_order = wet && passed[k] > 0.0 && passed_far[k] > 0.0;
-      across_.upstream_factor[k][l] = second_order ? 1.5 : 1.0;
-      across_.upstream[k][l] = second_order ? (4.0 * near[k] - far[k]) / 3.0 : near[k];
-      const bool returns = wet && storage_ == 0.0 && returning[k] < 0.0 && returning_far[k] < 0.0;
-      across_.downstream_factor[k][l] = returns ? 1.5 : 1.0;
-      across_.downstream[k][l] = returns ? (4.0 * next[k] - next_far[k]) / 3.0 : next[k];
-      // That of the sweep before, changed as upstream.
-      across_.before[k][l] = profile(i, j)[k] + (wet && !returning_ ? gain(j)[k] : 0.0);
-      across_.earlier[k][l] = earlier[k];
-      across_.arriving[k][l] = heat_by_step() * (wet ? 2.0 * passed[k] - 0.5 * passed_far[k] : passed[k]);
+      const double *T_before = temperatures(before, k), *T_far = temperatures(far, k);
+      each_lane([&](int l) {
+        const double T = T_before[row(l)];
+        across_.upstream[k][l] = T;
+        across_.before[k][l] = T + across_.wet[l] * (T - T_far[row(l)]);
+      });
+    }
+  }
+
+  template <class Row>
+  void load_own_profiles(int i, Row row) {
+    // (3 T_i - 4 T_i-1 + T_i-2)/2 where the oil comes that way.
+    const int before = i - 1, far = std::max(i - 2, 0), last = grid_.nx() - 1;
+    const int next = std::min(i + 1, last), next_far = std::min(i + 2, last);
+    const bool resting = storage_ == 0.0;
+    const double here = i > 1 ? 1.0 : 0.0, guessed = returning_ ? 0.0 : here;
+    each_lane([&](int l) {
+      across_.stored[l] = storage_ * line_.density[row(l)];
+      across_.step_factor[l] = 1.0 + 0.5 * here * across_.wet[l];
+    });
+    for (int k = 0; k < points(); ++k) {
+      const double *T_before = temperatures(before, k), *T_far = temperatures(far, k), *T = temperatures(i, k);
+      const double *T_next = temperatures(next, k), *T_next_far = temperatures(next_far, k), *gained = gain(k);
+      const double* T_earlier = resting ? T : earlier_.data() + at_point(i, k);
+      const double *passed = passing(before, k), *passed_far = passing(far, k);
+      const double *returned = passing(next, k), *returned_far = passing(next_far, k);
+      each_lane([&](int l) {
+        const int j = row(l);
+        const double wet = here * across_.wet[l];
+        const double arrives = (passed[j] > 0.0) & (passed_far[j] > 0.0) ? wet : 0.0;
+        across_.upstream_factor[k][l] = 1.0 + 0.5 * arrives;
+        across_.upstream[k][l] = T_before[j] + arrives * (1.0 / 3.0) * (T_before[j] - T_far[j]);
+        const double returns = resting & (returned[j] < 0.0) & (returned_far[j] < 0.0) ? wet : 0.0;
+        across_.downstream_factor[k][l] = 1.0 + 0.5 * returns;
+        across_.downstream[k][l] = T_next[j] + returns * (1.0 / 3.0) * (T_next[j] - T_next_far[j]);
+        // That of the sweep before, changed as upstream.
+        across_.before[k][l] = T[j] + guessed * across_.wet[l] * gained[j];
+        across_.earlier[k][l] = T_earlier[j];
+        across_.arriving[k][l] = heat_by_step() * (passed[j] + wet * (passed[j] - 0.5 * passed_far[j]));
+      });
+    }
+  }
+
+  /// On the way back what the torn film has stays.
+  bool stored(int j) const { return !returning_ || line_.wet[j]; }
+
+  void store_profiles(int i, int first, int count) {
+    for (int k = 0; k < points(); ++k) {
+      const AcrossFilm::Lanes& found = across_.temperatures()[k];
+      double *T = temperatures(i, k) + first, *gained = gain(k) + first;
+      for (int l = 0; l < count; ++l) {
+        if (!stored(first + l)) continue;
+        gained[l] = found[l] - T[l];
+        T[l] = found[l];
+      }
+    }
+    for (int k = 0; own_ && k < points(); ++k) {
+      const AcrossFilm::Lanes& speed = across_.speeds()[k];
+      double* passed = passing(i, k) + first;
+      bool turns = false;
+      for (int l = 0; l < count; ++l) {
+        if (!stored(first + l)) continue;
+        passed[l] = line_.density[first + l] * line_.thickness[first + l] * speed[l];
+        turns = turns || (across_.wet[l] * passed[l] < 0.0);
+      }
+      if (turns && !returning_) last_returning_ = i;
     }
   }
 
   void store_lane(int l, int i, int j) {
     const std::size_t node = at(i, j);
-    double* T = profile(i, j);
-    for (int k = 0; k < points(); ++k) {
-      gain(j)[k] = across_.temperatures()[k][l] - T[k];
-      T[k] = across_.temperatures()[k][l];
-    }
     fields_.shear_stress[node] = std::copysign(across_.stress()[l], velocities_.sliding);
     fields_.heat_flux_pinion[node] = across_.heat_pinion(l);
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
     fields_.heat_generated[node] = across_.heat_generated()[l];
     fields_.heat_carried[node] = across_.heat_carried()[l];
     if (across_.missed(l)) fields_.missed += 1.0;
-    store_profile(i, j, across_.mean_temperature()[l], across_.largest_temperature()[l]);
+    store_temperatures(i, j, across_.mean_temperature()[l], across_.largest_temperature()[l]);
     if (own_) store_flow(l, i, j);
   }
 
   void store_flow(int l, int i, int j) {
     const std::size_t node = at(i, j);
     const double mass = line_.density[j] * line_.thickness[j];
-    double* passed = passing(i, j);
-    for (int k = 0; k < points(); ++k) {
-      passed[k] = mass * across_.speeds()[k][l];
-      if (!returning_ && line_.wet[j] && passed[k] < 0.0) last_returning_ = i;
-    }
     const ThermalOil& oil = model_.heat->oil;
     heat_.flow.density[node] =
         density_factor(film_.scales().oil, oil, line_.pressure[j], fields_.temperature_mean[node]);
@@ -264,16 +306,17 @@ private:
 
   /// Oil that enters between its walls.
   void store_entering(int i, int j) {
-    store_profile(i, j, model_.heat->oil.temperature, *std::max_element(profile(i, j), profile(i, j) + points()));
+    const ThermalOil& oil = model_.heat->oil;
+    store_temperatures(i, j, oil.temperature,
+                       std::max({oil.temperature, temperatures(i, 0)[j], temperatures(i, points() - 1)[j]}));
   }
 
-  void store_profile(int i, int j, double mean, double largest) {
+  void store_temperatures(int i, int j, double mean, double largest) {
     const std::size_t node = at(i, j);
-    const double* T = profile(i, j);
-    fields_.temperature_wheel[node] = T[0];
-    fields_.temperature_pinion[node] = T[points() - 1];
+    fields_.temperature_wheel[node] = temperatures(i, 0)[j];
+    fields_.temperature_pinion[node] = temperatures(i, points() - 1)[j];
     fields_.temperature_mean[node] = mean;
-    fields_.temperature_mid[node] = T[points() / 2];
+    fields_.temperature_mid[node] = temperatures(i, points() / 2)[j];
     fields_.temperature_max[node] = largest;
   }
 

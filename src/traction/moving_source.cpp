@@ -20,9 +20,18 @@ MovingSource::MovingSource(int lines, double h_x) : weights_(lines) {
 void MovingSource::earlier(const std::vector<double>& heat, int i, std::vector<double>& sums) const {
   const std::size_t rows = sums.size();
   std::ranges::fill(sums, 0.0);
-  for (int m = 0; m < i; ++m) {
+  double* sum = sums.data();
+  // Four lines at once: sums are loaded and stored a quarter as often.
+  for (int m = i % 4; m < i; m += 4) {
+    const double *weight = &weights_[i - m], *line = heat.data() + m * rows;
+    const double *second = line + rows, *third = second + rows, *fourth = third + rows;
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (std::size_t j = 0; j < rows; ++j) {
+      sum[j] += weight[0] * line[j] + weight[-1] * second[j] + weight[-2] * third[j] + weight[-3] * fourth[j];
+    }
+  }
+  for (int m = 0; m < i % 4; ++m) {
     const double weight = weights_[i - m], *line = heat.data() + m * rows;
-    double* sum = sums.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (std::size_t j = 0; j < rows; ++j) sum[j] += weight * line[j];
   }

@@ -15,8 +15,8 @@ struct LiveHeat {
   std::optional<Traction> traction{};  ///< of the last time step; none where there was none
 };
 
-/// The state as fields, and back.
-void keep_heat(const TractionModel& model, const FilmHeat& heat, ContactFields& fields);
-FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields);
+/// The state as fields, and back; rows: of the contact's own nodes.
+void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t rows, ContactFields& fields);
+FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields, std::size_t rows);
 
 }  // namespace gearfilm

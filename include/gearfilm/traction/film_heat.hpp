@@ -42,11 +42,17 @@ TractionFields heated_film(const TractionModel& model, const ContactFilm& film, 
 
 /// The heat of a film, and what heat and shear make of the flow, from one sweep to the next.
 struct FilmHeat {
-  std::vector<double> temperatures;  ///< T_k of every own node, the wheel's wall first; empty before the first sweep,
-                                     ///< and where the film does not feel its heat
+  std::vector<double> temperatures;  ///< T_k of every own node, the wheel's wall first: on each line point after
+                                     ///< point, row after row; empty before the first sweep, and where the film does
+                                     ///< not feel its heat
   std::vector<double> passing;       ///< rho/rho_0 h u_k likewise [m^2/s]
   FlowCorrection flow;               ///< that these temperatures make
 };
+
+/// Where FilmHeat has the value of a node at a point across the film.
+inline std::size_t place_across(std::size_t node, std::size_t rows, std::size_t points, std::size_t point) {
+  return (node / rows * points + point) * rows + node % rows;
+}
 
 /// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or,
 /// with none, what it tends to. Throws SolveError likewise.
