@@ -16,6 +16,13 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
+std::optional<GridErrors> errors_between(const FilmFigures& fine, const FilmFigures& half) {
+  if (!half.finite || half.smallest_film <= 0.0) return {};
+  return GridErrors{estimate(fine.central_film, half.central_film), estimate(fine.smallest_film, half.smallest_film),
+                    estimate(fine.central_pressure, half.central_pressure),
+                    estimate(fine.largest_pressure, half.largest_pressure)};
+}
+
 }  // namespace
 
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptions& options,
@@ -31,17 +38,20 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptio
   } catch (const SolveError&) {
     return {};
   }
-  const FilmFigures &fine = result.figures, &half = found.figures;
-  if (!half.finite || half.smallest_film <= 0.0) return {};
-  return GridErrors{estimate(fine.central_film, half.central_film), estimate(fine.smallest_film, half.smallest_film),
-                    estimate(fine.central_pressure, half.central_pressure),
-                    estimate(fine.largest_pressure, half.largest_pressure)};
+  return errors_between(result.figures, found.figures);
 }
 
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                       const StationaryResult& result) {
+  const Discretisation& fine = *film.discretisation();
+  if (result.before && fine.before() == fine.coarser()) return errors_between(result.figures, *result.before);
   return grid_errors(film, options, result, [&](ContactFilm& coarse, const FilmSolution& guess) {
-    return continue_stationary(coarse, load, options, guess);
+    // From nothing, grid by grid: where the fine film ends between two nodes, Newton's method has a longer way from it.
+    try {
+      return solve_stationary(coarse, load, options);
+    } catch (const SolveError&) {
+      return continue_stationary(coarse, load, options, guess);
+    }
   });
 }
 

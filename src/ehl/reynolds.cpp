@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "gearfilm/lubricant/independent_iterations.hpp"
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
@@ -50,12 +51,15 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
       const double *pressure = state.pressure.row(i), *behind = state.pressure.row(i - way);
       double* wet = state.wet.row(i);
       const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
+      double* over = pushed.data();
+      GEARFILM_INDEPENDENT_ITERATIONS
       for (int j = 0; j < rows_inside; ++j) {
         const bool empty = pressure[j] <= 0.0;
-        const bool front = empty && line[j] < 0.0 && behind[j] > 0.0;
-        const bool filled = empty && line[j] >= 0.0 && line[j] <= pushed[j];
-        if (filled) wet[j] = 1.0;
-        pushed[j] = front ? -line[j] : filled ? pushed[j] - line[j] : 0.0;
+        const bool front = empty & (line[j] < 0.0) & (behind[j] > 0.0);
+        const bool filled = empty & (line[j] >= 0.0) & (line[j] <= over[j]);
+        const double left = filled ? over[j] - line[j] : 0.0;
+        wet[j] = filled ? 1.0 : wet[j];
+        over[j] = front ? -line[j] : left;
       }
     }
   };
@@ -87,10 +91,13 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
       add_wedge(state, weights, i, line.data());
       add_poiseuille(state, weights, i, line.data());
     }
+    const double inside = interior ? 1.0 : 0.0, *found = line.data();
+    GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
-      scale[j] = weights.row_scale(conductance[j]);
-      wet[j] = interior && line[j] < scale[j] * pressure[j] ? 1.0 : 0.0;
-      out[j] = line[j];
+      const double row_scale = weights.row_scale(conductance[j]);
+      scale[j] = row_scale;
+      wet[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
+      out[j] = found[j];
     }
     if (edge >= 0) wet[edge] = 0.0;
   }
@@ -98,7 +105,11 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
   for (int i = 0; i < grid.nx(); ++i) {
     const double *pressure = state.pressure.row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
-    for (int j = 0; j < rows; ++j) out[j] = wet[j] != 0.0 ? out[j] : scale[j] * pressure[j];
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < rows; ++j) {
+      const double given = out[j], dry = scale[j] * pressure[j];
+      out[j] = wet[j] != 0.0 ? given : dry;
+    }
   }
 }
 

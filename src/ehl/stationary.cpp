@@ -121,6 +121,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     const bool solved = solve_on_grid(newton, load, result.solution, before != nullptr);
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
+    if (n == 1 && solved) result.before = figures_of(present, load, result.solution);
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
     before = solved ? &present.grid() : nullptr;
   }

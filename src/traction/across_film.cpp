@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/traction/tridiagonal_lanes.hpp"
 
 namespace gearfilm {
 namespace {
@@ -215,57 +216,6 @@ void AcrossFilm::assemble(double resistance) {
   });
 }
 
-/// Gauss on the tridiagonal part, for all right sides: from both walls to the middle, two chains of divisions that wait
-/// for themselves but not for each other, and out again. The diagonal becomes its inverse.
-template <bool own>
-void AcrossFilm::eliminate() {
-  const int last = points() - 1, middle = last / 2;
-  // Row k, whose neighbour is gone, by what connects them in their rows.
-  const auto fold = [this](int k, int neighbour, const Lanes& here, const Lanes& there) {
-    each_lane([&](int l) {
-      const double factor = here[l] * diagonal_[neighbour][l];
-      diagonal_[k][l] -= factor * there[l];
-      right_[k][l] += factor * right_[neighbour][l];
-      bordered_[k][l] += factor * bordered_[neighbour][l];
-      if constexpr (own) second_[k][l] += factor * second_[neighbour][l];
-    });
-  };
-  const auto invert = [this](int k) { each_lane([&](int l) { diagonal_[k][l] = 1.0 / diagonal_[k][l]; }); };
-  const auto solve = [this](int k) {
-    each_lane([&](int l) {
-      right_[k][l] *= diagonal_[k][l];
-      bordered_[k][l] *= diagonal_[k][l];
-      if constexpr (own) second_[k][l] *= diagonal_[k][l];
-    });
-  };
-  const auto put_in = [&](int k, int neighbour, const Lanes& here) {
-    each_lane([&](int l) {
-      right_[k][l] += here[l] * right_[neighbour][l];
-      bordered_[k][l] += here[l] * bordered_[neighbour][l];
-      if constexpr (own) second_[k][l] += here[l] * second_[neighbour][l];
-    });
-    solve(k);
-  };
-  invert(0);
-  invert(last);
-  for (int n = 1; n < middle; ++n) {
-    const int k = last - n;
-    fold(n, n - 1, below_[n], above_[n - 1]);
-    fold(k, k + 1, above_[k], below_[k + 1]);
-    invert(n);
-    invert(k);
-  }
-  fold(middle, middle - 1, below_[middle], above_[middle - 1]);
-  fold(middle, middle + 1, above_[middle], below_[middle + 1]);
-  invert(middle);
-  solve(middle);
-  for (int n = middle - 1; n >= 0; --n) {
-    const int k = last - n;
-    put_in(n, n + 1, above_[n]);
-    put_in(k, k - 1, below_[k]);
-  }
-}
-
 /// Takes the parts of rank one off the solution: with b of tau_m and d of Phi,
 /// (1 + b.B) (b.x) + (b.S) (d.x) = b.r and so on.
 template <bool own>
@@ -308,7 +258,11 @@ void AcrossFilm::correct() {
 template <bool own>
 double AcrossFilm::improve(double resistance) {
   assemble<own>(resistance);
-  eliminate<own>();
+  if constexpr (own) {
+    solve_tridiagonal<3>(below_, above_, diagonal_, {&right_, &bordered_, &second_});
+  } else {
+    solve_tridiagonal<2>(below_, above_, diagonal_, {&right_, &bordered_});
+  }
   correct<own>();
   change_.fill(0.0);
   for (const Lanes& step : right_) {

@@ -22,7 +22,7 @@ TEST_P(SlowRobustness, stationary_film_converges_from_nothing) {
   const double start = MPI_Wtime();
   try {
     const SolvedFilm solved(PETSC_COMM_WORLD, film_case, 129, ny);
-    const auto& [solution, figures, counts, by_grid] = solved.result;
+    const auto& [solution, figures, counts, by_grid, before] = solved.result;
     report("%6.0f %4.0f  %4.2f    129 x %-3d  %10.6f %10.6f  %6d  %6d  %21.2f", M, L, D, ny, figures.central_film,
            figures.smallest_film, counts.newton, counts.krylov, MPI_Wtime() - start);
     const double force = film_case.scales.static_force;

@@ -11,6 +11,7 @@
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/traction/across_film.hpp"
 #include "gearfilm/traction/moving_source.hpp"
+#include "gearfilm/traction/tridiagonal_lanes.hpp"
 #include "placed_film.hpp"
 
 namespace gearfilm {
@@ -78,6 +79,33 @@ double largest_rise(Source source, int nodes) {
     largest = std::max(largest, sum[0] + moving.own_weight() * heat[i]);
   }
   return largest;
+}
+
+TEST(TridiagonalLanes, both_right_sides_are_met_in_every_lane) {
+  for (const std::size_t rows : {3, 5, 17}) {
+    std::vector<FilmLanes> below(rows), above(rows), diagonal(rows), first(rows), second(rows);
+    for (std::size_t k = 0; k < rows; ++k) {
+      each_lane([&](int l) {
+        below[k][l] = k > 0 ? 1.0 + 0.1 * l : 0.0;
+        above[k][l] = k + 1 < rows ? 1.5 - 0.05 * static_cast<double>(k) : 0.0;
+        diagonal[k][l] = 3.0 + 0.2 * static_cast<double>(k) + l;
+        first[k][l] = std::sin(1.0 + static_cast<double>(k) + l);
+        second[k][l] = k == 1 ? 1.0 : 0.0;
+      });
+    }
+    std::vector<FilmLanes> inverse = diagonal, x = first, y = second;
+    solve_tridiagonal<2>(below, above, inverse, {&x, &y});
+    for (std::size_t k = 0; k < rows; ++k) {
+      const std::size_t before = k > 0 ? k - 1 : k, behind = k + 1 < rows ? k + 1 : k;
+      for (int l = 0; l < film_lanes; ++l) {
+        const auto row = [&](const std::vector<FilmLanes>& of) {
+          return diagonal[k][l] * of[k][l] - below[k][l] * of[before][l] - above[k][l] * of[behind][l];
+        };
+        EXPECT_NEAR(row(x), first[k][l], 1e-13);
+        EXPECT_NEAR(row(y), second[k][l], 1e-13);
+      }
+    }
+  }
 }
 
 TEST(MovingSource, under_a_band_and_a_semi_ellipse_of_heat) {

@@ -1,8 +1,8 @@
 // How far a stationary film may be from that of an infinitely fine grid.
 //
 // The same film on every second node of the grid differs from it by three times as much, since errors are of second
-// order: e = (h(h) - h(2h))/3 is the estimate of the error, h(h) + e the extrapolated value. Its cost is a quarter of a
-// solution from a good guess.
+// order: e = (h(h) - h(2h))/3 is the estimate of the error, h(h) + e the extrapolated value. A film that was found from
+// every second node has been there; else the estimate costs another solution there.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ using CoarseSolver = std::function<StationaryResult(ContactFilm& coarse, const F
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptions& options,
                                       const StationaryResult& result, const CoarseSolver& solve);
 
-/// Of the film that was found under the load condition.
+/// Of the film that was found under the load condition, free of cost where it was found from the coarser grid.
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                       const StationaryResult& result);
 

@@ -87,8 +87,6 @@ private:
   template <bool own>
   void assemble(double resistance);
   template <bool own>
-  void eliminate();
-  template <bool own>
   void correct();
   template <bool own>
   double improve(double resistance);
