@@ -238,8 +238,7 @@ void couple_film(const Case& problem, const SurfaceVelocities& velocities, const
   solved.coupled = solve_coupled(*solved.film, load, options, model, velocities, solved.result);
   solved.result = solved.coupled->film;
   solved.errors =
-      grid_errors(*solved.film, options, solved.result, [&](ContactFilm& coarse, const FilmSolution& guess) {
-        const StationaryResult cold = continue_stationary(coarse, load, options, guess);
+      grid_errors(*solved.film, load, options, solved.result, [&](ContactFilm& coarse, const StationaryResult& cold) {
         return solve_coupled(coarse, load, options, model, velocities, cold).film;
       });
 }

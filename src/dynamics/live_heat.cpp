@@ -14,8 +14,11 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t row
     for (std::size_t k = 0; k < points; ++k) {
       std::vector<double>& values = fields[name_of(static_cast<int>(k))];
       values.resize(heat.flow.wedge.size());
-      for (std::size_t n = 0; n < values.size(); ++n) {
-        values[n] = oil.temperature_viscosity * (heat.temperatures[place_across(n, rows, points, k)] - oil.temperature);
+      for (std::size_t i = 0; i * rows < values.size(); ++i) {
+        const double* T = heat.temperatures.data() + rows_at_point(i, k, points, rows);
+        for (std::size_t j = 0; j < rows; ++j) {
+          values[i * rows + j] = oil.temperature_viscosity * (T[j] - oil.temperature);
+        }
       }
     }
   }
@@ -34,8 +37,9 @@ FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields, std:
   heat.temperatures.resize(heat.flow.wedge.size() * points);
   for (std::size_t k = 0; k < points; ++k) {
     const std::vector<double>& values = fields.at(name_of(static_cast<int>(k)));
-    for (std::size_t n = 0; n < values.size(); ++n) {
-      heat.temperatures[place_across(n, rows, points, k)] = oil.temperature + values[n] / oil.temperature_viscosity;
+    for (std::size_t i = 0; i * rows < values.size(); ++i) {
+      double* T = heat.temperatures.data() + rows_at_point(i, k, points, rows);
+      for (std::size_t j = 0; j < rows; ++j) T[j] = oil.temperature + values[i * rows + j] / oil.temperature_viscosity;
     }
   }
   return heat;

@@ -96,8 +96,7 @@ private:
   int solved_rows() const { return grid_.local_row(grid_.rows() - 1) >= 0 ? rows() - 1 : rows(); }
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
-  /// Row after row, at a point across the film of a line.
-  std::size_t at_point(int i, int k) const { return (static_cast<std::size_t>(i) * points() + k) * rows(); }
+  std::size_t at_point(int i, int k) const { return rows_at_point(i, k, points(), rows()); }
   double* temperatures(int i, int k) { return heat_.temperatures.data() + at_point(i, k); }
   /// What a sweep changed on the line that was solved last.
   double* gain(int k) { return gain_.data() + at_point(0, k); }
@@ -138,7 +137,7 @@ private:
     const int count = std::min(AcrossFilm::lanes, solved_rows() - first);
     store_profiles(i, first, count);
     for (int l = 0; l < count; ++l) {
-      if (stored(first + l)) store_lane(l, i, first + l);
+      if (changes(first + l)) store_lane(l, i, first + l);
     }
   }
 
@@ -200,13 +199,17 @@ private:
   /// row: of a lane.
   template <class Row>
   void load_profiles(int i, Row row) {
-    const int before = i - 1, far = std::max(i - 2, 0);
     if (own_) {
       load_own_profiles(i, row);
-      return;
+    } else {
+      load_isothermal_profiles(i, row);
     }
+  }
+
+  template <class Row>
+  void load_isothermal_profiles(int i, Row row) {
     for (int k = 0; k < points(); ++k) {
-      const double *T_before = temperatures(before, k), *T_far = temperatures(far, k);
+      const double *T_before = temperatures(i - 1, k), *T_far = temperatures(std::max(i - 2, 0), k);
       each_lane([&](int l) {
         const double T = T_before[row(l)];
         across_.upstream[k][l] = T;
@@ -250,14 +253,14 @@ private:
   }
 
   /// On the way back what the torn film has stays.
-  bool stored(int j) const { return !returning_ || line_.wet[j]; }
+  bool changes(int j) const { return !returning_ || line_.wet[j]; }
 
   void store_profiles(int i, int first, int count) {
     for (int k = 0; k < points(); ++k) {
       const AcrossFilm::Lanes& found = across_.temperatures()[k];
       double *T = temperatures(i, k) + first, *gained = gain(k) + first;
       for (int l = 0; l < count; ++l) {
-        if (!stored(first + l)) continue;
+        if (!changes(first + l)) continue;
         gained[l] = found[l] - T[l];
         T[l] = found[l];
       }
@@ -267,7 +270,7 @@ private:
       double* passed = passing(i, k) + first;
       bool turns = false;
       for (int l = 0; l < count; ++l) {
-        if (!stored(first + l)) continue;
+        if (!changes(first + l)) continue;
         passed[l] = line_.density[first + l] * line_.thickness[first + l] * speed[l];
         turns = turns || (across_.wet[l] * passed[l] < 0.0);
       }

@@ -39,16 +39,12 @@ struct GridErrors {
   double worst() const { return std::max(central_film.relative_error(), smallest_film.relative_error()); }
 };
 
-/// Finds a film on a coarser grid, from a guess.
-using CoarseSolver = std::function<StationaryResult(ContactFilm& coarse, const FilmSolution& guess)>;
+/// What a film on the coarser grid becomes with what else acts on it, such as its heat. May throw SolveError.
+using CoarseCoupling = std::function<StationaryResult(ContactFilm& coarse, const StationaryResult& alone)>;
 
-/// Of a film that was found so; nothing where the grid has no coarser one, or this no film that is positive.
-/// Collective.
-std::optional<GridErrors> grid_errors(const ContactFilm& film, const SolverOptions& options,
-                                      const StationaryResult& result, const CoarseSolver& solve);
-
-/// Of the film that was found under the load condition, free of cost where it was found from the coarser grid.
+/// Of the film that was found under the load condition, and coupled; free of cost where it was found from the coarser
+/// grid. Nothing where the grid has no coarser one, or this no film that is positive. Collective.
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
-                                      const StationaryResult& result);
+                                      const StationaryResult& result, const CoarseCoupling& couple = {});
 
 }  // namespace gearfilm

@@ -49,9 +49,9 @@ struct FilmHeat {
   FlowCorrection flow;               ///< that these temperatures make
 };
 
-/// Where FilmHeat has the value of a node at a point across the film.
-inline std::size_t place_across(std::size_t node, std::size_t rows, std::size_t points, std::size_t point) {
-  return (node / rows * points + point) * rows + node % rows;
+/// Where FilmHeat has the rows of a line, so many, at a point across the film.
+inline std::size_t rows_at_point(std::size_t line, std::size_t point, std::size_t points, std::size_t rows) {
+  return (line * points + point) * rows;
 }
 
 /// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or,
