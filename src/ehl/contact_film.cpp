@@ -5,10 +5,21 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// Of levels of the preconditioner. Coarser ones see neither the rise of pressure in a thin film's inlet nor its fall
+/// at the outlet: the conductances that they are given there differ by orders of magnitude, and their corrections
+/// diverge.
+double longest_level_step(const Scales& scales) {
+  return 1.2 * inlet_rise(ExpectedFilm(scales));
+}
+
+}  // namespace
 
 ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
     : discretisation_(std::move(discretisation)),
@@ -18,7 +29,8 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       properties_(scales),
       state_(grid_),
       options_(options),
-      as_ordered_(make_linearised_film(*discretisation_, options)),
+      longest_step_(longest_level_step(scales)),
+      as_ordered_(make_linearised_film(*discretisation_, options, longest_step_)),
       displacement_column_(grid_.local_size()),
       weights_(displacement_column_.size()) {}
 
@@ -105,7 +117,7 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
   if (!for_stiff_) {
     MultigridOptions options = options_;
     options.precision = Precision::double_precision;
-    for_stiff_ = make_linearised_film(*discretisation_, options);
+    for_stiff_ = make_linearised_film(*discretisation_, options, longest_step_);
   }
   return *for_stiff_;
 }

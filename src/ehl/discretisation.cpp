@@ -23,20 +23,19 @@ const Deformation<float>& Discretisation::deformation<float>() const {
   return *single_deformation_;
 }
 
-const Discretisation* Discretisation::coarser() const {
-  if (!grid_.can_coarsen() || !can_be_cut(grid_)) return nullptr;
-  if (!coarser_) coarser_ = std::make_unique<const Discretisation>(grid_.coarsened(), C_h_);
-  return coarser_.get();
+const Discretisation* Discretisation::coarser(Coarsening along) const {
+  if (!grid_.can_coarsen(along) || (along != Coarsening::x_only && !can_be_cut(grid_))) return nullptr;
+  auto& made = coarser_[static_cast<std::size_t>(along)];
+  if (!made) made = std::make_unique<const Discretisation>(grid_.coarsened(along), C_h_);
+  return made.get();
 }
 
 const Discretisation* Discretisation::before() const {
-  if (2.0 * grid_.h_x() > grid_.h_y() || grid_.nx() % 4 != 1) return coarser();
-  if (!coarser_in_x_) coarser_in_x_ = std::make_unique<const Discretisation>(grid_.coarsened_in_x(), C_h_);
-  return coarser_in_x_.get();
+  return coarser(has_long_cells(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
 }
 
 const Discretisation* Discretisation::whole() const {
-  if (!grid_.can_coarsen() || can_be_cut(grid_)) return nullptr;
+  if (!grid_.can_coarsen(Coarsening::y_only) || can_be_cut(grid_)) return nullptr;
   if (!whole_) whole_ = std::make_unique<const Discretisation>(grid_.gathered(), C_h_);
   return whole_.get();
 }

@@ -23,8 +23,6 @@ double tearing_step(const ExpectedFilm& at) {
                    0.57 * at.film * std::pow(at.ellipticity, -0.5),
                    1.1 * std::pow(at.film, 0.885) * std::pow(at.ellipticity, -0.49) * std::pow(at.lubricant, -0.61)});
 }
-/// H^(2/3), the length over which pressure rises in the inlet.
-double rise(const ExpectedFilm& at) { return std::cbrt(at.film * at.film); }
 
 }  // namespace
 
@@ -32,6 +30,8 @@ ExpectedFilm::ExpectedFilm(const Scales& scales)
     : film(nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) / scales.thickness),
       lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
       ellipticity(scales.hertz.ellipticity) {}
+
+double inlet_rise(const ExpectedFilm& expected) { return std::cbrt(expected.film * expected.film); }
 
 double flooded_inlet(const ExpectedFilm& expected) {
   const double slender =
@@ -49,7 +49,7 @@ Domain domain_of(const ExpectedFilm& expected) {
 }
 
 FilmErrors expected_errors(const ExpectedFilm& expected, const Steps& steps) {
-  const double x = std::pow(steps.x / rise(expected), 2), y = std::pow(steps.y / rise(expected), 2);
+  const double x = std::pow(steps.x / inlet_rise(expected), 2), y = std::pow(steps.y / inlet_rise(expected), 2);
   // The central film has a quarter of the smallest film's error along Y.
   const double side = side_factor(expected) * y;
   const double smallest = steps.y < 1.2 * tearing_step(expected) ? smallest_factor(expected) * x + side : HUGE_VAL;
@@ -59,8 +59,8 @@ FilmErrors expected_errors(const ExpectedFilm& expected, const Steps& steps) {
 Steps steps_for(const ExpectedFilm& expected, double accuracy) {
   // Three quarters of the error come from the steps along X, where a node gains most.
   const double factor = std::max(central_factor(expected), smallest_factor(expected));
-  const double x = std::sqrt(0.75 * accuracy / factor) * rise(expected);
-  const double y = std::sqrt(0.25 * accuracy / side_factor(expected)) * rise(expected);
+  const double x = std::sqrt(0.75 * accuracy / factor) * inlet_rise(expected);
+  const double y = std::sqrt(0.25 * accuracy / side_factor(expected)) * inlet_rise(expected);
   return {x, std::min(y, 0.8 * tearing_step(expected))};
 }
 

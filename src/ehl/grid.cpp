@@ -62,8 +62,10 @@ OwnedVec Grid::create_vec() const {
   return vec;
 }
 
-bool Grid::can_coarsen() const {
-  return (nx() - 1) % 2 == 0 && (ny() - 1) % 4 == 0 && (nx() - 1) / 2 + 1 >= 5 && (ny() - 1) / 2 + 1 >= 3;
+bool Grid::can_coarsen(Coarsening along) const {
+  const bool in_x = (nx() - 1) % 2 == 0 && (nx() - 1) / 2 + 1 >= 5;
+  const bool in_y = (ny() - 1) % 4 == 0 && (ny() - 1) / 2 + 1 >= 3;
+  return (in_x || along == Coarsening::y_only) && (in_y || along == Coarsening::x_only);
 }
 
 int Grid::fewest_coarse_rows() const {
@@ -72,19 +74,15 @@ int Grid::fewest_coarse_rows() const {
   return fewest;
 }
 
-Grid Grid::coarsened() const {
+Grid Grid::coarsened(Coarsening along) const {
   GridShape shape = shape_;
-  shape.nx = (nx() - 1) / 2 + 1;
-  shape.ny = (ny() - 1) / 2 + 1;
   std::vector<int> ranges(y_ranges_);
-  for (int& first : ranges) first = (first + 1) / 2;
+  if (along != Coarsening::y_only) shape.nx = (nx() - 1) / 2 + 1;
+  if (along != Coarsening::x_only) {
+    shape.ny = (ny() - 1) / 2 + 1;
+    for (int& first : ranges) first = (first + 1) / 2;
+  }
   return Grid(comm_, shape, std::move(ranges));
-}
-
-Grid Grid::coarsened_in_x() const {
-  GridShape shape = shape_;
-  shape.nx = (nx() - 1) / 2 + 1;
-  return Grid(comm_, shape, y_ranges_);
 }
 
 Grid Grid::gathered() const { return Grid(PETSC_COMM_SELF, shape_); }

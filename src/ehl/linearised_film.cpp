@@ -1,5 +1,7 @@
 #include "gearfilm/ehl/linearised_film.hpp"
 
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "gearfilm/ehl/multigrid_level.hpp"
@@ -7,17 +9,23 @@
 namespace gearfilm {
 namespace {
 
-/// Coarser levels do not see the jump of pressure at a thin film's outlet: the conductances that they are given there
-/// differ by orders of magnitude, and their corrections diverge.
-bool serves(const Grid& level) {
-  constexpr int fewest_nodes = 33;
-  return level.nx() >= fewest_nodes && level.ny() >= fewest_nodes;
+/// How to coarsen a level, if at all. Long cells are coarsened along X alone, and not at all once that ends: rows are
+/// coupled by long waves only, and an error of a single row has none of them.
+std::optional<Coarsening> coarsening_of(const Grid& grid, int fewest_nodes, double longest_step) {
+  const auto serves = [&](int nodes) { return (nodes - 1) / 2 + 1 >= fewest_nodes; };
+  const bool in_x = grid.can_coarsen(Coarsening::x_only) && serves(grid.nx()) && 2.0 * grid.h_x() <= longest_step;
+  const bool in_y = !has_long_cells(grid) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
+  if (in_x && in_y) return Coarsening::both;
+  if (in_x) return Coarsening::x_only;
+  if (in_y) return Coarsening::y_only;
+  return {};
 }
 
 template <class Real>
 class FilmMultigrid final : public LinearisedFilm {
 public:
-  FilmMultigrid(const Discretisation& finest, const MultigridOptions& options) : options_(options) {
+  FilmMultigrid(const Discretisation& finest, const MultigridOptions& options, double longest_step)
+      : options_(options), longest_step_(longest_step) {
     build_levels(finest);
     build_cycle();
   }
@@ -51,7 +59,9 @@ private:
     int sweeps;
   };
 
+  std::optional<Coarsening> next_coarsening(const Grid& coarsest) const;
   void build_levels(const Discretisation& finest);
+  void build_whole_rest(const Discretisation& last);
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
@@ -62,6 +72,7 @@ private:
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
   MultigridOptions options_;
+  double longest_step_;
   std::vector<std::unique_ptr<Level>> levels_;  ///< finest first
   std::vector<std::unique_ptr<Shell>> shells_;  ///< one a level
   std::vector<OwnedMat> matrices_;
@@ -73,24 +84,38 @@ private:
   std::vector<double> whole_residual_, whole_change_;
 };
 
+/// Of the coarsest level so far; nothing where there are enough.
+template <class Real>
+std::optional<Coarsening> FilmMultigrid<Real>::next_coarsening(const Grid& coarsest) const {
+  constexpr int fewest_nodes = 33, fewest_if_asked = 3;
+  if (options_.levels == 0) return coarsening_of(coarsest, fewest_nodes, longest_step_);
+  if (static_cast<int>(levels_.size()) >= options_.levels) return {};
+  return coarsening_of(coarsest, fewest_if_asked, HUGE_VAL);
+}
+
 template <class Real>
 void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
-  const auto wanted = [&](const Discretisation* level) {
-    if (!level) return false;
-    return options_.levels == 0 ? serves(level->grid()) : static_cast<int>(levels_.size()) < options_.levels;
-  };
   levels_.push_back(std::make_unique<Level>(finest));
   const Discretisation* last = &finest;
-  while (wanted(last->coarser())) {
-    last = last->coarser();
+  while (const auto along = next_coarsening(last->grid())) {
+    const Discretisation* next = last->coarser(*along);
+    if (!next) {
+      build_whole_rest(*last);
+      return;
+    }
+    last = next;
     levels_.push_back(std::make_unique<Level>(*last));
   }
-  const Discretisation* whole = last->whole();
-  if (!whole || !wanted(whole->coarser())) return;
-  gather_ = &last->gather();
+}
+
+/// All coarser levels, whole on every process: the cut grid has too few rows.
+template <class Real>
+void FilmMultigrid<Real>::build_whole_rest(const Discretisation& last) {
+  const Discretisation* whole = last.whole();
+  gather_ = &last.gather();
   MultigridOptions rest = options_;
   if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
-  whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest);
+  whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest, longest_step_);
   whole_residual_.resize(whole->grid().local_size());
   whole_change_.resize(whole->grid().local_size());
 }
@@ -284,11 +309,11 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double entrain
 }  // namespace
 
 std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
-                                                     const MultigridOptions& options) {
+                                                     const MultigridOptions& options, double longest_step) {
   if (options.precision == Precision::single_precision) {
-    return std::make_unique<FilmMultigrid<float>>(discretisation, options);
+    return std::make_unique<FilmMultigrid<float>>(discretisation, options, longest_step);
   }
-  return std::make_unique<FilmMultigrid<double>>(discretisation, options);
+  return std::make_unique<FilmMultigrid<double>>(discretisation, options, longest_step);
 }
 
 }  // namespace gearfilm

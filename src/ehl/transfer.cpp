@@ -3,9 +3,25 @@
 namespace gearfilm {
 namespace {
 
+/// Fine cells in a coarse one along either direction, 1 or 2.
+struct Ratio {
+  Ratio(const Grid& fine, const Grid& coarse)
+      : x(coarse.nx() == fine.nx() ? 1 : 2), y(coarse.rows() == fine.rows() ? 1 : 2) {}
+
+  int x, y;
+};
+
+/// Of a mean of three fine nodes at a coarse one: those on either side, and the one at the same place.
+template <class Real>
+struct Weighting {
+  explicit Weighting(int ratio) : side(ratio == 1 ? Real(0) : Real(0.25)), centre(ratio == 1 ? Real(1) : Real(0.5)) {}
+
+  Real side, centre;
+};
+
 /// Local fine row at the same place as the local coarse row J.
-int same_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
-  return 2 * (coarse_grid.y_begin() + J) - fine_grid.y_begin();
+int same_row(const Grid& fine_grid, const Grid& coarse_grid, int ratio, int J) {
+  return ratio * (coarse_grid.y_begin() + J) - fine_grid.y_begin();
 }
 
 }  // namespace
@@ -13,16 +29,18 @@ int same_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
                        const Field<Real>& coarse_wet, Field<Real>& coarse) {
+  const Ratio ratio(fine_grid, coarse_grid);
+  const Weighting<Real> along_x(ratio.x), along_y(ratio.y);
   for (int I = 1; I < coarse_grid.nx() - 1; ++I) {
-    const Real* before = fine.row(2 * I - 1);
-    const Real* here = fine.row(2 * I);
-    const Real* after = fine.row(2 * I + 1);
-    const auto across = [&](int j) { return Real(0.25) * (before[j] + after[j]) + Real(0.5) * here[j]; };
+    const Real* before = fine.row(ratio.x * I - 1);
+    const Real* here = fine.row(ratio.x * I);
+    const Real* after = fine.row(ratio.x * I + 1);
+    const auto mean = [&](int j) { return along_x.side * (before[j] + after[j]) + along_x.centre * here[j]; };
     const Real* wet = coarse_wet.row(I);
     Real* out = coarse.row(I);
     for (int J = 0; J < coarse_grid.y_count(); ++J) {
-      const int j = same_row(fine_grid, coarse_grid, J);
-      out[J] = wet[J] * (Real(0.25) * (across(j - 1) + across(j + 1)) + Real(0.5) * across(j));
+      const int j = same_row(fine_grid, coarse_grid, ratio.y, J);
+      out[J] = wet[J] * (along_y.side * (mean(j - 1) + mean(j + 1)) + along_y.centre * mean(j));
     }
   }
 }
@@ -30,15 +48,16 @@ void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Fie
 template <class Real>
 void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
                       const Field<Real>& fine_wet, Field<Real>& fine) {
+  const Ratio ratio(fine_grid, coarse_grid);
   for (int i = 1; i < fine_grid.nx() - 1; ++i) {
-    const Real* below = coarse.row(i / 2);
-    const Real* above = coarse.row((i + 1) / 2);
+    const Real* below = coarse.row(i / ratio.x);
+    const Real* above = coarse.row((i + ratio.x - 1) / ratio.x);
     const Real* wet = fine_wet.row(i);
     Real* out = fine.row(i);
     for (int j = 0; j < fine_grid.y_count(); ++j) {
       const int row = fine_grid.y_begin() + j;
-      const int J = row / 2 - coarse_grid.y_begin();
-      const int J_next = (row + 1) / 2 - coarse_grid.y_begin();
+      const int J = row / ratio.y - coarse_grid.y_begin();
+      const int J_next = (row + ratio.y - 1) / ratio.y - coarse_grid.y_begin();
       out[j] += wet[j] * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
     }
   }
@@ -52,7 +71,7 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   Field<double> values(coarse), bend_x(coarse_grid), bend_y(coarse_grid), bend_xy(coarse_grid);
   halo.exchange(values);
   const int last = coarse_grid.rows() - 1;
-  const int across = coarse_grid.rows() == fine_grid.rows() ? 1 : 2;
+  const Ratio ratio(fine_grid, coarse_grid);
   const auto bend_along_y = [&](const Field<double>& from, Field<double>& to) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
       for (int J = 0; J < coarse_grid.y_count(); ++J) {
@@ -72,10 +91,11 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   bend_along_y(values, bend_y);
   bend_along_y(bend_x, bend_xy);
   for (int i = 0; i < fine_grid.nx(); ++i) {
-    const int below = i / 2, above = (i + 1) / 2;
+    const int below = i / ratio.x, above = (i + ratio.x - 1) / ratio.x;
     for (int j = 0; j < fine_grid.y_count(); ++j) {
       const int row = fine_grid.y_begin() + j;
-      const int J = row / across - coarse_grid.y_begin(), J_next = (row + across - 1) / across - coarse_grid.y_begin();
+      const int J = row / ratio.y - coarse_grid.y_begin();
+      const int J_next = (row + ratio.y - 1) / ratio.y - coarse_grid.y_begin();
       const auto mean = [&](const Field<double>& field) {
         return 0.25 * (field.row(below)[J] + field.row(below)[J_next] + field.row(above)[J] + field.row(above)[J_next]);
       };
@@ -87,9 +107,10 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
 }
 
 void inject(const Grid& fine_grid, const Grid& coarse_grid, const Field<double>& fine, Field<double>& coarse) {
+  const Ratio ratio(fine_grid, coarse_grid);
   for (int I = 0; I < coarse_grid.nx(); ++I) {
     for (int J = 0; J < coarse_grid.y_count(); ++J) {
-      coarse.row(I)[J] = fine.row(2 * I)[same_row(fine_grid, coarse_grid, J)];
+      coarse.row(I)[J] = fine.row(ratio.x * I)[same_row(fine_grid, coarse_grid, ratio.y, J)];
     }
   }
 }

@@ -145,16 +145,44 @@ INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
                                   name_of(std::get<1>(parameters.param));
                          });
 
-TEST(PreconditionerLevels, go_down_to_33_nodes_by_default) {
-  const FilmCase pitch = table3_pitch();
-  const auto levels = [&](int nx, int ny) {
-    const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, pitch.shape(nx, ny)), pitch.scales);
-    return make_linearised_film(*shared, MultigridOptions{})->levels();
-  };
-  EXPECT_EQ(levels(65, 33), 1);
-  EXPECT_EQ(levels(129, 65), 2);
-  EXPECT_EQ(levels(257, 65), 2);
-  EXPECT_EQ(levels(257, 129), 3);
+class PreconditionerLevels : public testing::Test {
+protected:
+  static int levels_of(const FilmCase& contact, int nx, int ny, double longest_step = HUGE_VAL) {
+    const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, contact.shape(nx, ny)), contact.scales);
+    return make_linearised_film(*shared, MultigridOptions{}, longest_step)->levels();
+  }
+
+  FilmCase slender = table3_pitch();               // cells eight times as long as wide on twice as many lines as rows
+  FilmCase circular = moes_contact(200, 10, 1.0);  // cells almost square on as many
+};
+
+TEST_F(PreconditionerLevels, go_down_to_33_lines_where_cells_are_long_whatever_the_rows) {
+  EXPECT_EQ(levels_of(slender, 65, 33), 2);
+  EXPECT_EQ(levels_of(slender, 129, 9), 3);
+  EXPECT_EQ(levels_of(slender, 257, 65), 4);
+  EXPECT_EQ(levels_of(slender, 265, 33), 4);  // 34 lines are even
+}
+
+TEST_F(PreconditionerLevels, go_down_to_33_nodes_along_either_direction_where_cells_are_square) {
+  EXPECT_EQ(levels_of(circular, 65, 65), 2);
+  EXPECT_EQ(levels_of(circular, 257, 257), 4);
+  EXPECT_EQ(levels_of(circular, 65, 257), 4);  // the last ones across alone
+  EXPECT_EQ(levels_of(circular, 37, 41), 1);
+}
+
+TEST_F(PreconditionerLevels, are_no_coarser_than_the_longest_step) {
+  const double h_x = slender.shape(257, 65).h_x();
+  EXPECT_EQ(levels_of(slender, 257, 65, 4.01 * h_x), 3);
+  EXPECT_EQ(levels_of(slender, 257, 65, 0.5 * h_x), 1);
+}
+
+TEST_F(PreconditionerLevels, are_the_same_on_any_number_of_processes) {
+  for (const auto& [nx, ny] : {std::pair{129, 17}, {129, 129}, {257, 257}}) {
+    for (const FilmCase& contact : {slender, circular}) {
+      const SharedDiscretisation alone = discretise(Grid(PETSC_COMM_SELF, contact.shape(nx, ny)), contact.scales);
+      EXPECT_EQ(levels_of(contact, nx, ny), make_linearised_film(*alone, MultigridOptions{})->levels());
+    }
+  }
 }
 
 // A finer grid's white noise takes longer to become smooth; from then on the grid hardly matters.

@@ -6,44 +6,62 @@
 namespace gearfilm {
 namespace {
 
-template <class Real>
+/// Arithmetic, and along which directions the coarse grid is coarser.
+template <class R, Coarsening c>
+struct Kind {
+  using Real = R;
+  static constexpr Coarsening along = c;
+};
+
+template <class Kind>
 class TransferOf : public testing::Test {
 protected:
+  using Number = typename Kind::Real;
   // Round-off of a dozen operations on values of order ten.
-  static constexpr double tolerance = std::is_same_v<Real, double> ? 1e-13 : 1e-5;
+  static constexpr double tolerance = std::is_same_v<Number, double> ? 1e-13 : 1e-5;
 
   // Ones inside, zeros on the boundary and at every fifth node or so.
-  static Field<Real> wet_mask(const Grid& grid, unsigned seed) {
-    Field<Real> wet(grid);
+  static Field<Number> wet_mask(const Grid& grid, unsigned seed) {
+    Field<Number> wet(grid);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? Real(1) : Real(0);
+        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? Number(1) : Number(0);
       }
     }
     return wet;
   }
 
   Grid fine{PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5}};
-  Grid coarse = fine.coarsened();
+  Grid coarse = fine.coarsened(Kind::along);
   Halo fine_halo{fine};
   Halo coarse_halo{coarse};
-  Field<Real> on_fine{fine};
-  Field<Real> on_coarse{coarse};
-  Field<Real> all_wet_fine{fine};
-  Field<Real> inner_coarse{coarse};
+  Field<Number> on_fine{fine};
+  Field<Number> on_coarse{coarse};
+  Field<Number> all_wet_fine{fine};
+  Field<Number> inner_coarse{coarse};
 
   TransferOf() {
-    all_wet_fine.fill(Real(1));
+    all_wet_fine.fill(Number(1));
     for (int i = 0; i < coarse.nx(); ++i) {
-      for (int j = 0; j < coarse.y_count(); ++j) inner_coarse.row(i)[j] = coarse.is_boundary(i, j) ? Real(0) : Real(1);
+      for (int j = 0; j < coarse.y_count(); ++j)
+        inner_coarse.row(i)[j] = coarse.is_boundary(i, j) ? Number(0) : Number(1);
     }
   }
 };
-using Precisions = testing::Types<float, double>;
-TYPED_TEST_SUITE(TransferOf, Precisions);
+using Kinds = testing::Types<Kind<float, Coarsening::both>, Kind<double, Coarsening::both>,
+                             Kind<double, Coarsening::x_only>, Kind<double, Coarsening::y_only>>;
+TYPED_TEST_SUITE(TransferOf, Kinds);
+
+TYPED_TEST(TransferOf, coarse_nodes_are_every_second_one_along_the_directions_asked_for) {
+  const Grid &from = this->fine, &to = this->coarse;
+  EXPECT_EQ(to.nx(), TypeParam::along == Coarsening::y_only ? 33 : 17);
+  EXPECT_EQ(to.ny(), TypeParam::along == Coarsening::x_only ? 29 : 15);
+  EXPECT_DOUBLE_EQ(to.x(to.nx() - 1), from.x(from.nx() - 1));
+  EXPECT_DOUBLE_EQ(to.h_y() * (to.rows() - 1), from.h_y() * (from.rows() - 1));
+}
 
 TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours_or_the_mirror_image) {
-  using Real = TypeParam;
+  using Real = typename TypeParam::Real;
   const Grid& grid = this->fine;
   const auto number = [](int i, int row) { return static_cast<Real>(1000 * (i + 1) + row + 1); };
   Field<Real>& field = this->on_fine;
@@ -60,7 +78,7 @@ TYPED_TEST(TransferOf, ghosts_are_the_rows_of_the_neighbours_or_the_mirror_image
 }
 
 TYPED_TEST(TransferOf, full_weighting_keeps_constants) {
-  using Real = TypeParam;
+  using Real = typename TypeParam::Real;
   this->on_fine.fill(Real(0));
   fill(this->fine, this->on_fine, [](double, double) { return 3.25; });
   this->fine_halo.exchange(this->on_fine);
@@ -73,7 +91,7 @@ TYPED_TEST(TransferOf, full_weighting_keeps_constants) {
 }
 
 TYPED_TEST(TransferOf, full_weighting_is_zero_where_nothing_flows) {
-  using Real = TypeParam;
+  using Real = typename TypeParam::Real;
   const auto wet = this->wet_mask(this->coarse, 1);
   fill(this->fine, this->on_fine, [](double x, double) { return 3.0 + x; });
   this->fine_halo.exchange(this->on_fine);
@@ -86,7 +104,7 @@ TYPED_TEST(TransferOf, full_weighting_is_zero_where_nothing_flows) {
 }
 
 TYPED_TEST(TransferOf, bilinear_interpolation_is_exact_for_bilinear_fields) {
-  using Real = TypeParam;
+  using Real = typename TypeParam::Real;
   const auto plane = [](double x, double y) { return 0.5 + 2.0 * x - 3.0 * y + 0.25 * x * y; };
   fill(this->coarse, this->on_coarse, plane);
   this->coarse_halo.exchange(this->on_coarse);
@@ -100,7 +118,7 @@ TYPED_TEST(TransferOf, bilinear_interpolation_is_exact_for_bilinear_fields) {
 }
 
 TYPED_TEST(TransferOf, interpolation_leaves_nodes_alone_that_are_not_wet) {
-  using Real = TypeParam;
+  using Real = typename TypeParam::Real;
   const auto wet = this->wet_mask(this->fine, 2);
   this->on_coarse.fill(Real(7));
   this->on_fine.fill(Real(-2));
@@ -112,9 +130,10 @@ TYPED_TEST(TransferOf, interpolation_leaves_nodes_alone_that_are_not_wet) {
   }
 }
 
-// Sum over coarse nodes of c R f = 1/4 sum over fine nodes of f I c, with masked f and c: what a symmetric cycle needs.
-TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpolation) {
-  using Real = TypeParam;
+// Sum over coarse nodes of c R f = sum over fine nodes of f I c, over the fine nodes that a coarse one stands for, with
+// masked f and c: what a symmetric cycle needs.
+TYPED_TEST(TransferOf, full_weighting_is_the_transpose_of_interpolation_in_part) {
+  using Real = typename TypeParam::Real;
   const auto wet_fine = this->wet_mask(this->fine, 3), wet_coarse = this->wet_mask(this->coarse, 4);
   Field<Real> restricted(this->coarse), interpolated(this->fine);
   for (int i = 0; i < this->fine.nx(); ++i) {
@@ -132,6 +151,7 @@ TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpola
   restrict_residual(this->fine, this->coarse, this->on_fine, wet_coarse, restricted);
   add_interpolated(this->coarse, this->fine, this->on_coarse, wet_fine, interpolated);
   const auto halves = [](const Grid& grid, int j) { return grid.y_begin() + j == 0 ? 1.0 : 2.0; };
+  const double part = TypeParam::along == Coarsening::both ? 0.25 : 0.5;
   double sums[2] = {0.0, 0.0};
   for (int i = 0; i < this->coarse.nx(); ++i) {
     for (int j = 0; j < this->coarse.y_count(); ++j) {
@@ -140,7 +160,7 @@ TYPED_TEST(TransferOf, full_weighting_is_a_quarter_of_the_transpose_of_interpola
   }
   for (int i = 0; i < this->fine.nx(); ++i) {
     for (int j = 0; j < this->fine.y_count(); ++j) {
-      sums[1] += 0.25 * halves(this->fine, j) * this->on_fine.row(i)[j] * interpolated.row(i)[j];
+      sums[1] += part * halves(this->fine, j) * this->on_fine.row(i)[j] * interpolated.row(i)[j];
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
@@ -194,7 +214,7 @@ TEST_F(CubicInterpolation, is_exact_for_bilinear_fields_everywhere) {
 
 // Not a polynomial across: nothing is interpolated there.
 TEST_F(CubicInterpolation, leaves_lines_alone_that_the_coarse_grid_has_all) {
-  const Grid all_rows = fine.coarsened_in_x();
+  const Grid all_rows = fine.coarsened(Coarsening::x_only);
   EXPECT_EQ(all_rows.nx(), coarse.nx());
   EXPECT_EQ(all_rows.rows(), fine.rows());
   const auto cubic = [](double t) { return 1.0 - t + 0.5 * t * t - 2.0 * t * t * t; };

@@ -86,6 +86,7 @@ private:
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;
+  double longest_step_;                         ///< along X, of the preconditioner's levels
   std::unique_ptr<LinearisedFilm> as_ordered_;  ///< in the precision of the options
   std::unique_ptr<LinearisedFilm> for_stiff_;   ///< in double precision, for stiff squeezing; made when first needed
   LinearisedFilm* linearised_ = nullptr;        ///< the last one of them

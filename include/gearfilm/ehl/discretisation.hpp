@@ -2,6 +2,7 @@
 // coarser grid. It depends on the grid and on C_h alone, so a further contact costs its fields only.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "gearfilm/contact/scales.hpp"
@@ -26,15 +27,15 @@ public:
   template <class Real>
   const Deformation<Real>& deformation() const;
 
-  /// Every second node, cut likewise among the processes; null where that would leave a process fewer than two rows, or
-  /// where there are too few nodes.
-  const Discretisation* coarser() const;
-  /// The grid before this one where a film is found on finer and finer grids: every second line while that leaves cells
-  /// no longer than they are wide, else coarser(). Across, a slender contact's lines are few, and its edge moves by
+  /// Every second node along either direction or one, cut likewise among the processes; null where that would leave a
+  /// process fewer than two rows, or where there are too few nodes.
+  const Discretisation* coarser(Coarsening along = Coarsening::both) const;
+  /// The grid before this one where a film is found on finer and finer grids: every second line while cells
+  /// are long across, else coarser(). Across, a slender contact's lines are few, and its edge moves by
   /// many cells from one to the next: a film cannot be interpolated between them.
   const Discretisation* before() const;
-  /// Where coarser() is null though there are nodes enough: this grid, whole on every process, for the rest of the
-  /// hierarchy; null otherwise.
+  /// Where coarser(y_only) is null though there are nodes enough: this grid, whole on every process, for the rest of
+  /// the hierarchy; null otherwise.
   const Discretisation* whole() const;
   /// Between this grid and whole().
   const Gather& gather() const;
@@ -45,7 +46,8 @@ private:
   Halo halo_;
   mutable std::unique_ptr<const Deformation<double>> deformation_;
   mutable std::unique_ptr<const Deformation<float>> single_deformation_;
-  mutable std::unique_ptr<const Discretisation> coarser_, coarser_in_x_, whole_;
+  mutable std::array<std::unique_ptr<const Discretisation>, 3> coarser_;  ///< by Coarsening
+  mutable std::unique_ptr<const Discretisation> whole_;
   mutable std::unique_ptr<const Gather> gather_;
 };
 

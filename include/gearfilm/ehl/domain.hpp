@@ -36,6 +36,9 @@ struct ExpectedFilm {
   double ellipticity = 0.0;  ///< kappa
 };
 
+/// H^(2/3), the length over which pressure rises in the inlet, in units of a.
+double inlet_rise(const ExpectedFilm& expected);
+
 /// Between the Hertz ellipse and the inlet edge [a], with which 0.3 % of the central film are lacking.
 double flooded_inlet(const ExpectedFilm& expected);
 

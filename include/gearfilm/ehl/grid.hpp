@@ -40,6 +40,9 @@ std::vector<int> cut_evenly(int items, int processes);
 /// The grid of a domain whose y extent is given in units of b = a/ellipticity.
 GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny);
 
+/// In which directions only every second node is kept.
+enum class Coarsening { both, x_only, y_only };
+
 class Grid {
 public:
   /// Cuts the rows evenly. Throws InputError when there are more processes than rows.
@@ -75,13 +78,11 @@ public:
   OwnedVec create_vec() const;
 
   /// True when every second node, those on Y = 0 among them, is a grid of at least 5 x 3 nodes again.
-  bool can_coarsen() const;
+  bool can_coarsen(Coarsening along = Coarsening::both) const;
   /// Rows that the process with the fewest would own on the coarsened grid.
   int fewest_coarse_rows() const;
   /// Every second node; a coarse row belongs to the process that owns the same fine row.
-  Grid coarsened() const;
-  /// Every second line x = const., with all rows.
-  Grid coarsened_in_x() const;
+  Grid coarsened(Coarsening along = Coarsening::both) const;
   /// The same grid, whole on every process.
   Grid gathered() const;
 
@@ -96,5 +97,9 @@ private:
   std::vector<int> y_ranges_;
   std::shared_ptr<const OwnedDM> nodes_;
 };
+
+/// True of the slender contacts that gears have: twice as far across as along X to the next node, or farther. Lines
+/// x = const. are few then, and the edge of the contact moves by many cells from one row to the next.
+inline bool has_long_cells(const Grid& grid) { return grid.h_y() >= 2.0 * grid.h_x(); }
 
 }  // namespace gearfilm

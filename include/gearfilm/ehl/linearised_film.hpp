@@ -7,6 +7,7 @@
 // whole rest of the hierarchy itself: the same cycle for any number of processes.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -31,8 +32,9 @@ public:
   virtual int levels() const = 0;
 };
 
-/// Arithmetic and number of levels by the options. The discretisation must outlive the preconditioner.
+/// Arithmetic and number of levels by the options; where these leave the number open, no level is coarser along X than
+/// the longest step. The discretisation must outlive the preconditioner.
 std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
-                                                     const MultigridOptions& options);
+                                                     const MultigridOptions& options, double longest_step = HUGE_VAL);
 
 }  // namespace gearfilm

@@ -1,7 +1,7 @@
-// Transfer between a grid and its coarsening by two.
+// Transfer between a grid and its coarsening by two, along both directions or one.
 //
-// Full weighting (1/4 1/2 1/4 in both directions) for residuals, bilinear interpolation for corrections, injection
-// for states. Cavitated and boundary nodes neither give nor receive.
+// Full weighting (1/4 1/2 1/4 in either direction that is coarsened) for residuals, bilinear interpolation for
+// corrections, injection for states. Cavitated and boundary nodes neither give nor receive.
 #pragma once
 
 #include "gearfilm/ehl/film_state.hpp"
