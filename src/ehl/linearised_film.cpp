@@ -9,12 +9,11 @@
 namespace gearfilm {
 namespace {
 
-/// How to coarsen a level, if at all. Long cells are coarsened along X alone, and not at all once that ends: rows are
-/// coupled by long waves only, and an error of a single row has none of them.
-std::optional<Coarsening> coarsening_of(const Grid& grid, int fewest_nodes, double longest_step) {
+/// How to coarsen a level, if at all. Where long cells keep their rows they are not coarsened once that ends along X.
+std::optional<Coarsening> coarsening_of(const Grid& grid, bool keep_rows, int fewest_nodes, double longest_step) {
   const auto serves = [&](int nodes) { return (nodes - 1) / 2 + 1 >= fewest_nodes; };
   const bool in_x = grid.can_coarsen(Coarsening::x_only) && serves(grid.nx()) && 2.0 * grid.h_x() <= longest_step;
-  const bool in_y = !has_long_cells(grid) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
+  const bool in_y = !(keep_rows && has_long_cells(grid)) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
   if (in_x && in_y) return Coarsening::both;
   if (in_x) return Coarsening::x_only;
   if (in_y) return Coarsening::y_only;
@@ -88,9 +87,9 @@ private:
 template <class Real>
 std::optional<Coarsening> FilmMultigrid<Real>::next_coarsening(const Grid& coarsest) const {
   constexpr int fewest_nodes = 33, fewest_if_asked = 3;
-  if (options_.levels == 0) return coarsening_of(coarsest, fewest_nodes, longest_step_);
+  if (options_.levels == 0) return coarsening_of(coarsest, options_.keep_rows, fewest_nodes, longest_step_);
   if (static_cast<int>(levels_.size()) >= options_.levels) return {};
-  return coarsening_of(coarsest, fewest_if_asked, HUGE_VAL);
+  return coarsening_of(coarsest, options_.keep_rows, fewest_if_asked, HUGE_VAL);
 }
 
 template <class Real>

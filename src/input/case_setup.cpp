@@ -112,6 +112,7 @@ MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, con
                          points = heated_points(problem)](MPI_Comm comm, const GridShape& shape) {
     announce_widening(comm, shape, scales, contacts, points);
   };
+  options.films.multigrid.keep_rows = false;
   options.films.multigrid.levels = problem.numerics.step_levels > 0
                                        ? problem.numerics.step_levels
                                        : step_levels(films->grid(), problem.numerics.steps.dT);

@@ -147,9 +147,9 @@ INSTANTIATE_TEST_SUITE_P(levels_and_precisions, Preconditioner,
 
 class PreconditionerLevels : public testing::Test {
 protected:
-  static int levels_of(const FilmCase& contact, int nx, int ny, double longest_step = HUGE_VAL) {
+  static int levels_of(const FilmCase& contact, int nx, int ny, double longest_step = HUGE_VAL, bool keep_rows = true) {
     const SharedDiscretisation shared = discretise(Grid(PETSC_COMM_WORLD, contact.shape(nx, ny)), contact.scales);
-    return make_linearised_film(*shared, MultigridOptions{}, longest_step)->levels();
+    return make_linearised_film(*shared, {.keep_rows = keep_rows}, longest_step)->levels();
   }
 
   FilmCase slender = table3_pitch();               // cells eight times as long as wide on twice as many lines as rows
@@ -168,6 +168,12 @@ TEST_F(PreconditionerLevels, go_down_to_33_nodes_along_either_direction_where_ce
   EXPECT_EQ(levels_of(circular, 257, 257), 4);
   EXPECT_EQ(levels_of(circular, 65, 257), 4);  // the last ones across alone
   EXPECT_EQ(levels_of(circular, 37, 41), 1);
+}
+
+TEST_F(PreconditionerLevels, go_down_to_33_nodes_along_either_direction_where_rows_need_not_be_kept) {
+  EXPECT_EQ(levels_of(slender, 129, 17, HUGE_VAL, false), 3);  // along X alone
+  EXPECT_EQ(levels_of(slender, 65, 257, HUGE_VAL, false), 4);  // 65 x 257, 33 x 129, 33 x 65, 33 x 33
+  EXPECT_EQ(levels_of(slender, 65, 257, HUGE_VAL, true), 3);   // cells of 33 x 65 are long
 }
 
 TEST_F(PreconditionerLevels, are_no_coarser_than_the_longest_step) {

@@ -12,6 +12,7 @@ enum class Precision { single_precision, double_precision };
 /// Of the preconditioner of one contact's film.
 struct MultigridOptions {
   int levels = 0;            ///< 0 = chosen by the grid; 1 = the smoother alone
+  bool keep_rows = true;     ///< where cells are long: levels are coarser along X alone
   int smoothing_sweeps = 1;  ///< before and after each coarse-grid correction
   int coarse_sweeps = 4;     ///< on the coarsest level
   Precision precision = Precision::single_precision;
