@@ -77,10 +77,9 @@ void SegmentStepper::create_time_scheme() {
   TSAdapt adapt = nullptr;
   petsc_check(TSGetAdapt(ts_, &adapt));
   petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));
-  petsc_check(TSAdaptSetScaleSolveFailed(adapt, 0.5));
   petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
   petsc_check(TSSetMaxSNESFailures(ts_, -1));
-  petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections));
+  petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + 1));
   petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
 }
@@ -107,6 +106,10 @@ void SegmentStepper::configure_solvers() {
       [](SNES, Vec state, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
+          if (own->failures_ == 1) {
+            petsc_check(VecCopy(own->solved_, state));
+            return;
+          }
           if (own->at_start_) {
             own->pair_.follow_share(state, own->solved_time_, own->state_time_);
             own->pair_.coast(state, own->solved_time_, own->state_time_);
@@ -125,6 +128,17 @@ void SegmentStepper::set_solved(double T, Vec state) {
   petsc_check(VecCopy(state, solved_));
 }
 
+void SegmentStepper::set_failures(int failures) {
+  failures_ = failures;
+  const bool same_length = failures == 1;
+  SNES snes = nullptr;
+  TSAdapt adapt = nullptr;
+  petsc_check(TSGetSNES(ts_, &snes));
+  petsc_check(TSGetAdapt(ts_, &adapt));
+  petsc_check(TSAdaptSetScaleSolveFailed(adapt, same_length ? 1.0 : 0.5));
+  allow_growth(snes, pair_.system(), same_length ? Growth::none : Growth::tenfold);
+}
+
 void SegmentStepper::finish_stage(double T, Vec state) {
   SNES snes = nullptr;
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
@@ -135,6 +149,7 @@ void SegmentStepper::finish_stage(double T, Vec state) {
     at_start_ = false;
     return;
   }
+  set_failures(failures_ + 1);
   Vec step_start = nullptr;
   PetscInt steps = 0;
   petsc_check(TSGetTime(ts_, &state_time_));
@@ -149,6 +164,7 @@ void SegmentStepper::finish_step() {
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));
   if (reason < 0) return;
+  if (failures_ > 0) set_failures(0);
   PetscReal T = 0.0, end = 0.0;
   PetscInt newton = 0, krylov = 0;
   Vec state = nullptr;
@@ -189,6 +205,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   set_solved(T0, state);
   at_start_ = true;
   stopped_ = false;
+  set_failures(0);
   wall_start_ = MPI_Wtime();
   if (pair_.mesh().friction_in_motion) pair_.begin_friction(T0, pair_.records(state, T0));
   petsc_check(TSSetTime(ts_, T0));

@@ -9,7 +9,9 @@ namespace {
 constexpr double largest_fall = 0.5;  // of a pressure, relative
 constexpr double largest_rise = 0.2;  // absolute
 constexpr double free_below = 0.03;   // pressures that may vanish at once
-constexpr double patience = 10.0;     // growth of the merit that limited changes may bring
+constexpr double patience = 10.0;     // growth of the merit that limited changes may bring in an iteration
+constexpr double astray = 3.0;        // growth of the norm from the first guess on after which they lead nowhere
+constexpr int early_solves = 2;       // before the late tolerance
 constexpr double shortest_step = 1e-3;
 
 constexpr PetscInt full_restart = 60;
@@ -62,6 +64,41 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
   petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));
 }
 
+constexpr double descent = 1.0;
+
+template <const double* allowed>
+PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
+  return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), *allowed); });
+}
+
+/// Relative tolerances of the first linear solves of a Newton iteration, and of those behind them.
+struct SolveTolerances {
+  double early;
+  double late;
+};
+
+/// Chooses the tolerance of each linear solve once the iteration before it is done.
+void tighten_late_solves(SNES snes, const SolveTolerances& tolerances) {
+  petsc_check(SNESMonitorSet(
+      snes,
+      [](SNES own, PetscInt iteration, PetscReal, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          const auto& [early, late] = *static_cast<SolveTolerances*>(context);
+          KSP ksp = nullptr;
+          PetscReal relative = 0.0, absolute = 0.0, growth = 0.0;
+          PetscInt iterations = 0;
+          petsc_check(SNESGetKSP(own, &ksp));
+          petsc_check(KSPGetTolerances(ksp, &relative, &absolute, &growth, &iterations));
+          petsc_check(KSPSetTolerances(ksp, iteration < early_solves ? early : late, absolute, growth, iterations));
+        });
+      },
+      new SolveTolerances(tolerances),
+      [](void** context) -> PetscErrorCode {
+        delete static_cast<SolveTolerances*>(*context);
+        return PETSC_SUCCESS;
+      }));
+}
+
 }  // namespace
 
 double LinearisedSystem::merit(Vec rows) {
@@ -103,6 +140,13 @@ void begin_with_short_restart(KSP ksp) {
   }));
 }
 
+void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
+  SNESLineSearch line_search = nullptr;
+  petsc_check(SNESGetLineSearch(snes, &line_search));
+  petsc_check(SNESLineSearchShellSetApply(
+      line_search, growth == Growth::tenfold ? line_search_within<&patience> : line_search_within<&descent>, &system));
+}
+
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
@@ -111,19 +155,9 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
-  petsc_check(SNESLineSearchShellSetApply(
-      line_search,
-      [](SNESLineSearch own, void* context) -> PetscErrorCode {
-        return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), 1.0); });
-      },
-      &system));
+  allow_growth(snes, system, options.limit_changes ? Growth::tenfold : Growth::none);
   if (options.limit_changes) {
-    petsc_check(SNESLineSearchShellSetApply(
-        line_search,
-        [](SNESLineSearch own, void* context) -> PetscErrorCode {
-          return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), patience); });
-        },
-        &system));
+    petsc_check(SNESSetDivergenceTolerance(snes, astray));
     petsc_check(SNESLineSearchSetPreCheck(
         line_search,
         [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
@@ -137,6 +171,9 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
+  if (options.late_krylov_tolerance < options.krylov_tolerance) {
+    tighten_late_solves(snes, {options.krylov_tolerance, options.late_krylov_tolerance});
+  }
 }
 
 }  // namespace gearfilm

@@ -42,12 +42,18 @@ RoomRule room_rule(const Case& result) {
   return rule;
 }
 
-NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, bool limit_changes) {
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section) {
   return {.tolerance = values.real(section + ".newton_tolerance"),
           .max_iterations = values.integer(section + ".newton_max_iterations"),
           .krylov_tolerance = values.real(section + ".krylov_tolerance"),
-          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations"),
-          .limit_changes = limit_changes};
+          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations")};
+}
+
+NewtonOptions read_step_newton_options(const ParameterValues& values) {
+  NewtonOptions options = read_newton_options(values, "time");
+  options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
+  options.limit_changes = true;
+  return options;
 }
 
 MultigridOptions read_multigrid_options(const ParameterValues& values) {
@@ -108,13 +114,13 @@ void set_film_numerics(Case& result) {
   result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.room = room_rule(result);
   set_nodes(result);
-  result.numerics.solver = {read_newton_options(values, "solver", false), read_multigrid_options(values)};
+  result.numerics.solver = {read_newton_options(values, "solver"), read_multigrid_options(values)};
 }
 
 void set_time_steps(Case& result) {
   const ParameterValues& values = result.parameters;
   result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
-                           .newton = read_newton_options(values, "time", true)};
+                           .newton = read_step_newton_options(values)};
   result.numerics.step_levels = values.integer("time.levels");
 }
 

@@ -152,21 +152,25 @@ Records start_records() {
 
 Records time_records() {
   const StepOptions standard;
-  return section("time", Scope::gear_pair,
-                 {optional("the shortest of the grid's h_x (at least 0.026 where grid.nx is not given), a hundredth of "
-                           "a mesh period, a "
-                           "fortieth of a free oscillation",
-                           number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
-                  preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
-                                                           "on the root mean square of a step's scaled residual")),
-                  preset(standard.newton.max_iterations,
-                         whole("newton_max_iterations", "", at_least(1), "Newton steps before a time step is halved")),
-                  preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
-                                                                  "relative, of each linear solve in a time step")),
-                  preset(standard.newton.krylov_max_iterations,
-                         whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
-                  preset(0, whole("levels", "", closed(0, 20),
-                                  "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
+  return section(
+      "time", Scope::gear_pair,
+      {optional("the shortest of the grid's h_x (at least 0.026 where grid.nx is not given), a hundredth of "
+                "a mesh period, a "
+                "fortieth of a free oscillation",
+                number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+       preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                                                "on the root mean square of a step's scaled residual")),
+       preset(standard.newton.max_iterations, whole("newton_max_iterations", "", at_least(1),
+                                                    "Newton steps before a time step is tried again, and halved")),
+       preset(standard.newton.krylov_tolerance, number("krylov_tolerance", "", "-", right_open(1e-15, 1),
+                                                       "relative, of each linear solve in a time step")),
+       preset(standard.newton.late_krylov_tolerance,
+              number("late_krylov_tolerance", "", "-", right_open(1e-15, 1),
+                     "the same from the third solve of a step on, where smaller")),
+       preset(standard.newton.krylov_max_iterations,
+              whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
+       preset(0, whole("levels", "", closed(0, 20),
+                       "multigrid levels of the preconditioner in time steps; 0: chosen by the grid"))});
 }
 
 Records periodic_records() {

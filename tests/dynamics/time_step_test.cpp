@@ -52,7 +52,7 @@ RecordedMarch march_with(int max_iterations, int max_rejections) {
 
 TEST(TimeSteps, a_failed_step_is_repeated_shorter_and_the_nominal_step_comes_back) {
   constexpr double T_end = 1.0, nominal = 0.05;
-  constexpr int max_iterations = 5;
+  constexpr int max_iterations = 4;
   RecordedMarch march = march_with(max_iterations, StepOptions{}.max_rejections);
   march.start();
   march.run(T_end);
@@ -89,6 +89,19 @@ TEST(TimeSteps, a_failed_step_is_repeated_shorter_and_the_nominal_step_comes_bac
   EXPECT_LT(unlimited.records().size(), march.records().size());
   // The error of steps of 0.05 is 2.4e-4 here.
   EXPECT_NEAR(march.motion().H0, unlimited.motion().H0, 5e-4);
+}
+
+TEST(TimeSteps, a_failed_step_is_tried_again_before_it_is_shortened) {
+  constexpr double nominal = 0.05;
+  constexpr int max_iterations = 5;
+  RecordedMarch march = march_with(max_iterations, StepOptions{}.max_rejections);
+  march.start();
+  march.run(1.0);
+  int again = 0;
+  for (const StepRecord& record : march.records()) {
+    if (record.dT > 0.99 * nominal && record.newton > max_iterations) ++again;
+  }
+  EXPECT_GE(again, 1);
 }
 
 TEST(TimeSteps, a_step_that_fails_for_good_is_an_error_that_names_the_contact) {

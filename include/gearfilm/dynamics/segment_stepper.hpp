@@ -1,8 +1,10 @@
 // Time integration of a lubricated pair between two events (entering or leaving of contacts).
 //
 // PETSc's TSBDF, order 2, with rho H as transient variable; it restarts by itself with a first-order half step, as the
-// scheme must after every event. A step whose Newton iteration fails is repeated with half the length, never
-// accepted; the nominal step comes back afterwards.
+// scheme must after every event. A step whose Newton iteration fails is never accepted. It is tried again as it was,
+// from the films before it and with a residual that may only fall: slower, and surer. Then it is repeated with half the
+// length, which a march over periods should not need: halved where another period's is not, they do not repeat. The
+// nominal step comes back afterwards.
 #pragma once
 
 #include <petscts.h>
@@ -17,8 +19,9 @@ namespace gearfilm {
 struct StepOptions {
   double dT = 0.026;  ///< nominal time step [-]
   NewtonOptions newton{.tolerance = 1e-5,
-                       .max_iterations = 20,
+                       .max_iterations = 30,
                        .krylov_tolerance = 0.05,
+                       .late_krylov_tolerance = 1e-3,
                        .krylov_max_iterations = 60,
                        .limit_changes = true};
   int max_rejections = 12;  ///< halvings of one step before the run fails
@@ -48,6 +51,8 @@ private:
   void configure_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
+  /// Of the present step; decides how it is tried next.
+  void set_failures(int failures);
   void finish_stage(double T, Vec state);
   void finish_step();
 
@@ -63,6 +68,7 @@ private:
   // PETSc works on (that of the stage, or of the step's start once a stage has failed).
   double state_time_ = 0.0;
   bool stopped_ = false;
+  int failures_ = 0;          ///< of the present step
   bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment

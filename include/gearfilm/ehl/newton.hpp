@@ -6,7 +6,7 @@
 // with pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole
 // step for their sake crawls. Each node's change can therefore be limited by itself first: no pressure falls by more
 // than half, or rises by more than 0.2 p_h, in one step. A direction so limited is not Newton's, and need not lead down
-// at once: the residual may grow tenfold.
+// at once: the residual may grow tenfold in an iteration, until it is three times what it began with.
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
@@ -17,6 +17,9 @@ struct NewtonOptions {
   double tolerance = 1e-8;  ///< on norm/weight: a root mean square of the scaled residual [-]
   int max_iterations = 60;
   double krylov_tolerance = 0.05;  ///< relative, of each linear solve [-]
+  /// The same from the third solve on, where smaller: a norm led by the few nodes that the edge crosses tells little
+  /// about all others.
+  double late_krylov_tolerance = 1.0;
   int krylov_max_iterations = 200;
   bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near
 };
@@ -48,5 +51,11 @@ void begin_with_short_restart(KSP ksp);
 /// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
 /// squares. The system must outlive the SNES.
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
+
+/// Whether the residual may grow on the way.
+enum class Growth { none, tenfold };
+
+/// For a SNES that is configured.
+void allow_growth(SNES snes, LinearisedSystem& system, Growth growth);
 
 }  // namespace gearfilm
