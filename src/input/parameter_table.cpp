@@ -175,18 +175,20 @@ Records time_records() {
 
 Records periodic_records() {
   const PeriodicOptions standard;
-  return section("periodic", Scope::gear_pair,
-                 {preset(standard.tolerance, number("tolerance", "", "-", right_open(1e-15, 1),
-                                                    "on the change of H0 and V0 over one period")),
-                  preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
-                                                         "on the largest change of any pressure, in units of p_h")),
-                  preset(standard.max_periods,
-                         whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
-                  preset(1, whole("order", "k", closed(1, 64),
-                                  "mesh periods, or patterns of teeth with errors, after which the state repeats")),
-                  preset(1, whole("max_pattern", "", closed(1, 10000),
-                                  "with pitch errors: most mesh periods after which the same teeth meet again")),
-                  choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more periods")});
+  return section(
+      "periodic", Scope::gear_pair,
+      {preset(standard.tolerance,
+              number("tolerance", "", "-", right_open(1e-15, 1),
+                     "on the change over one period of H0, and of V0 times half a free oscillation (at most times 1)")),
+       preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
+                                              "on the largest change of any pressure, in units of p_h")),
+       preset(standard.max_periods,
+              whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
+       preset(1, whole("order", "k", closed(1, 64),
+                       "mesh periods, or patterns of teeth with errors, after which the state repeats")),
+       preset(1, whole("max_pattern", "", closed(1, 10000),
+                       "with pitch errors: most mesh periods after which the same teeth meet again")),
+       choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more periods")});
 }
 
 Records eigen_records() {

@@ -75,6 +75,12 @@ double film_change(const PairState& earlier, const PairState& after, MPI_Comm co
   return largest;
 }
 
+/// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
+/// pair that swings fast moves little at a high velocity.
+double worth_of_velocity(const MeshModel& mesh) {
+  return mesh.inertia > 0.0 ? std::min(1.0, 0.5 / mesh.frequency()) : 1.0;
+}
+
 /// A period that was marched to its end.
 struct Trial {
   PairState start;
@@ -87,7 +93,12 @@ struct Trial {
 class OrbitSearch {
 public:
   OrbitSearch(MeshMarch& march, const OrbitGuess& guess, const PeriodicOptions& options, const SearchObserver& observer)
-      : march_(march), mesh_(march.mesh()), options_(options), observer_(observer), jacobian_(guess.monodromy) {
+      : march_(march),
+        mesh_(march.mesh()),
+        options_(options),
+        observer_(observer),
+        velocity_worth_(worth_of_velocity(mesh_)),
+        jacobian_(guess.monodromy) {
     if (guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape())) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion, time_to_follow);
@@ -98,8 +109,8 @@ public:
 
   PeriodicOrbit run() {
     while (!march_period()) place_next();
-    return {last_.start,          last_.end,         beside_,  last_.begin,
-            length(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
+    return {last_.start,        last_.end,         beside_,  last_.begin,
+            size(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
   }
 
   OrbitGuess improved() {
@@ -108,8 +119,12 @@ public:
   }
 
 private:
+  double size(const Motion& defect) const {
+    return std::max(std::abs(defect.H0), velocity_worth_ * std::abs(defect.V0));
+  }
+
   bool repeats(const Trial& trial) const {
-    return length(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+    return size(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
   }
 
   /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
@@ -134,13 +149,13 @@ private:
     if (trials_ > 2 && length(step) > telling_step) {
       jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
-    const double size = length(trial.defect);
-    better_ = !best_ || first_true || settling_ > 0 || size < options_.tolerance || size < length(best_->defect);
+    const double change = size(trial.defect);
+    better_ = !best_ || first_true || settling_ > 0 || change < options_.tolerance || change < size(best_->defect);
     last_ = trial;
-    if (size > worth_keeping) beside_ = trial.end;
+    if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
-    observer_({periods_, trial.begin, size, trial.film_defect, found});
+    observer_({periods_, trial.begin, change, trial.film_defect, found});
     return found;
   }
 
@@ -198,7 +213,7 @@ private:
     std::ostringstream message;
     message << "no periodic state after " << options_.max_periods << " mesh periods";
     if (best_) {
-      message << ": (H0, V0) still changes by " << length(best_->defect) << ", the films by " << best_->film_defect;
+      message << ": (H0, V0) still changes by " << size(best_->defect) << ", the films by " << best_->film_defect;
     }
     if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
     message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
@@ -209,6 +224,7 @@ private:
   const MeshModel& mesh_;
   PeriodicOptions options_;
   const SearchObserver& observer_;
+  double velocity_worth_;
   MapJacobian jacobian_;
   int periods_ = 0;
   int trials_ = 0;  ///< periods marched to their end

@@ -4,8 +4,10 @@
 // two-dimensional in (H_0, V_0), and close to that of the dry pair. Newton's method on it: from a guess (the dry pair's
 // orbit, its H_0 shifted by the film, or the orbit at a neighbouring speed) with the guess's Jacobian, improved by
 // Broyden's update after every period marched. The films themselves are carried on from period to period, and must
-// repeat too. Where a step makes the defect worse, or its march fails, the next is half as long; where that does not
-// help, the Jacobian is measured by differences; where that does not help either, the pair is marched on.
+// repeat too. The change of the motion is the larger one of that of H_0 and of the way that the change of V_0 makes in
+// half a free oscillation (where this is shorter than the unit of time: else of V_0). Where a step makes the defect
+// worse, or its march fails, the next is half as long; where that does not help, the Jacobian is measured by
+// differences; where that does not help either, the pair is marched on.
 #pragma once
 
 #include "gearfilm/dynamics/mesh_march.hpp"
@@ -15,7 +17,7 @@
 namespace gearfilm {
 
 struct PeriodicOptions {
-  double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period, largest of both [-]
+  double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period [-]
   double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
   int max_periods = 40;          ///< marched before the search fails
 };
@@ -41,7 +43,7 @@ OrbitGuess guess_from(const DryOrbit& dry, double film_shift);
 struct SearchPeriod {
   int number = 0;
   double begin = 0.0;        ///< T
-  double defect = 0.0;       ///< largest change of H_0 and V_0 [-]
+  double defect = 0.0;       ///< change of (H_0, V_0) [-]
   double film_defect = 0.0;  ///< largest change of any P [-]
   bool accepted = false;     ///< the periodic one: the search ends with it
 };
