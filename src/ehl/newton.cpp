@@ -6,12 +6,14 @@
 namespace gearfilm {
 namespace {
 
-constexpr double largest_fall = 0.5;  // of a pressure, relative
-constexpr double largest_rise = 0.2;  // absolute
-constexpr double free_below = 0.03;   // pressures that may vanish at once
-constexpr double patience = 10.0;     // growth of the merit that limited changes may bring in an iteration
-constexpr double astray = 3.0;        // growth of the norm from the first guess on after which they lead nowhere
-constexpr int early_solves = 2;       // before the late tolerance
+constexpr double largest_fall = 0.5;   // of a pressure, relative
+constexpr double largest_rise = 0.2;   // absolute
+constexpr double free_below = 0.03;    // pressures that may vanish at once
+constexpr double patience = 10.0;      // growth of the merit that limited changes may bring in an iteration
+constexpr double astray = 3.0;         // growth of the norm from the first guess on after which they lead nowhere
+constexpr int early_solves = 2;        // before the late tolerance
+constexpr double loosest_solve = 0.2;  // relative tolerance of the last ones
+constexpr double left_over = 0.2;      // of Newton's tolerance: less, a linear solve need not leave
 constexpr double shortest_step = 1e-3;
 
 constexpr PetscInt full_restart = 60;
@@ -71,25 +73,27 @@ PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
   return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), *allowed); });
 }
 
-/// Relative tolerances of the first linear solves of a Newton iteration, and of those behind them.
 struct SolveTolerances {
-  double early;
-  double late;
+  double early;   ///< relative, of the first linear solves
+  double late;    ///< of those behind them
+  double enough;  ///< a norm of the residual below which none need come
 };
 
 /// Chooses the tolerance of each linear solve once the iteration before it is done.
-void tighten_late_solves(SNES snes, const SolveTolerances& tolerances) {
+void choose_solve_tolerances(SNES snes, const SolveTolerances& tolerances) {
   petsc_check(SNESMonitorSet(
       snes,
-      [](SNES own, PetscInt iteration, PetscReal, void* context) -> PetscErrorCode {
+      [](SNES own, PetscInt iteration, PetscReal norm, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
-          const auto& [early, late] = *static_cast<SolveTolerances*>(context);
+          const auto& [early, late, enough] = *static_cast<SolveTolerances*>(context);
           KSP ksp = nullptr;
           PetscReal relative = 0.0, absolute = 0.0, growth = 0.0;
           PetscInt iterations = 0;
           petsc_check(SNESGetKSP(own, &ksp));
           petsc_check(KSPGetTolerances(ksp, &relative, &absolute, &growth, &iterations));
-          petsc_check(KSPSetTolerances(ksp, iteration < early_solves ? early : late, absolute, growth, iterations));
+          const double ordered = iteration < early_solves ? early : late;
+          relative = std::clamp(enough / norm, ordered, std::max(ordered, loosest_solve));
+          petsc_check(KSPSetTolerances(ksp, relative, absolute, growth, iterations));
         });
       },
       new SolveTolerances(tolerances),
@@ -171,9 +175,9 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
-  if (options.late_krylov_tolerance < options.krylov_tolerance) {
-    tighten_late_solves(snes, {options.krylov_tolerance, options.late_krylov_tolerance});
-  }
+  choose_solve_tolerances(snes,
+                          {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance),
+                           left_over * options.tolerance * weight});
 }
 
 }  // namespace gearfilm
