@@ -7,6 +7,7 @@
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/ehl/overshoot.hpp"
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
@@ -15,9 +16,7 @@ namespace {
 /// Of levels of the preconditioner. Coarser ones see neither the rise of pressure in a thin film's inlet nor its fall
 /// at the outlet: the conductances that they are given there differ by orders of magnitude, and their corrections
 /// diverge.
-double longest_level_step(const Scales& scales) {
-  return 1.2 * inlet_rise(ExpectedFilm(scales));
-}
+double longest_level_step(const Scales& scales) { return 1.2 * inlet_rise(ExpectedFilm(scales)); }
 
 }  // namespace
 
@@ -32,7 +31,8 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       longest_step_(longest_level_step(scales)),
       as_ordered_(make_linearised_film(*discretisation_, options, longest_step_)),
       displacement_column_(grid_.local_size()),
-      weights_(displacement_column_.size()) {}
+      weights_(displacement_column_.size()),
+      conductance_(displacement_column_.size()) {}
 
 void ContactFilm::set_conditions(const ContactConditions& conditions) {
   if (conditions == conditions_) return;
@@ -129,11 +129,15 @@ void ContactFilm::linearise(std::span<const double> pressure, double H0, const S
   linearised_->update(state_, conditions_.entrainment, shift);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
-  const double smallest = ReynoldsWeights(grid_, conditions_.entrainment, shift).row_scale(0.0);
+  smallest_scale_ = ReynoldsWeights(grid_, conditions_.entrainment, shift).row_scale(0.0);
   for (int i = 0; i < grid_.nx(); ++i) {
-    const double* scale = state_.row_scale.row(i);
-    float* line = weights_.data() + static_cast<std::size_t>(i) * grid_.y_count();
-    for (int j = 0; j < grid_.y_count(); ++j) line[j] = static_cast<float>(smallest / std::max(scale[j], smallest));
+    const double *scale = state_.row_scale.row(i), *conductance = state_.conductance.row(i);
+    const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
+    float *weight = weights_.data() + first, *kept = conductance_.data() + first;
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      weight[j] = static_cast<float>(smallest_scale_ / std::max(scale[j], smallest_scale_));
+      kept[j] = static_cast<float>(conductance[j]);
+    }
   }
 }
 
@@ -168,6 +172,27 @@ double ContactFilm::merit(std::span<const double> rows) const {
     sum += row * row;
   }
   return sum;
+}
+
+bool ContactFilm::ease(std::span<double> change, std::span<const double> whole, std::span<const double> before,
+                       std::span<const double> after) const {
+  bool eased = false;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* conductance = state_.conductance.row(i);
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const std::size_t n = static_cast<std::size_t>(i) * grid_.y_count() + j;
+      if (change[n] <= 0.0 || conductance_[n] <= 0.0F) continue;  // pressures fall by positive changes
+      const Overshoot node{.expected = smallest_scale_ / weights_[n] * whole[n],
+                           .taken = change[n] / whole[n],
+                           .before = before[n],
+                           .after = after[n],
+                           .growth = std::log(conductance[j] / conductance_[n])};
+      if (!has_overshot(node)) continue;
+      change[n] = part_to_take(node) * whole[n];
+      eased = true;
+    }
+  }
+  return eased;
 }
 
 void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {

@@ -6,14 +6,16 @@
 namespace gearfilm {
 namespace {
 
-constexpr double largest_fall = 0.5;   // of a pressure, relative
-constexpr double largest_rise = 0.2;   // absolute
-constexpr double free_below = 0.03;    // pressures that may vanish at once
-constexpr double patience = 10.0;      // growth of the merit that limited changes may bring in an iteration
-constexpr double astray = 3.0;         // growth of the norm from the first guess on after which they lead nowhere
-constexpr int early_solves = 2;        // before the late tolerance
-constexpr double loosest_solve = 0.2;  // relative tolerance of the last ones
-constexpr double left_over = 0.2;      // of Newton's tolerance: less, a linear solve need not leave
+constexpr double largest_fall = 0.5;     // of a pressure, relative
+constexpr double largest_rise = 0.2;     // absolute
+constexpr double free_below = 0.03;      // pressures that may vanish at once
+constexpr double patience = 10.0;        // growth of the merit that limited changes may bring in an iteration
+constexpr double astray = 3.0;           // growth of the norm from the first guess on after which they lead nowhere
+constexpr int early_solves = 2;          // before the late tolerance
+constexpr double loosest_solve = 0.2;    // relative tolerance of the last ones
+constexpr double left_over = 0.2;        // of Newton's tolerance: less, a linear solve need not leave
+constexpr int easings = 5;               // of a full step that leads up
+constexpr double growth_of_eased = 3.0;  // of the merit
 constexpr double shortest_step = 1e-3;
 
 constexpr PetscInt full_restart = 60;
@@ -48,17 +50,32 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
   PetscBool changed = PETSC_FALSE;
   petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
   norm = system.merit(residual);
-  for (double length = 1.0;;) {
-    step_to(trial, state, length, change, pressures);
+  const auto take = [&](double length, Vec step) {
+    step_to(trial, state, length, step, pressures);
     petsc_check(SNESComputeFunction(snes, trial, trial_residual));
     trial_norm = system.merit(trial_residual);
-    if (trial_norm < allowed * norm) break;
+  };
+  take(1.0, change);
+  OwnedVec eased;
+  double at_once = allowed;
+  for (int n = 0; n < easings && trial_norm > norm; ++n) {
+    if (!eased) {
+      petsc_check(VecDuplicate(change, eased.put()));
+      petsc_check(VecCopy(change, eased));
+    }
+    if (!system.ease(eased, change, residual, trial_residual)) break;
+    at_once = std::max(allowed, growth_of_eased);
+    take(1.0, eased);
+  }
+  bool found = trial_norm < at_once * norm;
+  for (double length = 1.0; !found; found = trial_norm < allowed * norm) {
     if (length < shortest_step || !std::isfinite(trial_norm)) {
       petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_FAILED_REDUCT));
       return;
     }
     const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + norm * norm * length;
     length = std::clamp(0.5 * norm * norm * length * length / excess, 0.1 * length, 0.5 * length);
+    take(length, change);
   }
   petsc_check(VecCopy(trial, state));
   petsc_check(VecCopy(trial_residual, residual));

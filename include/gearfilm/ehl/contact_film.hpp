@@ -63,6 +63,10 @@ public:
   /// Sum of the squares of own rows, each relative to the scale of its node where that is large: in thick film, whose
   /// pressures follow all others, tiny changes of pressure make huge rows.
   double merit(std::span<const double> rows) const;
+  /// Shortens the own nodes' changes that have overshot (overshoot.hpp) in a step whose end was evaluated last, with
+  /// these rows before and after it; false where there are none. Not collective.
+  bool ease(std::span<double> change, std::span<const double> whole, std::span<const double> before,
+            std::span<const double> after) const;
   /// dG/dH_0.
   std::span<const double> displacement_column() const { return displacement_column_; }
 
@@ -92,7 +96,9 @@ private:
   LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
   bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
   std::vector<double> displacement_column_;     ///< dG/dH_0
-  std::vector<float> weights_;                  ///< of rows in the merit
+  double smallest_scale_ = 0.0;                 ///< d of a node that conducts nothing
+  std::vector<float> weights_;                  ///< of rows in the merit: the smallest d over d
+  std::vector<float> conductance_;              ///< xi_R at the state of the Jacobian
   double evaluated_H0_ = 0.0;
   bool evaluated_ = false;
   long convolutions_ = 0;

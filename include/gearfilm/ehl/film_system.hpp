@@ -67,6 +67,7 @@ public:
   /// elimination is always exact.
   void linearise(Vec state, const Rate& rate, double shift, Elimination elimination);
   double merit(Vec rows) override;
+  bool ease(Vec change, Vec whole, Vec before, Vec after) override;
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
   void multiply_transient(Vec change, Vec rows);

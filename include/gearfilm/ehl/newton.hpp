@@ -4,9 +4,11 @@
 // row of such a node is d P with a huge d, and one of them would shorten the whole step. In a time step the first guess
 // is near, except at the few nodes which the edge of the contact crosses: there the conductance varies exponentially
 // with pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole
-// step for their sake crawls. Each node's change can therefore be limited by itself first: no pressure falls by more
-// than half, or rises by more than 0.2 p_h, in one step. A direction so limited is not Newton's, and need not lead down
-// at once: the residual may grow tenfold in an iteration, until it is three times what it began with.
+// step for their sake crawls. Where a full step leads up, single nodes that have overshot therefore take a part of
+// their changes only (overshoot.hpp); that may lead to three times what it was before, since their neighbours have not
+// followed yet. Each node's change can also be limited by itself first: no pressure falls by more than half, or rises
+// by more than 0.2 p_h, in one step. A direction so limited is not Newton's, and need not lead down at once: the
+// residual may grow tenfold in an iteration, until it is three times what it began with.
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
@@ -35,6 +37,9 @@ public:
   virtual PetscInt pressure_count() const = 0;
   /// How far rows are from zero, as a line search compares it: their norm, where nothing else is better.
   virtual double merit(Vec rows);
+  /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false
+  /// where there are none. `whole` is the change as it was before any call. The system's last state is that after it.
+  virtual bool ease(Vec /*change*/, Vec /*whole*/, Vec /*before*/, Vec /*after*/) { return false; }
   virtual void multiply(Vec change, Vec rows) = 0;
   virtual void precondition(Vec rows, Vec change) = 0;
 };
