@@ -14,11 +14,16 @@ namespace {
 
 constexpr double most_in_phase = 12.0;    // swings in a mesh period after which twice the step is still in phase
 constexpr double steps_of_a_swing = 180;  // with fewer, by experience, the damping is wrong by more than a tenth
+constexpr double many_node_steps = 4e6;   // in a mesh period of the coarser grid
 constexpr double same_orbit = 0.1;        // between the motions of an orbit on two grids
 constexpr double well_known = 0.1;        // error of a multiplier whose map serves a search
 
+/// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
+/// in 1.5.
+double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
+
 /// The case on the coarser grid, where its films have one.
-std::optional<Case> coarser_case(const Case& problem, const Discretisation& films) {
+std::optional<Case> coarser_case(const Case& problem, const MeshModel& mesh, const Discretisation& films) {
   const std::optional<NumericsCase> numerics = coarser(problem.numerics);
   if (!numerics || !films.coarser()) return {};
   Case coarse = problem;
@@ -30,6 +35,7 @@ std::optional<Case> coarser_case(const Case& problem, const Discretisation& film
   if (problem.traction && problem.traction->heats_film()) coarse.search.options.film_tolerance = HUGE_VAL;
   coarse.numerics.steps.newton.tolerance *= 10.0;
   coarse.search.with_multipliers = false;
+  coarse.search.options.lead = time_to_lead(mesh);
   return coarse;
 }
 
@@ -75,8 +81,11 @@ public:
   const Case& problem() const { return coarse_; }
   const SharedDiscretisation& films() const { return films_; }
 
-  /// Nothing, and the reason to the observers, where its films cannot be solved. Throws NoPeriodicState.
-  std::optional<OrbitRun> orbit(const std::function<OrbitGuess()>& guess) { return orbit("coarse", coarse_, guess); }
+  /// Nothing, and the reason to the observers, where its films cannot be solved; the name is that of its checkpoint.
+  /// Throws NoPeriodicState.
+  std::optional<OrbitRun> orbit(const std::string& name, const std::function<OrbitGuess()>& guess) {
+    return orbit(name, coarse_, guess);
+  }
 
   /// With the steps of the case itself where twice the step is too long, and with its decay where multipliers are
   /// asked for.
@@ -139,46 +148,40 @@ double film_shift(const CoarseSearch& coarse, const Case& problem, const SharedD
   }
 }
 
-/// With stationary films at this motion.
-PairState still_pair(const Case& problem, const GridShape& shape, const MeshModel& mesh, const Motion& motion,
-                     MPI_Comm comm) {
-  const SharedDiscretisation films = discretise(Grid(comm, shape), mesh.scales);
-  MeshMarch march = make_march(
-      problem, films, mesh, [](const StepRecord&, const std::vector<LiveContact>&) {}, nullptr);
-  march.start(motion);
-  return march.state();
-}
-
-/// A state of the coarser grid on the grid itself, at another motion: interpolated, and corrected by what stationary
-/// films at the two motions differ by.
-PairState carried(const Case& coarse, const Case& fine, const MeshModel& mesh, const PairState& from,
-                  const Motion& motion, MPI_Comm comm) {
-  PairState result = refined(from, comm);
-  result.motion = motion;
-  PairState before, after;
-  try {
-    before = refined(still_pair(coarse, from.shape, mesh, from.motion, comm), comm);
-    after = still_pair(fine, result.shape, mesh, motion, comm);
-  } catch (const SolveError&) {
-    return result;
-  }
-  if (before.shape != result.shape || after.shape != result.shape) return result;
-  for (std::size_t k = 0; k < result.films.size(); ++k) {
-    const auto pressure = [k](const PairState& of) { return values_of(of.films[k], field::pressure); };
-    const std::vector<double> coarsely = pressure(before), finely = pressure(after);
-    std::vector<double>& values = values_of(result.films[k], field::pressure);
-    for (std::size_t n = 0; n < values.size(); ++n) values[n] = std::max(0.0, values[n] + finely[n] - coarsely[n]);
-  }
-  return result;
-}
-
-/// The orbit of the coarser grid as a guess on the case's own.
-OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                         const CoarseSearch& search, const OrbitRun& coarse) {
+/// The orbit of the coarser grid as a guess on the case's own: pressures interpolated, the bodies moved apart by as
+/// much as its films are thicker.
+OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films, const CoarseSearch& search,
+                         const OrbitRun& coarse) {
   OrbitGuess guess = guess_from(coarse);
-  guess.motion.H0 += film_shift(search, problem, films);
-  guess.neighbour = carried(search.problem(), problem, mesh, *guess.neighbour, guess.motion, films->grid().comm());
+  const double shift = film_shift(search, problem, films);
+  guess.motion.H0 += shift;
+  guess.neighbour = refined(*coarse.orbit.before, films->grid().comm());
+  guess.neighbour->motion.H0 += shift;
+  guess.lead = search.problem().search.options.lead;
+  if (coarse.decay) guess.lead_map = coarse.decay->lead_map;
   return guess;
+}
+
+/// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is
+/// coarser still, with its step and its tolerances; else on the dry pair's.
+OrbitGuess first_coarse_guess(const CoarseSearch& search, const MeshModel& mesh, const DryOrbit& dry,
+                              const OrbitObservers& observers) {
+  const Case& problem = search.problem();
+  const double steps = mesh.period() / problem.numerics.steps.dT;
+  std::optional<Case> coarser = coarser_case(problem, mesh, *search.films());
+  if (coarser && steps * problem.numerics.nx * problem.numerics.ny > many_node_steps) {
+    coarser->search.options = problem.search.options;
+    coarser->numerics.steps = problem.numerics.steps;
+    CoarseSearch first(*coarser, mesh, observers, search.films()->grid().comm());
+    try {
+      const std::optional<OrbitRun> found =
+          first.orbit("coarsest", [&] { return first_guess(*coarser, first.films(), dry); });
+      if (found) return guess_on_grid(problem, search.films(), first, *found);
+    } catch (const NoPeriodicState& error) {
+      observers.on_trouble(error.what());
+    }
+  }
+  return first_guess(problem, search.films(), dry);
 }
 
 /// The guess after a period with twice the step, where that resolves the swings: films of another case need a march to
@@ -199,13 +202,13 @@ OrbitGuess with_marched_films(const Case& problem, const SharedDiscretisation& f
 /// The return of the pair to the orbit next to this one on the coarser grid; nothing where it has none.
 std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                                       const PeriodicOrbit& orbit, const OrbitObservers& observers) {
-  const std::optional<Case> coarse = coarser_case(problem, *films);
+  const std::optional<Case> coarse = coarser_case(problem, mesh, *films);
   if (!coarse) return {};
   CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
   OrbitGuess guess{orbit.start.motion, orbit.monodromy, {}};
   guess.motion.H0 -= film_shift(search, problem, films);
   try {
-    const std::optional<OrbitRun> found = search.orbit([&] { return guess; });
+    const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
     if (!found || length(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
     return search.nearest(problem, *found).decay;
   } catch (const SolveError&) {
@@ -226,13 +229,13 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
   FoundOrbit found;
   OrbitGuess guess;
   std::optional<FreeDecay> decay;
-  if (const std::optional<Case> coarse = coarser_case(problem, *films)) {
+  if (const std::optional<Case> coarse = coarser_case(problem, mesh, *films)) {
     CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
-    found.coarse = search.orbit([&] { return first_guess(*coarse, search.films(), dry); });
+    found.coarse = search.orbit("coarse", [&] { return first_coarse_guess(search, mesh, dry, observers); });
     if (found.coarse) {
       const OrbitRun nearest = search.nearest(problem, *found.coarse);
       decay = nearest.decay;
-      guess = guess_on_grid(problem, films, mesh, search, nearest);
+      guess = guess_on_grid(problem, films, search, nearest);
     }
   }
   if (!found.coarse) guess = first_guess(problem, films, dry);

@@ -56,7 +56,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   for (long n = 1; n < mesh.periods(); ++n) run.states_after_leaving.push_back(after_leaving.at(first + n));
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
-  if (problem.search.with_multipliers) run.decay = free_decay(march, run.orbit, {});
+  if (problem.search.with_multipliers) run.decay = free_decay(march, run.orbit, {.lead = problem.search.options.lead});
   return run;
 }
 
@@ -69,7 +69,7 @@ OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films,
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      const PeriodicOrbit& orbit, const OrbitObservers& observers) {
   MeshMarch march = stoppable_march(problem, films, mesh, observers);
-  return free_decay(march, orbit, {});
+  return free_decay(march, orbit, {.lead = problem.search.options.lead});
 }
 
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {

@@ -21,16 +21,21 @@ bool forgotten(const Returns& motions, const Motion& orbit) {
   return last < gone * push && length(difference(motions.back(), orbit)) < near_orbit * push;
 }
 
-/// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far.
-Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, int periods) {
+/// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far; before each end, relative to
+/// the orbit, the motion from which it followed.
+Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, const DecayOptions& options,
+                   std::vector<Return>& leads) {
   const MeshModel& mesh = march.mesh();
   const Motion& begin = orbit.start.motion;
   march.resume(mesh.next_period(march.T()), orbit.start);
   march.displace({begin.H0 + push, begin.V0});
   Returns motions = {march.motion()};
-  for (int n = 1; n <= periods; ++n) {
-    march.run(march.T() + mesh.period());
+  for (int n = 1; n <= options.periods; ++n) {
+    const std::optional<PairState> before = march_period(march, options.lead);
     motions.push_back(march.motion());
+    if (before && orbit.before) {
+      leads.push_back({difference(before->motion, orbit.before->motion), difference(motions.back(), orbit.end.motion)});
+    }
     if (n >= 2 && (forgotten(motions, orbit.end.motion) || length(difference(motions.back(), begin)) > far)) break;
   }
   return motions;
@@ -57,21 +62,26 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
   const auto near = [&](const Returns& motions) { return length(difference(motions.back(), begin)) <= far; };
+  std::vector<Return> leads = {{}};  // the orbit's own
   double push = options.push;
-  Returns first = returns_of(march, orbit, push, options.periods);
+  Returns first = returns_of(march, orbit, push, options, leads);
   while (!near(first) && 0.1 * push >= smallest_push) {
     push *= 0.1;
-    first = returns_of(march, orbit, push, options.periods);
+    leads.resize(1);
+    first = returns_of(march, orbit, push, options, leads);
   }
   if (forgotten(first, orbit.end.motion)) {
     // Nothing is left to be fitted; how little, the first two returns say.
     const double kept = length(difference(first[2], first[1])) / length(difference(first[1], first[0]));
     return {{}, {kept, 0.0}, kept};
   }
-  const FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
-  if (decay.modulus_error < well_known) return decay;
-  const Returns other_way = returns_of(march, orbit, -push, options.periods);
-  return fit_decay({first, other_way}, begin, orbit.end.motion);
+  FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
+  if (decay.modulus_error >= well_known) {
+    const Returns other_way = returns_of(march, orbit, -push, options, leads);
+    decay = fit_decay({first, other_way}, begin, orbit.end.motion);
+  }
+  if (leads.size() > 3 && decay.modulus_error < well_known) decay.lead_map = AffineFit(leads).map();
+  return decay;
 }
 
 }  // namespace gearfilm

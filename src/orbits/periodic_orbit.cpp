@@ -24,6 +24,13 @@ Motion moved(const Motion& from, double by, const Motion& step) {
   return {from.H0 + by * step.H0, from.V0 + by * step.V0};
 }
 
+/// x with map x = right.
+Motion solved(const Monodromy& map, const Motion& right) {
+  const double determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
+  return {(map[1][1] * right.H0 - map[0][1] * right.V0) / determinant,
+          (map[0][0] * right.V0 - map[1][0] * right.H0) / determinant};
+}
+
 /// Approximate Jacobian of the map, kept good by Broyden's update.
 class MapJacobian {
 public:
@@ -32,9 +39,8 @@ public:
   const Monodromy& monodromy() const { return entries_; }
   /// The step by which map(x) - x would vanish.
   Motion newton_step(const Motion& defect) const {
-    const double a = entries_[0][0] - 1.0, b = entries_[0][1], c = entries_[1][0], d = entries_[1][1] - 1.0;
-    const double determinant = a * d - b * c;
-    const Motion step{-(d * defect.H0 - b * defect.V0) / determinant, -(a * defect.V0 - c * defect.H0) / determinant};
+    const Motion step =
+        solved({{{1.0 - entries_[0][0], -entries_[0][1]}, {-entries_[1][0], 1.0 - entries_[1][1]}}}, defect);
     return moved({}, std::min(1.0, largest_change / length(step)), step);
   }
   /// The map changed by map_change over a step of its argument.
@@ -85,8 +91,9 @@ double worth_of_velocity(const MeshModel& mesh) {
 struct Trial {
   PairState start;
   PairState end;
+  std::optional<PairState> before{};
   double begin = 0.0;
-  Motion defect;
+  Motion defect{};
   double film_defect = 0.0;
 };
 
@@ -98,8 +105,17 @@ public:
         options_(options),
         observer_(observer),
         velocity_worth_(worth_of_velocity(mesh_)),
+        lead_(options.lead),
         jacobian_(guess.monodromy) {
-    if (guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape())) {
+    const bool same_films =
+        guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
+    if (same_films && guess.lead > 0.0) {
+      lead_ = guess.lead;
+      lead_map_ = guess.lead_map;
+      march_.resume(mesh_.period() - lead_, *guess.neighbour);
+      march_.run(mesh_.period());
+      trials_ = 1;
+    } else if (same_films) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion, time_to_follow);
     } else {
@@ -109,8 +125,8 @@ public:
 
   PeriodicOrbit run() {
     while (!march_period()) place_next();
-    return {last_.start,        last_.end,         beside_,  last_.begin,
-            size(last_.defect), last_.film_defect, periods_, jacobian_.monodromy()};
+    return {last_.start,       last_.end, last_.before,         beside_, last_.begin, size(last_.defect),
+            last_.film_defect, periods_,  jacobian_.monodromy()};
   }
 
   OrbitGuess improved() {
@@ -131,9 +147,9 @@ private:
   /// first.
   bool march_period() {
     count_period();
-    Trial trial{march_.state(), {}, march_.T(), {}, 0.0};
+    Trial trial{.start = march_.state(), .end = {}, .begin = march_.T()};
     try {
-      march_.run(trial.begin + mesh_.period());
+      trial.before = gearfilm::march_period(march_, lead_);
     } catch (const SolveError& error) {
       if (!best_) throw;
       trouble_ = error.what();
@@ -171,8 +187,7 @@ private:
     for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
       try {
         if (shortening_ < shortest_step) measure_jacobian();
-        march_.resume(mesh_.next_period(march_.T()), best_->end);
-        march_.displace(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)), time_to_follow);
+        begin_at(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
         return;
       } catch (const SolveError& error) {
         if (periods_ > options_.max_periods) throw;
@@ -181,6 +196,21 @@ private:
     }
     settling_ = settling_periods - 1;
     march_on();
+  }
+
+  /// A period at another motion, with the films of the best one's end.
+  void begin_at(const Motion& motion) {
+    const double begin = mesh_.next_period(march_.T());
+    if (!lead_map_) {
+      march_.resume(begin, best_->end);
+      return march_.displace(motion, time_to_follow);
+    }
+    const double next = march_.T() > begin - lead_ ? begin + mesh_.period() : begin;
+    march_.resume(next - lead_, *best_->before);
+    march_.displace(moved(best_->before->motion, 1.0, solved(*lead_map_, difference(motion, best_->end.motion))),
+                    time_to_follow);
+    march_.run(next);
+    march_.displace(motion, time_to_follow);
   }
 
   void measure_jacobian() {
@@ -202,7 +232,7 @@ private:
     (column == 0 ? step.H0 : step.V0) = difference_step;
     march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
-    march_.run(march_.T() + mesh_.period());
+    gearfilm::march_period(march_, lead_);
     const Motion change = difference(march_.motion(), base.end.motion);
     jacobian_.update(step, change);
   }
@@ -225,6 +255,8 @@ private:
   PeriodicOptions options_;
   const SearchObserver& observer_;
   double velocity_worth_;
+  double lead_ = 0.0;
+  std::optional<Monodromy> lead_map_;
   MapJacobian jacobian_;
   int periods_ = 0;
   int trials_ = 0;  ///< periods marched to their end
@@ -239,6 +271,17 @@ private:
 };
 
 }  // namespace
+
+std::optional<PairState> march_period(MeshMarch& march, double lead) {
+  const double end = march.T() + march.mesh().period();
+  std::optional<PairState> before;
+  if (lead > 0.0) {
+    march.run(end - lead);
+    before = march.state();
+  }
+  march.run(end);
+  return before;
+}
 
 OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
   return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};

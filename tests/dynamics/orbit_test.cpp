@@ -117,6 +117,42 @@ TEST(Orbit, a_period_and_a_newton_step_improve_a_guess) {
   EXPECT_TRUE(better.neighbour);
 }
 
+TEST(Orbit, films_that_begin_before_a_period_repeat_sooner) {
+  constexpr double lead = 1.0;
+  const Settings settings = with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}});
+  RecordedMarch march(table3_case(settings));
+  PeriodicOptions options = march.problem().search.options;
+  const SearchObserver silent = [](const SearchPeriod&) {};
+  options.lead = lead;
+  const PeriodicOrbit orbit = find_periodic_orbit(march.march(), dry_guess_of(march), options, silent);
+  ASSERT_TRUE(orbit.before);
+  const FreeDecay decay = free_decay(march.march(), orbit, {.lead = lead});
+  ASSERT_TRUE(decay.lead_map);
+  // The motion turns by 0.6 a unit of time, and hardly decays in so short a time.
+  const Monodromy& map = *decay.lead_map;
+  EXPECT_NEAR(map[0][0] * map[1][1] - map[0][1] * map[1][0], 1.0, 0.1);
+  EXPECT_NEAR(map[0][1], lead, 0.2);  // dH_0/dT = V_0
+  // From a motion that is off, one step leads to the orbit; its films have had the lead to follow.
+  OrbitGuess guess{orbit.end.motion, decay.map, orbit.before, lead, decay.lead_map};
+  guess.neighbour->motion.H0 += 0.02;
+  const auto second_period = [&](const OrbitGuess& from) {
+    RecordedMarch again(table3_case(settings));
+    SearchPeriod second;
+    const PeriodicOrbit found =
+        find_periodic_orbit(again.march(), from, again.problem().search.options, [&](const SearchPeriod& period) {
+          if (period.number == 2) second = period;
+        });
+    EXPECT_LT(length(difference(found.start.motion, orbit.start.motion)), 5e-4);
+    report("second period: motion %.1e, films %.1e", second.defect, second.film_defect);
+    return second;
+  };
+  const SearchPeriod with_lead = second_period(guess);
+  guess.lead_map = {};
+  const SearchPeriod at_once = second_period(guess);
+  EXPECT_LT(with_lead.film_defect, 0.7 * at_once.film_defect);
+  EXPECT_LT(with_lead.defect, 4e-3);
+}
+
 TEST(Orbit, too_few_periods_are_an_error_that_names_the_defect) {
   RecordedMarch march(table3_case(with(coarse_orbit(), {{"periodic.max_periods", "1"}})));
   try {

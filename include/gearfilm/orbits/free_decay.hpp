@@ -10,6 +10,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include "gearfilm/orbits/periodic_orbit.hpp"
@@ -17,6 +18,7 @@
 namespace gearfilm {
 
 struct DecayOptions {
+  double lead = 0.0;   ///< PeriodicOptions::lead with which the orbit was found
   int periods = 4;     ///< marched at most; at least 3
   double push = 5e-3;  ///< of H_0 [-]: well above the noise of a march, within its linear range
 };
@@ -26,6 +28,7 @@ struct FreeDecay {
   std::array<std::complex<double>, 2> multipliers{};
   double modulus_error = 0.0;  ///< of the larger modulus: twice its standard deviation; the modulus itself, where the
                                ///< push was gone before there was more to fit than unknowns
+  std::optional<Monodromy> lead_map{};  ///< of the motion over the lead before the end of a period, where there is one
 };
 
 /// The motion of a pushed pair after 0, 1, 2, ... mesh periods, at least three.

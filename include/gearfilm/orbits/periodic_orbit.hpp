@@ -20,6 +20,7 @@ struct PeriodicOptions {
   double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period [-]
   double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
   int max_periods = 40;          ///< marched before the search fails
+  double lead = 0.0;             ///< time before the orbit's end at which a state is kept, for a search on finer films
 };
 
 /// The marches went through, but did not come to repeat.
@@ -28,12 +29,22 @@ public:
   using SolveError::SolveError;
 };
 
+/// Marches one period; the state some time before its end, where that is asked for. Time steps end there too, so that
+/// only marches with the same lead are one map.
+std::optional<PairState> march_period(MeshMarch& march, double lead);
+
 /// Where a search begins, and its Jacobian. With a neighbour, films and all, the films follow from there to the motion;
 /// without one, or where its grid has other steps, they start as stationary ones.
 struct OrbitGuess {
   Motion motion;
   Monodromy monodromy{};
   std::optional<PairState> neighbour;
+  /// By how much the neighbour is before the beginning of a period: it is marched there, and the motion follows from
+  /// it.
+  double lead = 0.0;
+  /// How the motion at the beginning of a period follows from that so long before, where that is known: then films have
+  /// this time to follow a step of the search.
+  std::optional<Monodromy> lead_map{};
 };
 
 /// The guess from the dry orbit; film_shift: H_0 of a stationary film less that of the dry contact.
@@ -52,6 +63,7 @@ using SearchObserver = std::function<void(const SearchPeriod&)>;
 struct PeriodicOrbit {
   PairState start;                  ///< just after a contact has left
   PairState end;                    ///< one period later: the same within the defects
+  std::optional<PairState> before;  ///< the state PeriodicOptions::lead before the end, if that is asked for
   std::optional<PairState> beside;  ///< a state some way off the orbit that a march has led to, if there was any
   double begin = 0.0;               ///< T at which the periodic period began
   double defect = 0.0;              ///< of the motion over that period
