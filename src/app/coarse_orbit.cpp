@@ -15,6 +15,7 @@ namespace {
 constexpr double most_in_phase = 12.0;    // swings in a mesh period after which twice the step is still in phase
 constexpr double steps_of_a_swing = 180;  // with fewer, by experience, the damping is wrong by more than a tenth
 constexpr double many_node_steps = 4e6;   // in a mesh period of the coarser grid
+constexpr int enough_periods = 12;        // of a search: marches that scatter need not repeat as they should
 constexpr double same_orbit = 0.1;        // between the motions of an orbit on two grids
 constexpr double well_known = 0.1;        // error of a multiplier whose map serves a search
 
@@ -36,6 +37,7 @@ std::optional<Case> coarser_case(const Case& problem, const MeshModel& mesh, con
   coarse.numerics.steps.newton.tolerance *= 10.0;
   coarse.search.with_multipliers = false;
   coarse.search.options.lead = time_to_lead(mesh);
+  coarse.search.options.enough_periods = enough_periods;
   return coarse;
 }
 

@@ -124,9 +124,11 @@ public:
   }
 
   PeriodicOrbit run() {
-    while (!march_period()) place_next();
-    return {last_.start,       last_.end, last_.before,         beside_, last_.begin, size(last_.defect),
-            last_.film_defect, periods_,  jacobian_.monodromy()};
+    while (!march_period()) {
+      if (best_will_do()) return orbit_of(*best_);
+      place_next();
+    }
+    return orbit_of(last_);
   }
 
   OrbitGuess improved() {
@@ -135,6 +137,17 @@ public:
   }
 
 private:
+  PeriodicOrbit orbit_of(const Trial& trial) const {
+    return {trial.start,       trial.end, trial.before,         beside_, trial.begin, size(trial.defect),
+            trial.film_defect, periods_,  jacobian_.monodromy()};
+  }
+
+  bool best_will_do() const {
+    constexpr double loosely = 4.0;
+    return options_.enough_periods && periods_ >= *options_.enough_periods * mesh_.periods() && best_ &&
+           size(best_->defect) < loosely * options_.tolerance && best_->film_defect < loosely * options_.film_tolerance;
+  }
+
   double size(const Motion& defect) const {
     return std::max(std::abs(defect.H0), velocity_worth_ * std::abs(defect.V0));
   }

@@ -20,7 +20,10 @@ struct PeriodicOptions {
   double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period [-]
   double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
   int max_periods = 40;          ///< marched before the search fails
-  double lead = 0.0;             ///< time before the orbit's end at which a state is kept, for a search on finer films
+  /// Periods after which the best one will do that repeats within four times the tolerances: for a search that is only
+  /// to be begun with it. None: never.
+  std::optional<int> enough_periods{};
+  double lead = 0.0;  ///< time before the orbit's end at which a state is kept, for a search on finer films
 };
 
 /// The marches went through, but did not come to repeat.
