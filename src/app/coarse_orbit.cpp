@@ -211,7 +211,7 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
   guess.motion.H0 -= film_shift(search, problem, films);
   try {
     const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
-    if (!found || length(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
+    if (!found || mesh.size(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
     return search.nearest(problem, *found).decay;
   } catch (const SolveError&) {
     return {};

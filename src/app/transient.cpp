@@ -108,7 +108,9 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   };
   try {
     if (lubricated) {
-      march = make_march(problem, films, mesh, observer, &run.checkpoint());
+      Case controlled = problem;
+      controlled.numerics.steps.tolerance = problem.march.step_tolerance;
+      march = make_march(controlled, films, mesh, observer, &run.checkpoint());
       drive(*march, problem);
     } else {
       const double damping = dry_damping(mesh, problem.march.dry_damping_ratio.value_or(0.0));

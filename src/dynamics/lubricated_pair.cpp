@@ -45,6 +45,17 @@ void LubricatedPair::set_motion(Vec state, const Motion& motion) const {
   system_.set_scalars(state, std::array{motion.H0, motion.V0});
 }
 
+OwnedVec LubricatedPair::allowed_errors(double of_motion, double of_pressures) const {
+  OwnedVec errors = system_.create_state();
+  PetscInt entries = 0;
+  petsc_check(VecSet(errors, of_pressures));
+  petsc_check(VecGetSize(errors, &entries));
+  const double alone = of_motion / std::sqrt(static_cast<double>(entries));
+  // Without inertia V_0 is no more than a difference of H_0.
+  set_motion(errors, {alone, mesh_.inertia > 0.0 ? alone / mesh_.worth_of_velocity() : HUGE_VAL});
+  return errors;
+}
+
 double LubricatedPair::share_at(double T) const {
   return share_ ? (*share_)(mesh_.path.position(numbers_.front(), T)) : 1.0;
 }

@@ -96,14 +96,14 @@ Room MeshedFilms::needed_room(int number, double pressure_integral) const {
   if (!options_.room || pressure_integral <= 0.0) return {};
   const ContactConditions conditions = mesh_.contact(number, T_).conditions;
   const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
-  const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.dT;
+  const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.largest();
   const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
   const auto room_of = [&](const ContactConditions& in) {
     return gearfilm::needed_room(*options_.room, mesh_.scales, in, pressure_integral, label(number), growth);
   };
   const Room here = room_of(conditions);
   if (!conditions.local.flanks) return here;
-  return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.dT).conditions));
+  return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.largest()).conditions));
 }
 
 void MeshedFilms::make_room(const Room& needed) {

@@ -8,6 +8,18 @@
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
+namespace {
+
+// Of controlled steps, over the nominal one. The first after an event is taken whatever its error is.
+constexpr double first_step = 1.0 / 16.0;
+constexpr double largest_step = 4.0;
+constexpr double smallest_step = 1e-4;
+constexpr double longest_growth = 2.0;
+constexpr double longest_fall = 0.2;
+
+}  // namespace
+
+double StepOptions::largest() const { return tolerance ? largest_step * dT : dT; }
 
 SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
                                std::function<void(const StepRecord&)> on_step)
@@ -65,6 +77,7 @@ void SegmentStepper::create_time_scheme() {
     return petsc_callback([&] {
       PetscReal begin = 0.0;
       petsc_check(TSGetTime(ts, &begin));
+      if (of(ts).solved_time_ >= T) of(ts).return_to_start_of_step();
       of(ts).state_time_ = T;
       of(ts).stage_shift_ = 1.5 / (T - begin);
     });
@@ -74,14 +87,28 @@ void SegmentStepper::create_time_scheme() {
   }));
   petsc_check(
       TSSetPostStep(ts_, [](TS ts) -> PetscErrorCode { return petsc_callback([&] { of(ts).finish_step(); }); }));
-  TSAdapt adapt = nullptr;
-  petsc_check(TSGetAdapt(ts_, &adapt));
-  petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));
+  if (options_.tolerance) {
+    control_errors();
+  } else {
+    TSAdapt adapt = nullptr;
+    petsc_check(TSGetAdapt(ts_, &adapt));
+    petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));
+  }
   petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
   petsc_check(TSSetMaxSNESFailures(ts_, -1));
   petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + 1));
   petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+}
+
+void SegmentStepper::control_errors() {
+  TSAdapt adapt = nullptr;
+  petsc_check(TSGetAdapt(ts_, &adapt));
+  petsc_check(TSAdaptSetType(adapt, TSADAPTBASIC));
+  petsc_check(TSAdaptSetClip(adapt, longest_fall, longest_growth));
+  petsc_check(TSAdaptSetStepLimits(adapt, smallest_step * options_.dT, options_.largest()));
+  const OwnedVec errors = pair_.allowed_errors(options_.tolerance->motion, options_.tolerance->pressure);
+  petsc_check(TSSetTolerances(ts_, 0.0, errors, 0.0, nullptr));
 }
 
 SegmentStepper& SegmentStepper::of(TS ts) {
@@ -150,6 +177,10 @@ void SegmentStepper::finish_stage(double T, Vec state) {
     return;
   }
   set_failures(failures_ + 1);
+  return_to_start_of_step();
+}
+
+void SegmentStepper::return_to_start_of_step() {
   Vec step_start = nullptr;
   PetscInt steps = 0;
   petsc_check(TSGetTime(ts_, &state_time_));
@@ -191,6 +222,10 @@ void SegmentStepper::finish_step() {
   const double rest = end - T;
   if (stopped_ || rest < 1e-9 * step_) {  // not one more step of the size of round-off
     petsc_check(TSSetConvergedReason(ts_, stopped_ ? TS_CONVERGED_USER : TS_CONVERGED_TIME));
+  } else if (options_.tolerance) {
+    TSAdapt adapt = nullptr;
+    petsc_check(TSGetAdapt(ts_, &adapt));
+    petsc_check(TSAdaptSetAlwaysAccept(adapt, PETSC_FALSE));
   } else {
     // A step that was halved does not shift those behind it: the pair's motion after a period would jump.
     const double done = std::floor((T - begin_) / step_ + 1e-6);
@@ -211,7 +246,12 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));
-  petsc_check(TSSetTimeStep(ts_, step_));
+  petsc_check(TSSetTimeStep(ts_, options_.tolerance ? first_step * step_ : step_));
+  if (options_.tolerance) {
+    TSAdapt adapt = nullptr;
+    petsc_check(TSGetAdapt(ts_, &adapt));
+    petsc_check(TSAdaptSetAlwaysAccept(adapt, PETSC_TRUE));
+  }
   petsc_check(TSSolve(ts_, state));
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));

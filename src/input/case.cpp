@@ -280,6 +280,14 @@ SpeedCourse read_speed_course(const Case& result) {
   return SpeedCourse::over_phase(values.real(end) / values.real("pinion.speed_rpm"), periods * mesh_period(result));
 }
 
+std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values) {
+  const std::string motion = "time.tolerance", films = "time.film_tolerance";
+  if (values.has(motion)) return ErrorTolerance{values.real(motion), optional_real(values, films).value_or(HUGE_VAL)};
+  if (!values.has(films)) return {};
+  throw InputError(values.origin(films) + ": " + quoted(films) + " is given, but not " + quoted(motion) +
+                   "; give the tolerance on the motion too");
+}
+
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
   result.march.start_position = read_start_position(result);
@@ -295,6 +303,7 @@ void set_march(Case& result) {
   result.march.start_motion = read_start_motion(values);
   check_friction_in_motion(result);
   set_time_steps(result);
+  result.march.step_tolerance = read_step_tolerance(values);
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),
                            .max_periods = values.integer("periodic.max_periods")};

@@ -158,6 +158,13 @@ Records time_records() {
                 "a mesh period, a "
                 "fortieth of a free oscillation",
                 number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+       optional(
+           "equal steps",
+           number("tolerance", "", "-", closed(1e-12, 0.1),
+                  "of `transient` on films: steps of up to 4 time.dt by their local errors, of H0, and of V0 times "
+                  "half a free oscillation (at most times 1)")),
+       optional("none", number("film_tolerance", "", "-", closed(1e-12, 0.1),
+                               "the same on the root mean square of the pressures' errors, in units of p_h")),
        preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
                                                 "on the root mean square of a step's scaled residual")),
        preset(standard.newton.max_iterations, whole("newton_max_iterations", "", at_least(1),

@@ -13,7 +13,7 @@ namespace {
 constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
 constexpr double telling_step = 1e-3;   // of the motion between two periods, from which the map's Jacobian can be told
 constexpr double worth_keeping = 5e-3;  // defect of a period whose end serves as a disturbance of the orbit
-constexpr double largest_change = 0.5;  // of H_0 or V_0 in one Newton step
+constexpr double largest_change = 0.5;  // of the motion in one Newton step
 constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
 constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
 // That films have to follow a Newton step, a tenth of that in which oil passes the contact: of all times between a step
@@ -31,32 +31,35 @@ Motion solved(const Monodromy& map, const Motion& right) {
           (map[0][0] * right.V0 - map[1][0] * right.H0) / determinant};
 }
 
-/// Approximate Jacobian of the map, kept good by Broyden's update.
+/// Approximate Jacobian of the map, kept good by Broyden's update, which changes it least where velocities count by
+/// their worth.
 class MapJacobian {
 public:
-  explicit MapJacobian(const Monodromy& monodromy) : entries_(monodromy) {}
+  MapJacobian(const MeshModel& mesh, const Monodromy& monodromy) : mesh_(mesh), entries_(monodromy) {}
 
   const Monodromy& monodromy() const { return entries_; }
   /// The step by which map(x) - x would vanish.
   Motion newton_step(const Motion& defect) const {
     const Motion step =
         solved({{{1.0 - entries_[0][0], -entries_[0][1]}, {-entries_[1][0], 1.0 - entries_[1][1]}}}, defect);
-    return moved({}, std::min(1.0, largest_change / length(step)), step);
+    return moved({}, std::min(1.0, largest_change / mesh_.size(step)), step);
   }
   /// The map changed by map_change over a step of its argument.
   void update(const Motion& step, const Motion& map_change) {
-    const double square = step.H0 * step.H0 + step.V0 * step.V0;
+    const double worth = mesh_.worth_of_velocity(), worthy = worth * worth * step.V0;
+    const double square = step.H0 * step.H0 + worthy * step.V0;
     if (square == 0.0) return;
     const auto correct = [&](std::array<double, 2>& row, double change) {
       const double error = (change - row[0] * step.H0 - row[1] * step.V0) / square;
       row[0] += error * step.H0;
-      row[1] += error * step.V0;
+      row[1] += error * worthy;
     };
     correct(entries_[0], map_change.H0);
     correct(entries_[1], map_change.V0);
   }
 
 private:
+  const MeshModel& mesh_;
   Monodromy entries_;
 };
 
@@ -81,12 +84,6 @@ double film_change(const PairState& earlier, const PairState& after, MPI_Comm co
   return largest;
 }
 
-/// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
-/// pair that swings fast moves little at a high velocity.
-double worth_of_velocity(const MeshModel& mesh) {
-  return mesh.inertia > 0.0 ? std::min(1.0, 0.5 / mesh.frequency()) : 1.0;
-}
-
 /// A period that was marched to its end.
 struct Trial {
   PairState start;
@@ -104,9 +101,8 @@ public:
         mesh_(march.mesh()),
         options_(options),
         observer_(observer),
-        velocity_worth_(worth_of_velocity(mesh_)),
         lead_(options.lead),
-        jacobian_(guess.monodromy) {
+        jacobian_(mesh_, guess.monodromy) {
     const bool same_films =
         guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
     if (same_films && guess.lead > 0.0) {
@@ -138,22 +134,19 @@ public:
 
 private:
   PeriodicOrbit orbit_of(const Trial& trial) const {
-    return {trial.start,       trial.end, trial.before,         beside_, trial.begin, size(trial.defect),
+    return {trial.start,       trial.end, trial.before,         beside_, trial.begin, mesh_.size(trial.defect),
             trial.film_defect, periods_,  jacobian_.monodromy()};
   }
 
   bool best_will_do() const {
     constexpr double loosely = 4.0;
     return options_.enough_periods && periods_ >= *options_.enough_periods * mesh_.periods() && best_ &&
-           size(best_->defect) < loosely * options_.tolerance && best_->film_defect < loosely * options_.film_tolerance;
-  }
-
-  double size(const Motion& defect) const {
-    return std::max(std::abs(defect.H0), velocity_worth_ * std::abs(defect.V0));
+           mesh_.size(best_->defect) < loosely * options_.tolerance &&
+           best_->film_defect < loosely * options_.film_tolerance;
   }
 
   bool repeats(const Trial& trial) const {
-    return size(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+    return mesh_.size(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
   }
 
   /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
@@ -175,11 +168,12 @@ private:
     // The films of the first period were not made by a march: it says little about the map of the motion alone.
     const bool first_true = ++trials_ == 2;
     const Motion step = difference(trial.start.motion, last_.start.motion);
-    if (trials_ > 2 && length(step) > telling_step) {
+    if (trials_ > 2 && mesh_.size(step) > telling_step) {
       jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
-    const double change = size(trial.defect);
-    better_ = !best_ || first_true || settling_ > 0 || change < options_.tolerance || change < size(best_->defect);
+    const double change = mesh_.size(trial.defect);
+    better_ =
+        !best_ || first_true || settling_ > 0 || change < options_.tolerance || change < mesh_.size(best_->defect);
     last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
@@ -242,7 +236,7 @@ private:
   void measure(const Trial& base, int column) {
     count_period();
     Motion step{};
-    (column == 0 ? step.H0 : step.V0) = difference_step;
+    (column == 0 ? step.H0 : step.V0) = column == 0 ? difference_step : difference_step / mesh_.worth_of_velocity();
     march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
     gearfilm::march_period(march_, lead_);
@@ -256,7 +250,7 @@ private:
     std::ostringstream message;
     message << "no periodic state after " << options_.max_periods << " mesh periods";
     if (best_) {
-      message << ": (H0, V0) still changes by " << size(best_->defect) << ", the films by " << best_->film_defect;
+      message << ": (H0, V0) still changes by " << mesh_.size(best_->defect) << ", the films by " << best_->film_defect;
     }
     if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
     message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
@@ -267,7 +261,6 @@ private:
   const MeshModel& mesh_;
   PeriodicOptions options_;
   const SearchObserver& observer_;
-  double velocity_worth_;
   double lead_ = 0.0;
   std::optional<Monodromy> lead_map_;
   MapJacobian jacobian_;

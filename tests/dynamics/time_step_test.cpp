@@ -42,6 +42,37 @@ TEST_P(TimeStepOrder, is_two) {
 INSTANTIATE_TEST_SUITE_P(teeth, TimeStepOrder, testing::Values("rigid", "bending"),
                          [](const auto& teeth) { return teeth.param; });
 
+/// H_0 two thirds of a mesh period after a contact has left, past an entry, and the steps that it took.
+struct ControlledMarch {
+  double H0 = 0.0;
+  std::size_t steps = 0;
+};
+
+ControlledMarch controlled_march(const std::string& dT, std::optional<ErrorTolerance> tolerance) {
+  Case problem = table3_case(with(after_leaving(), {{"time.dt", dT}}));
+  problem.numerics.steps.tolerance = tolerance;
+  RecordedMarch march(problem);
+  march.start();
+  march.run(2.0 / 3.0 * march.path().mesh_period());
+  return {march.motion().H0, march.records().size()};
+}
+
+TEST(TimeSteps, a_tolerance_on_their_errors_chooses_their_lengths) {
+  const ControlledMarch fine = controlled_march("0.00625", {}), equal = controlled_march("0.05", {});
+  const auto error = [&](const ControlledMarch& march) { return std::abs(march.H0 - fine.H0); };
+  const ControlledMarch loose = controlled_march("0.05", {{.motion = 1e-5}}),
+                        tight = controlled_march("0.05", {{.motion = 1e-7}}),
+                        films = controlled_march("0.05", {{.motion = 1e-5, .pressure = 1e-5}});
+  for (const auto& [name, march] : {std::pair("equal", equal), {"1e-5", loose}, {"1e-7", tight}, {"films", films}}) {
+    report("%s: %zu steps, H0 is off by %.1e", name, march.steps, error(march));
+  }
+  EXPECT_LT(loose.steps, equal.steps);
+  EXPECT_LT(error(loose), 2e-3);
+  EXPECT_LT(error(tight), 0.1 * error(loose));
+  EXPECT_GT(films.steps, 2 * loose.steps);
+  EXPECT_LT(error(films), 0.2 * error(equal));
+}
+
 /// Few Newton iterations, so that many a step of 0.05 fails.
 RecordedMarch march_with(int max_iterations, int max_rejections) {
   Case problem = table3_case(after_leaving());

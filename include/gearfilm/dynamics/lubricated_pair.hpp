@@ -24,6 +24,9 @@ public:
 
   Motion motion(Vec state) const;
   void set_motion(Vec state, const Motion& motion) const;
+  /// Errors over these, root mean square over all entries of a state, come to 1 where H_0, or V_0 times half a free
+  /// oscillation, or the root mean square of the pressures is off by what is allowed.
+  OwnedVec allowed_errors(double of_motion, double of_pressures) const;
   /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
   /// share.
   void follow_share(Vec state, double T0, double T1) const;

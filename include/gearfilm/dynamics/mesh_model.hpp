@@ -2,6 +2,7 @@
 // each of them is like, and what they move.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include "gearfilm/dynamics/contact_figures.hpp"
 #include "gearfilm/dynamics/contact_path.hpp"
 #include "gearfilm/dynamics/meshed_contact.hpp"
+#include "gearfilm/dynamics/motion.hpp"
 #include "gearfilm/dynamics/natural_frequency.hpp"
 #include "gearfilm/dynamics/prescribed_load.hpp"
 #include "gearfilm/ehl/compliance.hpp"
@@ -64,6 +66,13 @@ struct MeshModel {
   double frequency() const { return natural_frequency(stiffness(), inertia); }
   /// The same [Hz].
   double frequency_si() const { return frequency() / scales.time; }
+  /// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
+  /// pair that swings fast moves little at a high velocity.
+  double worth_of_velocity() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
+  /// Of a change of the motion, as one of H_0.
+  double size(const Motion& change) const {
+    return std::max(std::abs(change.H0), worth_of_velocity() * std::abs(change.V0));
+  }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
 

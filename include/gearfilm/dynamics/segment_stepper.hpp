@@ -5,16 +5,27 @@
 // from the films before it and with a residual that may only fall: slower, and surer. Then it is repeated with half the
 // length, which a march over periods should not need: halved where another period's is not, they do not repeat. The
 // nominal step comes back afterwards.
+//
+// With a tolerance, PETSc's basic controller chooses the steps by their local errors, from a small one after an event
+// on. A march is the same whatever came before its segment; but periods do not repeat to the step, so that searches
+// keep equal steps.
 #pragma once
 
 #include <petscts.h>
 
+#include <cmath>
 #include <functional>
+#include <optional>
 
 #include "gearfilm/dynamics/lubricated_pair.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
 
 namespace gearfilm {
+
+struct ErrorTolerance {
+  double motion = 1e-5;        ///< of H_0, and of V_0 times half a free oscillation (at most times 1)
+  double pressure = HUGE_VAL;  ///< root mean square over all nodes
+};
 
 struct StepOptions {
   double dT = 0.026;  ///< nominal time step [-]
@@ -24,7 +35,10 @@ struct StepOptions {
                        .late_krylov_tolerance = 1e-3,
                        .krylov_max_iterations = 60,
                        .limit_changes = true};
-  int max_rejections = 12;  ///< halvings of one step before the run fails
+  int max_rejections = 12;                    ///< halvings of one step before the run fails
+  std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
+
+  double largest() const;
 };
 
 class SegmentStepper {
@@ -34,8 +48,8 @@ public:
   SegmentStepper(const SegmentStepper&) = delete;
   SegmentStepper& operator=(const SegmentStepper&) = delete;
 
-  /// Integrates the state from T0 to T1, in equal steps of at most dT, and returns the time that it came to: earlier
-  /// than T1 after stop(). Throws SolveError where a step cannot be made.
+  /// Integrates the state from T0 to T1, and returns the time that it came to: earlier than T1 after stop(). Throws
+  /// SolveError where a step cannot be made.
   double run(Vec state, double T0, double T1);
   /// Ends run() with the step that on_step is being told of.
   void stop() { stopped_ = true; }
@@ -48,11 +62,14 @@ private:
 
   static SegmentStepper& of(TS ts);
   void create_time_scheme();
+  void control_errors();
   void configure_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Of the present step; decides how it is tried next.
   void set_failures(int failures);
+  /// What was solved in it counts no more.
+  void return_to_start_of_step();
   void finish_stage(double T, Vec state);
   void finish_step();
 
@@ -71,7 +88,7 @@ private:
   int failures_ = 0;          ///< of the present step
   bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
-  double step_ = 0.0;         ///< nominal step of the segment
+  double step_ = 0.0;         ///< nominal step of the segment, without error control
   double begin_ = 0.0;        ///< T of the segment
   double last_time_ = 0.0;
   double solved_time_ = 0.0;

@@ -1,8 +1,6 @@
 // What one time step of a gear pair leaves behind.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -11,18 +9,9 @@
 #include "gearfilm/dynamics/contact_figures.hpp"
 #include "gearfilm/dynamics/live_heat.hpp"
 #include "gearfilm/dynamics/mesh_model.hpp"
+#include "gearfilm/dynamics/motion.hpp"
 
 namespace gearfilm {
-
-/// The pair's degree of freedom: rigid displacement of the flanks and its velocity, dimensionless.
-struct Motion {
-  double H0 = 0.0;
-  double V0 = 0.0;
-};
-
-inline Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
-/// The larger of both parts.
-inline double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
 
 struct ContactRecord {
   int number = 0;       ///< of the tooth pair, counted from the leading one at T = 0

@@ -67,9 +67,10 @@ struct MarchCase {
   MeshGeometry geometry = MeshGeometry::moving;
   std::optional<PrescribedLoad> load;  ///< of the models simplified and quasistatic
   double mesh_periods = 0.0;
-  SpeedCourse course{};                     ///< of `transient`
-  double start_position = 0.0;              ///< xi of a contact at T = 0 [m]
-  std::optional<Motion> start_motion;       ///< absent: at rest
+  SpeedCourse course{};                          ///< of `transient`
+  std::optional<ErrorTolerance> step_tolerance;  ///< of `transient`
+  double start_position = 0.0;                   ///< xi of a contact at T = 0 [m]
+  std::optional<Motion> start_motion;            ///< absent: at rest
   std::optional<double> snapshot_interval;  ///< mesh periods between stored fields; 0: none; absent: by the command
   std::optional<double> dry_damping_ratio;  ///< zeta of the dry model; absent: by the command
   std::optional<double> spectrum_periods;   ///< mesh periods at a march's end whose spectrum is taken

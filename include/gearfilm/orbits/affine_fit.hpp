@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-#include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/dynamics/motion.hpp"
 #include "gearfilm/orbits/monodromy.hpp"
 
 namespace gearfilm {
