@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
@@ -12,7 +13,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr double most_in_phase = 12.0;    // swings in a mesh period after which twice the step is still in phase
+constexpr double out_of_phase = 1.0;      // of a pair at the end of a mesh period, by the error of its steps
 constexpr double steps_of_a_swing = 180;  // with fewer, by experience, the damping is wrong by more than a tenth
 constexpr double many_node_steps = 4e6;   // in a mesh period of the coarser grid
 constexpr int enough_periods = 12;        // of a search: marches that scatter need not repeat as they should
@@ -69,45 +70,64 @@ OrbitGuess guess_from(const OrbitRun& run) {
 /// it.
 bool resolves_swings(const MeshModel& mesh, double dT) { return mesh.frequency() * dT * steps_of_a_swing < 1.0; }
 
+/// A pair that swings often in a mesh period ends it elsewhere with steps that are too long: by (w dT)^2/3 of all its
+/// phase.
+bool keeps_phase(const MeshModel& mesh, double dT) {
+  const double w = 2.0 * std::numbers::pi * mesh.frequency();
+  return w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
+}
+
 /// The orbits on the coarser grid, one from the other.
 class CoarseSearch {
 public:
-  CoarseSearch(Case coarse, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm)
-      : coarse_(std::move(coarse)),
+  CoarseSearch(const Case& coarse, const Case& fine, const MeshModel& mesh, const OrbitObservers& observers,
+               MPI_Comm comm)
+      : twice_the_step_(coarse),
+        own_step_(coarse),
         mesh_(mesh),
         observers_(observers),
-        films_(discretise(comm, coarse_)),
-        on_grid_("on " + std::to_string(coarse_.numerics.nx) + " x " + std::to_string(coarse_.numerics.ny) + " nodes") {
+        in_phase_(keeps_phase(mesh, coarse.numerics.steps.dT)),
+        with_multipliers_(fine.search.with_multipliers),
+        newton_of_decay_(fine.numerics.steps.newton),
+        films_(discretise(comm, coarse)),
+        on_grid_("on " + std::to_string(coarse.numerics.nx) + " x " + std::to_string(coarse.numerics.ny) + " nodes") {
+    own_step_.numerics.steps.dT = fine.numerics.steps.dT;
   }
 
-  const Case& problem() const { return coarse_; }
+  /// With which a search begins: with twice the step, where the pair stays in phase.
+  const Case& problem() const { return in_phase_ ? twice_the_step_ : own_step_; }
   const SharedDiscretisation& films() const { return films_; }
 
   /// Nothing, and the reason to the observers, where its films cannot be solved; the name is that of its checkpoint.
   /// Throws NoPeriodicState.
   std::optional<OrbitRun> orbit(const std::string& name, const std::function<OrbitGuess()>& guess) {
-    return orbit(name, coarse_, guess);
+    return orbit(name, problem(), guess);
   }
 
   /// With the steps of the case itself where twice the step is too long, and with its decay where multipliers are
   /// asked for.
-  OrbitRun nearest(const Case& fine, const OrbitRun& found) {
-    if (resolves_swings(mesh_, coarse_.numerics.steps.dT)) return with_decay(fine, coarse_, found);
-    Case nearer = coarse_;
-    nearer.numerics.steps.dT = fine.numerics.steps.dT;
-    const std::optional<OrbitRun> own_step = orbit("coarse_grid", nearer, [&] {
-      OrbitGuess guess = guess_from(found);
-      const double swings = mesh_.frequency() * mesh_.period();
-      if (swings > most_in_phase) guess.monodromy = {};
-      return guess;
-    });
-    return own_step ? with_decay(fine, nearer, *own_step) : found;
+  OrbitRun nearest(const OrbitRun& found) {
+    if (!in_phase_ || resolves_swings(mesh_, twice_the_step_.numerics.steps.dT)) return with_decay(problem(), found);
+    const std::optional<OrbitRun> nearer = orbit("coarse_grid", own_step_, [&] { return guess_from(found); });
+    return nearer ? with_decay(own_step_, *nearer) : found;
+  }
+
+  /// What an orbit found with the first steps has with twice the step: with that on the case's grid it tells the errors
+  /// of both. Nothing where it has none.
+  std::optional<OrbitRun> with_twice_the_step(const OrbitRun& found) {
+    if (in_phase_) return found;
+    try {
+      return orbit("coarse_step", twice_the_step_, [&] { return guess_from(found); });
+    } catch (const NoPeriodicState& error) {
+      observers_.on_trouble(error.what());
+      return {};
+    }
   }
 
 private:
-  OrbitRun with_decay(const Case& fine, Case coarse, OrbitRun run) {
-    if (!fine.search.with_multipliers) return run;
-    coarse.numerics.steps.newton = fine.numerics.steps.newton;
+  OrbitRun with_decay(Case coarse, OrbitRun run) {
+    if (!with_multipliers_) return run;
+    coarse.numerics.steps.newton = newton_of_decay_;
     run.decay = attempt<FreeDecay>("coarse_decay", coarse, [&](const OrbitObservers& own) {
       return decay_from(coarse, films_, mesh_, run.orbit, own);
     });
@@ -134,9 +154,13 @@ private:
     }
   }
 
-  Case coarse_;
+  Case twice_the_step_;
+  Case own_step_;
   const MeshModel& mesh_;
   const OrbitObservers& observers_;
+  bool in_phase_;
+  bool with_multipliers_;
+  NewtonOptions newton_of_decay_;
   SharedDiscretisation films_;
   std::string on_grid_;
 };
@@ -174,7 +198,7 @@ OrbitGuess first_coarse_guess(const CoarseSearch& search, const MeshModel& mesh,
   if (coarser && steps * problem.numerics.nx * problem.numerics.ny > many_node_steps) {
     coarser->search.options = problem.search.options;
     coarser->numerics.steps = problem.numerics.steps;
-    CoarseSearch first(*coarser, mesh, observers, search.films()->grid().comm());
+    CoarseSearch first(*coarser, problem, mesh, observers, search.films()->grid().comm());
     try {
       const std::optional<OrbitRun> found =
           first.orbit("coarsest", [&] { return first_guess(*coarser, first.films(), dry); });
@@ -206,13 +230,13 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
                                       const PeriodicOrbit& orbit, const OrbitObservers& observers) {
   const std::optional<Case> coarse = coarser_case(problem, mesh, *films);
   if (!coarse) return {};
-  CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
+  CoarseSearch search(*coarse, problem, mesh, observers, films->grid().comm());
   OrbitGuess guess{orbit.start.motion, orbit.monodromy, {}};
   guess.motion.H0 -= film_shift(search, problem, films);
   try {
     const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
     if (!found || mesh.size(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
-    return search.nearest(problem, *found).decay;
+    return search.nearest(*found).decay;
   } catch (const SolveError&) {
     return {};
   }
@@ -229,21 +253,23 @@ bool has_error(const PeriodFigure& figure) {
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                       const DryOrbit& dry, const OrbitObservers& observers) {
   FoundOrbit found;
-  OrbitGuess guess;
+  std::optional<OrbitGuess> guess;
   std::optional<FreeDecay> decay;
   if (const std::optional<Case> coarse = coarser_case(problem, mesh, *films)) {
-    CoarseSearch search(*coarse, mesh, observers, films->grid().comm());
-    found.coarse = search.orbit("coarse", [&] { return first_coarse_guess(search, mesh, dry, observers); });
-    if (found.coarse) {
-      const OrbitRun nearest = search.nearest(problem, *found.coarse);
+    CoarseSearch search(*coarse, problem, mesh, observers, films->grid().comm());
+    const std::optional<OrbitRun> first =
+        search.orbit("coarse", [&] { return first_coarse_guess(search, mesh, dry, observers); });
+    if (first) {
+      found.coarse = search.with_twice_the_step(*first);
+      const OrbitRun nearest = search.nearest(*first);
       decay = nearest.decay;
       guess = guess_on_grid(problem, films, search, nearest);
     }
   }
-  if (!found.coarse) guess = first_guess(problem, films, dry);
+  if (!guess) guess = first_guess(problem, films, dry);
   Case last = problem;
   if (decay) last.search.with_multipliers = false;
-  found.run = run_orbit(last, films, mesh, guess, observers);
+  found.run = run_orbit(last, films, mesh, *guess, observers);
   if (decay) found.run.decay = decay;
   return found;
 }

@@ -308,6 +308,22 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   set_values(field::rate, rate);
 }
 
+// G = 0 with d(rho H)/dT = rate + shift rho H, where the shift is so small that films do not feel it.
+void MeshedFilms::adapt_pressures() {
+  constexpr double shift = 1e-3;
+  std::vector<double> rate = values(field::rate), mass = rate;
+  for (double& value : mass) value /= -shift;
+  FilmSolution films{values(field::pressure), motion_.H0};
+  const LoadCondition load = LoadCondition::displacement(motion_.H0, mesh_.compliance(numbers(), T_));
+  if (!StationaryNewton(present_films(), options_.films.newton).solve(load, films, ImplicitStep{shift, mass})) {
+    throw SolveError(label(contacts_.front().number) + ": no films have the rates of those of another grid");
+  }
+  set_values(field::pressure, films.pressure);
+  const std::vector<double> oil = oil_at(displacements());
+  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] += shift * oil[n];
+  set_values(field::rate, rate);
+}
+
 // By Reynolds' equation, in which the rate stands alone.
 void MeshedFilms::adapt_rates() {
   if (!corrects_films(mesh_)) return;

@@ -106,11 +106,7 @@ public:
     const bool same_films =
         guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
     if (same_films && guess.lead > 0.0) {
-      lead_ = guess.lead;
-      lead_map_ = guess.lead_map;
-      march_.resume(mesh_.period() - lead_, *guess.neighbour);
-      march_.run(mesh_.period());
-      trials_ = 1;
+      begin_with_lead(guess);
     } else if (same_films) {
       march_.resume(0.0, *guess.neighbour);
       march_.displace(guess.motion, time_to_follow);
@@ -133,6 +129,22 @@ public:
   }
 
 private:
+  /// With films of another grid, which oil passes before the first period begins; with stationary ones, where that
+  /// cannot be marched.
+  void begin_with_lead(const OrbitGuess& guess) {
+    try {
+      march_.resume(mesh_.period() - guess.lead, *guess.neighbour);
+      march_.adapt_pressures();
+      march_.run(mesh_.period());
+      lead_ = guess.lead;
+      lead_map_ = guess.lead_map;
+      trials_ = 1;
+    } catch (const SolveError& error) {
+      trouble_ = error.what();
+      march_.start(guess.motion);
+    }
+  }
+
   PeriodicOrbit orbit_of(const Trial& trial) const {
     return {trial.start,       trial.end, trial.before,         beside_, trial.begin, mesh_.size(trial.defect),
             trial.film_defect, periods_,  jacobian_.monodromy()};

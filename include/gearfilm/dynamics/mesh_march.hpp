@@ -38,6 +38,8 @@ public:
   /// Jumps to another motion. The films follow as they would if the jump took this long, and at least a time step: oil
   /// that cannot flow away in it stays.
   void displace(const Motion& motion, double duration = 0.0);
+  /// Makes films of another grid those of this one, with the rates that they have. Throws SolveError.
+  void adapt_pressures() { films_.adapt_pressures(); }
 
   /// The contacts that exist now, the leading one first.
   const std::vector<LiveContact>& contacts() const { return films_.contacts(); }

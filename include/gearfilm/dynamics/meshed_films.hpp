@@ -44,6 +44,9 @@ public:
   void set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate);
   /// Makes the rates those of the present pressures in the flow that heat has made since, where films feel it.
   void adapt_rates();
+  /// Makes the pressures those of the present rates: films of another grid, interpolated, may be off by more than they
+  /// are thick. Throws SolveError where there are none.
+  void adapt_pressures();
 
   double T() const { return T_; }
   const Motion& motion() const { return motion_; }
