@@ -157,5 +157,32 @@ TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
   }
 }
 
+TEST(Refined, films_become_those_of_the_grid) {
+  constexpr double T = 1.0, soon = 1.25;
+  const Settings wide = {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}, {"start.place", "after_leaving"}};
+  RecordedMarch coarse(table3_case(with(with(after_leaving(), {{"time.dt", "0.025"}}), wide)));
+  coarse.start();
+  coarse.run(T);
+  const PairState state = refined(coarse.march().state(), PETSC_COMM_WORLD);
+  coarse.run(soon);
+  const auto newton_iterations = [&](bool adapted) {
+    RecordedMarch fine(
+        table3_case(with(with(after_leaving(), {{"time.dt", "0.025"}, {"grid.nx", "129"}, {"grid.ny", "65"}}), wide)));
+    fine.march().resume(T, state);
+    if (adapted) fine.march().adapt_pressures();
+    fine.run(soon);
+    const auto figures = [](const RecordedMarch& march) { return march.records().back().contacts.front().figures; };
+    // What the grids differ by at the same H_0.
+    EXPECT_NEAR(figures(fine)["h_central"] / figures(coarse)["h_central"], 1.0, 0.12);
+    EXPECT_NEAR(figures(fine)["force"] / figures(coarse)["force"], 1.0, 0.02);
+    int sum = 0;
+    for (const StepRecord& record : fine.records()) sum += record.newton;
+    return sum;
+  };
+  const int adapted = newton_iterations(true), as_they_are = newton_iterations(false);
+  report("Newton iterations of the steps after it: %d, from interpolated films: %d", adapted, as_they_are);
+  EXPECT_LT(adapted, as_they_are);
+}
+
 }  // namespace
 }  // namespace gearfilm
