@@ -54,6 +54,9 @@ class Continued(RestartTest):
     def test_march_with_a_spectrum(self):
         self.assert_continued([*MARCH, "-output_spectrum_periods", 1], (8, signal.SIGUSR1))
 
+    def test_march_with_steps_by_their_errors(self):
+        self.assert_continued([*MARCH, "-time_tolerance", 1e-4], (8, signal.SIGKILL))
+
     def test_dry_pair_and_one_contact(self):
         for model in ("dry", "simplified", "quasistatic"):
             with self.subTest(model=model):
