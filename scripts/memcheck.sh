@@ -10,6 +10,7 @@ export HWLOC_COMPONENTS=-x86
 export GEARFILM=build/memcheck/bin/gearfilm
 export GEARFILM_RUNNER="valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite,possible
   --show-leak-kinds=definite,possible --num-callers=40 --suppressions=$PWD/tests/suppressions/valgrind.supp"
+export OMPI_MCA_mpi_yield_when_idle=1
 grep -o '\<test_\w*' tests/cli/short_test.py |
   xargs -P "$(nproc)" -I{} /usr/bin/python3 -B tests/cli/short_test.py Short.{}
 echo "memcheck: no findings"

@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "gearfilm/parallel/patient_waits.hpp"
-
 namespace gearfilm {
 namespace {
 
@@ -35,7 +33,6 @@ bool is_on_one_machine() {
 void prefer_mpi_settings() {
   const int generation = open_mpi_generation();
   if (generation == 0) return;
-  wait_patiently();
   // OMPIO, the default for parallel files, leaves a semaphore behind when a run is killed inside a file open; every
   // later open of a file of that name then hangs. ROMIO does not. Where there is none (from Open MPI 6 on, and where it
   // was not built), OMPIO has to do without the part that has the semaphore.
