@@ -5,6 +5,7 @@ import h5py
 import numpy
 
 from films import BARBIERI, summary_in
+from restarts import stopped_after
 from vibration import MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
 
 DRY = ["-model", "dry"]
@@ -102,8 +103,8 @@ class Branches(VibrationTest):
         self.assertEqual(len(table_in(self.output, "continuation")), 5)
 
     def test_a_run_that_was_stopped_is_done_again(self):
-        stopped = self.run_program("continuation", BARBIERI, *DRY, "-continuation_from", 28000, "-continuation_to",
-                                   20500, "-time_limit", 0.05, "-output_dir", "branches")
+        stopped = stopped_after(1, ["continuation", BARBIERI, *DRY, "-continuation_from", 28000, "-continuation_to",
+                                    20500, "-output_dir", "branches"], self.folder)
         self.assertEqual(stopped.status, 3, stopped)
         self.assertFalse(summary_in(self.output)["completed"])
         part = table_in(self.output, "continuation")
@@ -129,7 +130,7 @@ class Branches(VibrationTest):
             for name in ("H0_after_leaving", "V0_after_leaving", "force_ratio_max"):
                 self.assertAlmostEqual(rows[name][-1], orbit[name], delta=SAME_ORBIT, msg=name)
         with self.subTest("goes on where it was stopped"):
-            stopped = self.run_program(*films, "-time_limit", 1.5, "-output_dir", "stopped")
+            stopped = stopped_after(1, [*films, "-output_dir", "stopped"], self.folder)
             self.assertEqual(stopped.status, 3, stopped)
             self.run_well(*films, "-restart", "-output_dir", "stopped")
             again = table_in(self.folder / "stopped", "continuation")

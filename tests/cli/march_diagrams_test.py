@@ -7,6 +7,7 @@ import numpy
 
 from films import BARBIERI, summary_in
 from program import SECONDS, SOURCE
+from restarts import stopped_after
 from vibration import MARCH, SAME_ORBIT, VibrationTest, table_in
 
 DRY = ["-model", "dry"]
@@ -104,7 +105,7 @@ class Marches(VibrationTest):
                  "-sweep_to", 16000, "-sweep_points", 3, "-sweep_direction", "up", "-sweep_march_periods", 3,
                  "-sweep_kept_periods", 2]
         self.run_well(*sweep, "-output_dir", "whole")
-        stopped = self.run_program(*sweep, "-time_limit", 1, "-output_dir", "run")
+        stopped = stopped_after(1, [*sweep, "-output_dir", "run"], self.folder)
         self.assertEqual(stopped.status, 3, stopped)
         self.run_well(*sweep, "-output_dir", "run")
         for name in ("sweep", "diagram"):

@@ -122,6 +122,17 @@ class LiveRun:
         return Outcome(self.arguments, self.number, status, self.text.decode(), stderr)
 
 
+def stopped_after(lines, arguments, folder):
+    """A run that is told to stop while it cannot go beyond the second line after these."""
+    run = LiveRun(arguments, 1, folder)
+    try:
+        run.read_lines(lines)
+        run.send(signal.SIGUSR1)
+        return run.end()
+    finally:
+        run.kill()
+
+
 def without(names, values):
     """Nested values of a summary but those of these names."""
     if isinstance(values, dict):
