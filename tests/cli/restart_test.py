@@ -8,7 +8,7 @@ import time
 import unittest
 
 from films import BARBIERI
-from restarts import EIGEN, MARCH, SEARCH, SMALL, SWEEP, RestartTest, states_in
+from restarts import EIGEN, MARCH, SEARCH, SMALL, SWEEP, RestartTest, states_in, stopped_after
 from vibration import table_in
 
 # A run that is complete before it is stopped is done again. None was when this was written.
@@ -20,10 +20,7 @@ class Continued(RestartTest):
 
     def interrupt(self, arguments, lines, number):
         """Stops or kills a run after so many lines."""
-        run = self.start(*arguments)
-        run.read_lines(lines)
-        run.send(number)
-        outcome = run.end()
+        outcome = stopped_after(lines, [*arguments, "-output_dir", "run"], self.folder, number)
         if number == signal.SIGKILL:
             self.assertEqual(outcome.status, -signal.SIGKILL, outcome)
         else:

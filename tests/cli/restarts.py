@@ -122,12 +122,12 @@ class LiveRun:
         return Outcome(self.arguments, self.number, status, self.text.decode(), stderr)
 
 
-def stopped_after(lines, arguments, folder):
-    """A run that is told to stop while it cannot go beyond the second line after these."""
+def stopped_after(lines, arguments, folder, number=signal.SIGUSR1):
+    """A run that is told to stop, or killed, while it cannot go beyond the second line after these."""
     run = LiveRun(arguments, 1, folder)
     try:
         run.read_lines(lines)
-        run.send(signal.SIGUSR1)
+        run.send(number)
         return run.end()
     finally:
         run.kill()
