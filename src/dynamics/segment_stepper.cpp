@@ -90,9 +90,7 @@ void SegmentStepper::create_time_scheme() {
   if (options_.tolerance) {
     control_errors();
   } else {
-    TSAdapt adapt = nullptr;
-    petsc_check(TSGetAdapt(ts_, &adapt));
-    petsc_check(TSAdaptSetType(adapt, TSADAPTNONE));
+    petsc_check(TSAdaptSetType(adapt(), TSADAPTNONE));
   }
   petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
   petsc_check(TSSetMaxSNESFailures(ts_, -1));
@@ -102,13 +100,17 @@ void SegmentStepper::create_time_scheme() {
 }
 
 void SegmentStepper::control_errors() {
-  TSAdapt adapt = nullptr;
-  petsc_check(TSGetAdapt(ts_, &adapt));
-  petsc_check(TSAdaptSetType(adapt, TSADAPTBASIC));
-  petsc_check(TSAdaptSetClip(adapt, longest_fall, longest_growth));
-  petsc_check(TSAdaptSetStepLimits(adapt, smallest_step * options_.dT, options_.largest()));
+  petsc_check(TSAdaptSetType(adapt(), TSADAPTBASIC));
+  petsc_check(TSAdaptSetClip(adapt(), longest_fall, longest_growth));
+  petsc_check(TSAdaptSetStepLimits(adapt(), smallest_step * options_.dT, options_.largest()));
   const OwnedVec errors = pair_.allowed_errors(options_.tolerance->motion, options_.tolerance->pressure);
   petsc_check(TSSetTolerances(ts_, 0.0, errors, 0.0, nullptr));
+}
+
+TSAdapt SegmentStepper::adapt() const {
+  TSAdapt own = nullptr;
+  petsc_check(TSGetAdapt(ts_, &own));
+  return own;
 }
 
 SegmentStepper& SegmentStepper::of(TS ts) {
@@ -159,10 +161,8 @@ void SegmentStepper::set_failures(int failures) {
   failures_ = failures;
   const bool same_length = failures == 1;
   SNES snes = nullptr;
-  TSAdapt adapt = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
-  petsc_check(TSGetAdapt(ts_, &adapt));
-  petsc_check(TSAdaptSetScaleSolveFailed(adapt, same_length ? 1.0 : 0.5));
+  petsc_check(TSAdaptSetScaleSolveFailed(adapt(), same_length ? 1.0 : 0.5));
   allow_growth(snes, pair_.system(), same_length ? Growth::none : Growth::tenfold);
 }
 
@@ -223,9 +223,7 @@ void SegmentStepper::finish_step() {
   if (stopped_ || rest < 1e-9 * step_) {  // not one more step of the size of round-off
     petsc_check(TSSetConvergedReason(ts_, stopped_ ? TS_CONVERGED_USER : TS_CONVERGED_TIME));
   } else if (options_.tolerance) {
-    TSAdapt adapt = nullptr;
-    petsc_check(TSGetAdapt(ts_, &adapt));
-    petsc_check(TSAdaptSetAlwaysAccept(adapt, PETSC_FALSE));
+    petsc_check(TSAdaptSetAlwaysAccept(adapt(), PETSC_FALSE));
   } else {
     // A step that was halved does not shift those behind it: the pair's motion after a period would jump.
     const double done = std::floor((T - begin_) / step_ + 1e-6);
@@ -248,9 +246,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   petsc_check(TSSetMaxTime(ts_, T1));
   petsc_check(TSSetTimeStep(ts_, options_.tolerance ? first_step * step_ : step_));
   if (options_.tolerance) {
-    TSAdapt adapt = nullptr;
-    petsc_check(TSGetAdapt(ts_, &adapt));
-    petsc_check(TSAdaptSetAlwaysAccept(adapt, PETSC_TRUE));
+    petsc_check(TSAdaptSetAlwaysAccept(adapt(), PETSC_TRUE));
   }
   petsc_check(TSSolve(ts_, state));
   TSConvergedReason reason = TS_CONVERGED_ITERATING;

@@ -61,6 +61,7 @@ private:
   using OwnedTS = PetscHandle<TS, TSDestroy>;
 
   static SegmentStepper& of(TS ts);
+  TSAdapt adapt() const;
   void create_time_scheme();
   void control_errors();
   void configure_solvers();
@@ -88,7 +89,7 @@ private:
   int failures_ = 0;          ///< of the present step
   bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
-  double step_ = 0.0;         ///< nominal step of the segment, without error control
+  double step_ = 0.0;         ///< nominal step of the segment
   double begin_ = 0.0;        ///< T of the segment
   double last_time_ = 0.0;
   double solved_time_ = 0.0;
