@@ -9,8 +9,9 @@
 namespace gearfilm {
 
 int step_levels(const Grid& grid, double dT) {
-  const bool well_conditioned = dT <= 4.0 * grid.h_x();
-  return grid.nx() * grid.ny() <= (well_conditioned ? 50000 : 10000) ? 1 : 0;
+  const double widths = dT / grid.h_x();
+  if (has_long_cells(grid) && widths <= 1.5) return 1;
+  return grid.nx() * grid.ny() <= (widths <= 4.0 ? 50000 : 10000) ? 1 : 0;
 }
 
 MeshMarch::MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options, StepObserver observer,

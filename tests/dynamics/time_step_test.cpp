@@ -16,6 +16,15 @@ EndOfMarch march_of(const Settings& settings, const std::string& dT, double T_en
   return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures["h_central"]};
 }
 
+// Levels with half the rows do not solve time steps of long cells while a contact enters, however short they are.
+TEST(StepLevels, are_one_for_short_steps_of_long_cells) {
+  const Grid slender(PETSC_COMM_WORLD, {529, 129, -2.166, 1.25, 59.8}),
+      square(PETSC_COMM_WORLD, {257, 257, -2.5, 1.5, 1.5});
+  EXPECT_EQ(step_levels(slender, 1.3 * slender.h_x()), 1);
+  EXPECT_EQ(step_levels(slender, 2.5 * slender.h_x()), 0);
+  EXPECT_EQ(step_levels(square, 1.3 * square.h_x()), 0);
+}
+
 // Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell
 // (0.05): until then the central film is not in its asymptotic range. The half step of first order at the start does
 // not spoil the order.
