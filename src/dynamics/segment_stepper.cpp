@@ -231,6 +231,24 @@ void SegmentStepper::finish_step() {
   }
 }
 
+std::string SegmentStepper::describe_end() const {
+  SNES snes = nullptr;
+  KSP ksp = nullptr;
+  const char *newton = nullptr, *krylov = nullptr;
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  PetscInt iterations = 0;
+  petsc_check(TSGetSNES(ts_, &snes));
+  petsc_check(SNESGetConvergedReasonString(snes, &newton));
+  petsc_check(SNESGetKSP(snes, &ksp));
+  petsc_check(KSPGetConvergedReason(ksp, &reason));
+  petsc_check(KSPGetConvergedReasonString(ksp, &krylov));
+  petsc_check(KSPGetIterationNumber(ksp, &iterations));
+  std::ostringstream text;
+  text << "Newton's method ended with " << newton;
+  if (reason < 0) text << ", its last linear solve with " << krylov << " after " << iterations << " iterations";
+  return text.str();
+}
+
 double SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   step_ = (T1 - T0) / steps;
@@ -252,10 +270,6 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));
   if (reason > 0) return stopped_ && T1 - last_time_ > 1e-9 * step_ ? last_time_ : T1;
-  SNES snes = nullptr;
-  const char* newton = nullptr;
-  petsc_check(TSGetSNES(ts_, &snes));
-  petsc_check(SNESGetConvergedReasonString(snes, &newton));
   std::ostringstream message;
   message << "no time step converged from T = " << last_time_ << " on, down to " << step_ << "/2^"
           << options_.max_rejections << ", with";
@@ -265,8 +279,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
             << " at xi = " << 1e3 * pair_.mesh().contact(number, last_time_).position << " mm (largest "
             << describe(pair_.system().worst_node(rows_, k)) << ")";
   }
-  message << "; Newton's method ended with " << newton
-          << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
+  message << "; " << describe_end() << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
   throw SolveError(message.str());
 }
 

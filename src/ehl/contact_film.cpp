@@ -199,6 +199,8 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
   linearised_->apply(rows, change);
 }
 
+void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
+
 FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
   evaluate(pressure, H0);
   const double carried = integral(grid_, pressure);

@@ -128,6 +128,7 @@ void FilmSystem::transient(Vec state, Vec values) {
 
 void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
   shift_ = shift;
+  preconditionings_ = 0;
   elimination_ = compliance_.rigid() ? elimination : Elimination::exact;
   const RateReading rates(rate);
   const VecReading in(state);
@@ -201,10 +202,20 @@ void FilmSystem::multiply_transient(Vec change, Vec rows) {
 void FilmSystem::precondition(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
+  ++preconditionings_;
   if (elimination_ == Elimination::exact) {
     precondition_exactly(in.values(), out.values());
   } else {
     precondition_border_first(in.values(), out.values());
+  }
+}
+
+void FilmSystem::solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change) {
+  constexpr int patience = 20;
+  if (preconditionings_ > patience && preconditionings_ % 2 == 0) {
+    films_[contact]->relax(rows, change);
+  } else {
+    films_[contact]->precondition(rows, change);
   }
 }
 
@@ -219,7 +230,7 @@ void FilmSystem::precondition_border_first(std::span<const double> rows, std::sp
     const auto film_rows = part(rows, k);
     const auto column = films_[k]->displacement_column();
     for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
-    films_[k]->precondition(work_, part(change, k));
+    solve_film(k, work_, part(change, k));
   }
   if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
 }
@@ -227,7 +238,7 @@ void FilmSystem::precondition_border_first(std::span<const double> rows, std::sp
 // With z = M^-1 r and y = M^-1 dG/dH of the films v_k = z_k - y_k H_k: their forces settle from those of z with the
 // stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the border gives s.
 void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<double> change) {
-  for (std::size_t k = 0; k < films(); ++k) films_[k]->precondition(part(rows, k), part(change, k));
+  for (std::size_t k = 0; k < films(); ++k) solve_film(k, part(rows, k), part(change, k));
   std::vector<double> carried = settling_factors_.solve(forces(change));
   std::vector<double> border_rows = scalars_in(rows);
   const double sum = sum_of(carried);

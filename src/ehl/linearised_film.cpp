@@ -41,6 +41,10 @@ public:
     petsc_check(VecResetArray(solution_));
   }
 
+  void relax(std::span<const double> residual, std::span<double> change) override {
+    levels_.front()->smooth(residual, change, 1, true);
+  }
+
   void multiply(std::span<const double> change, std::span<double> rows) override {
     levels_.front()->multiply(change, rows);
   }

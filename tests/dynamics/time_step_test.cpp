@@ -25,6 +25,45 @@ TEST(StepLevels, are_one_for_short_steps_of_long_cells) {
   EXPECT_EQ(step_levels(square, 1.3 * square.h_x()), 0);
 }
 
+/// A contact at the pitch point, linearised as in a time step.
+struct LinearisedStep {
+  explicit LinearisedStep(int levels) : film(shared, problem.scales, {.levels = levels}) {
+    std::vector<double> pressure(grid.local_size());
+    hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure);
+    state = pair.system().create_state();
+    change = pair.system().create_state();
+    pair.system().set_field(state, 0, pressure);
+    pair.set_motion(state, {-1.4, 0.0});
+    pair.place(0.0);
+    pair.linearise(state, {}, 30.0);
+  }
+
+  std::vector<double> preconditioned() {
+    pair.system().precondition(state, change);
+    return pair.system().field(change, 0);
+  }
+
+  Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
+  MeshModel mesh = mesh_of(problem);
+  SharedDiscretisation shared = discretise(Grid{PETSC_COMM_WORLD, case_grid(problem)}, problem.scales);
+  const Grid& grid = shared->grid();
+  ContactFilm film;
+  LubricatedPair pair{mesh, {{0, &film}}};
+  OwnedVec state, change;
+};
+
+TEST(LongLinearSolve, has_levels_and_the_smoother_by_turns) {
+  LinearisedStep levels(2), smoother(1);
+  const auto by_levels = levels.preconditioned(), by_smoother = smoother.preconditioned();
+  ASSERT_NE(by_levels, by_smoother);
+  for (int n = 2; n <= 21; ++n) EXPECT_EQ(levels.preconditioned(), by_levels) << "application " << n;
+  EXPECT_EQ(levels.preconditioned(), by_smoother);
+  EXPECT_EQ(levels.preconditioned(), by_levels);
+  EXPECT_EQ(levels.preconditioned(), by_smoother);
+  levels.pair.linearise(levels.state, {}, 30.0);
+  EXPECT_EQ(levels.preconditioned(), by_levels);
+}
+
 // Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell
 // (0.05): until then the central film is not in its asymptotic range. The half step of first order at the start does
 // not spoil the order.

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "gearfilm/dynamics/lubricated_pair.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
@@ -73,6 +74,8 @@ private:
   void return_to_start_of_step();
   void finish_stage(double T, Vec state);
   void finish_step();
+  /// How the last solves ended.
+  std::string describe_end() const;
 
   LubricatedPair& pair_;
   StepOptions options_;

@@ -9,6 +9,8 @@
 // weighed so that norm/weight() is a root mean square over the films plus relative errors of the border.
 // Preconditioner: one multigrid cycle a contact, and the border before it, as if no force changed with it (in time
 // steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or border and displacements eliminated exactly.
+// Coarse levels may diverge where the smoother does not, on single rows of long cells: a flexible Krylov method that
+// has not got on with the cycle has cycle and smoother by turns.
 #pragma once
 
 #include <functional>
@@ -103,6 +105,8 @@ private:
   }
   /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
   std::vector<double> displacements(std::span<const double> values, std::span<const double> scalars) const;
+  /// change = approximately (dG_k/dP_k)^-1 rows.
+  void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);
   void precondition_border_first(std::span<const double> rows, std::span<double> change);
 
@@ -115,6 +119,7 @@ private:
   double weight_;
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::border_first;
+  int preconditionings_ = 0;  ///< with the present Jacobian
   DenseFactors border_factors_;
   // Of exact elimination, all approximately.
   std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
