@@ -1,4 +1,5 @@
 // What travels between processes: the model of docs/performance.md against PETSc's counters.
+#include "gearfilm/traction/traction.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -58,7 +59,11 @@ protected:
   }
 
   static constexpr double in_single = sizeof(float), in_double = sizeof(double);
-  const Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
+  const Case problem = table3_case({{"grid.nx", "65"},
+                                    {"grid.ny", "33"},
+                                    {"friction.law", "eyring"},
+                                    {"thermal.model", "film"},
+                                    {"lubricant.temperature_viscosity", "0.04"}});
   const MeshModel mesh = mesh_of(problem);
   const Grid grid{PETSC_COMM_WORLD, case_grid(problem)};
   const double processes = grid.processes();
@@ -110,6 +115,26 @@ TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
   };
   iterations(4);
   expect_equal(iterations(9) + -1.0 * iterations(4), 5.0 * krylov_iteration());
+}
+
+// Oil and heat go along the lines, which are whole: films that feel their heat send no more in a residual than others.
+TEST_F(Communication, of_heat_is_sums_alone) {
+  std::vector<double> pressure(grid.local_size()), rows(grid.local_size());
+  hertz_pressure(grid, problem.scales, problem.scales.hertz, pressure);
+  FilmHeat heat;
+  const auto sweep = [&] {
+    const MeshedContact contact = mesh.contact(0, 0.5);
+    coupled_traction(*mesh.traction, first, velocities_of(problem.scales, contact), heat, {});
+  };
+  pair.place(0.5);
+  first.residual(pressure, 0.5, {}, rows);
+  sweep();
+  first.set_correction(heat.flow);
+  // Whether the film is known already; film, ghosts of four fields.
+  expect_equal(traffic_of([&] { first.residual(pressure, 0.5, {}, rows); }),
+               collective() + convolution(in_double) + halo(4, in_double));
+  // Integrals, largest values, missed temperatures. PETSc does not count whether all have found theirs.
+  expect_equal(traffic_of(sweep), 3.0 * collective());
 }
 
 }  // namespace
