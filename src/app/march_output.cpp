@@ -70,6 +70,7 @@ std::string text_of(const SearchPeriod& period) {
   std::ostringstream text;
   text << "mesh period " << period.number << " repeats within " << std::scientific << std::setprecision(1)
        << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
+  if (period.halved_steps > 0) text << " (" << period.halved_steps << " time steps had to be halved)";
   return text.str();
 }
 

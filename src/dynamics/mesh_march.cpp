@@ -32,12 +32,13 @@ void MeshMarch::displace(const Motion& motion, double duration) {
 
 void MeshMarch::resume(double T, const PairState& state) { films_.take_up(T, state, mesh().path.contacts_after(T)); }
 
-void MeshMarch::observe(const StepRecord& record) const {
+void MeshMarch::observe(const StepRecord& record) {
+  if (record.failures > 1) ++halved_steps_;
   observer_(record, contacts());
   if (keeper_) keeper_->record(record);
 }
 
-void MeshMarch::observe_present() const {
+void MeshMarch::observe_present() {
   StepRecord record;
   record.T = T();
   record.motion = motion();

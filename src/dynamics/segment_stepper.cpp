@@ -195,7 +195,6 @@ void SegmentStepper::finish_step() {
   TSConvergedReason reason = TS_CONVERGED_ITERATING;
   petsc_check(TSGetConvergedReason(ts_, &reason));
   if (reason < 0) return;
-  if (failures_ > 0) set_failures(0);
   PetscReal T = 0.0, end = 0.0;
   PetscInt newton = 0, krylov = 0;
   Vec state = nullptr;
@@ -205,6 +204,8 @@ void SegmentStepper::finish_step() {
   petsc_check(TSGetKSPIterations(ts_, &krylov));
   petsc_check(TSGetSolution(ts_, &state));
   StepRecord record;
+  record.failures = failures_;
+  if (failures_ > 0) set_failures(0);
   record.T = T;
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);

@@ -166,6 +166,7 @@ private:
   bool march_period() {
     count_period();
     Trial trial{.start = march_.state(), .end = {}, .begin = march_.T()};
+    const int halved_before = march_.halved_steps();
     try {
       trial.before = gearfilm::march_period(march_, lead_);
     } catch (const SolveError& error) {
@@ -190,7 +191,7 @@ private:
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
-    observer_({periods_, trial.begin, change, trial.film_defect, found});
+    observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
   }
 

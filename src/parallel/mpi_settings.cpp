@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "gearfilm/parallel/patient_waits.hpp"
+
 namespace gearfilm {
 namespace {
 
@@ -33,6 +35,10 @@ bool is_on_one_machine() {
 void prefer_mpi_settings() {
   const int generation = open_mpi_generation();
   if (generation == 0) return;
+  if (is_bound_by_launcher()) {
+    sleep_in_long_waits(true);
+    prefer("mpi_yield_when_idle", "1");
+  }
   // OMPIO, the default for parallel files, leaves a semaphore behind when a run is killed inside a file open; every
   // later open of a file of that name then hangs. ROMIO does not. Where there is none (from Open MPI 6 on, and where it
   // was not built), OMPIO has to do without the part that has the semaphore.

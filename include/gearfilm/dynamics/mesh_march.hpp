@@ -50,17 +50,20 @@ public:
   const Motion& motion() const { return films_.motion(); }
   /// Of the present films.
   const SharedDiscretisation& discretisation() const { return films_.discretisation(); }
+  /// Steps so far that had to be halved.
+  int halved_steps() const { return halved_steps_; }
   MPI_Comm comm() const { return discretisation()->grid().comm(); }
 
 private:
   void exchange_contacts();
-  void observe(const StepRecord& record) const;
-  void observe_present() const;
+  void observe(const StepRecord& record);
+  void observe_present();
   void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
 
   MeshedFilms films_;
   StepObserver observer_;
   MarchKeeper* keeper_;
+  int halved_steps_ = 0;
 };
 
 }  // namespace gearfilm

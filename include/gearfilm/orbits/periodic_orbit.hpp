@@ -60,6 +60,7 @@ struct SearchPeriod {
   double defect = 0.0;       ///< change of (H_0, V_0) [-]
   double film_defect = 0.0;  ///< largest change of any P [-]
   bool accepted = false;     ///< the periodic one: the search ends with it
+  int halved_steps = 0;      ///< of its time steps, which keep it from repeating
 };
 using SearchObserver = std::function<void(const SearchPeriod&)>;
 
