@@ -113,11 +113,14 @@ public:
   }
 
   /// What an orbit found with the first steps has with twice the step: with that on the case's grid it tells the errors
-  /// of both. Nothing where it has none.
+  /// of both. Nothing where it has none that is found about as soon.
   std::optional<OrbitRun> with_twice_the_step(const OrbitRun& found) {
     if (in_phase_) return found;
+    Case brief = twice_the_step_;
+    int& most = brief.search.options.max_periods;
+    most = std::min(most, enough_periods * mesh_.periods());
     try {
-      return orbit("coarse_step", twice_the_step_, [&] { return guess_from(found); });
+      return orbit("coarse_step", brief, [&] { return guess_from(found); });
     } catch (const NoPeriodicState& error) {
       observers_.on_trouble(error.what());
       return {};
