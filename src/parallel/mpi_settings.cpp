@@ -35,7 +35,7 @@ bool is_on_one_machine() {
 void prefer_mpi_settings() {
   const int generation = open_mpi_generation();
   if (generation == 0) return;
-  if (is_bound_by_launcher()) {
+  if (has_own_core()) {
     sleep_in_long_waits(true);
     prefer("mpi_yield_when_idle", "1");
   }

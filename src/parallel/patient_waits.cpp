@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 namespace gearfilm {
@@ -40,7 +41,11 @@ void wait_a_little() {
 
 }  // namespace
 
-bool is_bound_by_launcher() { return cores_of(0) < cores_of(getppid()); }
+bool has_own_core() {
+  const char* processes = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const int cores = cores_of(getppid());
+  return processes && std::atoi(processes) <= cores && cores_of(0) < cores;
+}
 
 void sleep_in_long_waits(bool yes) {
   sleeps = yes;
@@ -60,7 +65,7 @@ extern "C" int sched_yield() noexcept {
 
 namespace gearfilm {
 
-bool is_bound_by_launcher() { return false; }
+bool has_own_core() { return false; }
 
 void sleep_in_long_waits(bool) {}
 

@@ -10,9 +10,9 @@
 
 namespace gearfilm {
 
-/// Whether this process may use fewer cores than what started it: mpiexec gives a core to each where there are enough.
-/// False on other systems than Linux.
-bool is_bound_by_launcher();
+/// Whether Open MPI's mpiexec has bound this process, as it does where there is a core for each: then it may use fewer
+/// than mpiexec itself, which has at least one for every process here. False on other systems than Linux.
+bool has_own_core();
 
 /// What sched_yield() does from now on; without effect on other systems than Linux.
 void sleep_in_long_waits(bool yes);
