@@ -117,8 +117,7 @@ public:
   std::optional<OrbitRun> with_twice_the_step(const OrbitRun& found) {
     if (in_phase_) return found;
     Case brief = twice_the_step_;
-    int& most = brief.search.options.max_periods;
-    most = std::min(most, enough_periods * mesh_.periods());
+    brief.search.options.max_periods = std::min(brief.search.options.max_periods, enough_periods * mesh_.periods());
     try {
       return orbit("coarse_step", brief, [&] { return guess_from(found); });
     } catch (const NoPeriodicState& error) {

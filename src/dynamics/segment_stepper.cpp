@@ -280,7 +280,8 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
             << " at xi = " << 1e3 * pair_.mesh().contact(number, last_time_).position << " mm (largest "
             << describe(pair_.system().worst_node(rows_, k)) << ")";
   }
-  message << "; " << describe_end() << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
+  message << "; " << describe_end()
+          << "; use a smaller time step (time_dt), a finer grid (grid_nx, grid_ny) or a wider domain (grid_y_half)";
   throw SolveError(message.str());
 }
 

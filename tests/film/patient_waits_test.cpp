@@ -1,4 +1,6 @@
 // What waiting for another process costs the core.
+#include "gearfilm/parallel/patient_waits.hpp"
+
 #include <gtest/gtest.h>
 #include <petscsys.h>
 #include <sched.h>
@@ -7,8 +9,6 @@
 #include <ctime>
 #include <string>
 #include <thread>
-
-#include "gearfilm/parallel/patient_waits.hpp"
 
 namespace gearfilm {
 namespace {

@@ -3,9 +3,9 @@
 // Open MPI polls while it waits. Where all processes have cores of their own, that is the fastest; where other programs
 // run on these cores too, the process that is waited for may be the one that does not run, for a time slice of
 // milliseconds at every exchange. Told to yield, Open MPI calls sched_yield() in every round of polling, which on Linux
-// gives a whole time slice to whoever else is there. Here that function can do nothing while a wait is as short as those
-// between processes that all run, and sleep in a longer one, a sixteenth of what has been waited so far. That serves
-// processes each of which has a core; those that share one among them must yield to each other.
+// gives a whole time slice to whoever else is there. Here that function can do nothing while a wait is as short as
+// those between processes that all run, and sleep in a longer one, a sixteenth of what has been waited so far. That
+// serves processes each of which has a core; those that share one among them must yield to each other.
 #pragma once
 
 namespace gearfilm {
