@@ -8,7 +8,8 @@
 // their changes only (overshoot.hpp); that may lead to three times what it was before, since their neighbours have not
 // followed yet. Each node's change can also be limited by itself first: no pressure falls by more than half, or rises
 // by more than 0.2 p_h, in one step. A direction so limited is not Newton's, and need not lead down at once: the
-// residual may grow tenfold in an iteration, until it is three times what it began with.
+// merit may grow tenfold in an iteration, and the norm to a thousand times what it began with. A good first guess has a
+// small norm, and it is behind such a one that a limit of ten stopped iterations which find their way.
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
