@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
@@ -190,6 +191,14 @@ OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films,
   return guess;
 }
 
+/// The failure of the case's own grid, and that the coarser one may serve.
+SolveError with_remedy(const SolveError& failure, const NumericsCase& coarse) {
+  std::ostringstream message;
+  message << failure.what() << "; on " << coarse.nx << " x " << coarse.ny
+          << " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid";
+  return SolveError(message.str());
+}
+
 /// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is
 /// coarser still, with its step and its tolerances; else on the dry pair's.
 OrbitGuess first_coarse_guess(const CoarseSearch& search, const MeshModel& mesh, const DryOrbit& dry,
@@ -256,23 +265,29 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
                       const DryOrbit& dry, const OrbitObservers& observers) {
   FoundOrbit found;
   std::optional<OrbitGuess> guess;
-  std::optional<FreeDecay> decay;
-  if (const std::optional<Case> coarse = coarser_case(problem, mesh, *films)) {
+  std::optional<OrbitRun> nearest;
+  const std::optional<Case> coarse = coarser_case(problem, mesh, *films);
+  if (coarse) {
     CoarseSearch search(*coarse, problem, mesh, observers, films->grid().comm());
     const std::optional<OrbitRun> first =
         search.orbit("coarse", [&] { return first_coarse_guess(search, mesh, dry, observers); });
     if (first) {
       found.coarse = search.with_twice_the_step(*first);
-      const OrbitRun nearest = search.nearest(*first);
-      decay = nearest.decay;
-      guess = guess_on_grid(problem, films, search, nearest);
+      nearest = search.nearest(*first);
+      guess = guess_on_grid(problem, films, search, *nearest);
     }
   }
   if (!guess) guess = first_guess(problem, films, dry);
+  const bool decay_known = nearest && nearest->decay;
   Case last = problem;
-  if (decay) last.search.with_multipliers = false;
-  found.run = run_orbit(last, films, mesh, *guess, observers);
-  if (decay) found.run.decay = decay;
+  if (decay_known) last.search.with_multipliers = false;
+  try {
+    found.run = run_orbit(last, films, mesh, *guess, observers);
+  } catch (const SolveError& error) {
+    if (nearest) throw with_remedy(error, coarse->numerics);
+    throw;
+  }
+  if (decay_known) found.run.decay = nearest->decay;
   return found;
 }
 
