@@ -11,6 +11,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double smallest_similar = 0.1;  // ratio of half-axes
+constexpr double crossed = 0.5;           // of a central film, by the motion of a guess
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
@@ -70,17 +71,20 @@ void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
   set_motion(state, {motion(state).H0 - sinking, -sinking / (T1 - T0)});
 }
 
-void LubricatedPair::coast(Vec state, double T0, double T1) const {
+// The pressures of the guess are still those from before: bodies that sink by more than a film would touch.
+void LubricatedPair::coast(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const {
   if (mesh_.inertia == 0.0) return;
   const Motion last = motion(state);
-  set_motion(state, {last.H0 + (T1 - T0) * last.V0, last.V0});
+  double thinnest = HUGE_VAL;
+  for (const FilmFigures& film : figures) thinnest = std::min(thinnest, film.central_film);
+  const double change = std::max((T1 - T0) * last.V0, -crossed * thinnest);
+  set_motion(state, {last.H0 + change, last.V0});
 }
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
 // by some nodes in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
                                    const std::vector<FilmFigures>& figures) const {
-  constexpr double crossed = 0.5;  // of a film, by the motion
   const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;

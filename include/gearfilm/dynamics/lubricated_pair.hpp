@@ -30,8 +30,9 @@ public:
   /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
   /// share.
   void follow_share(Vec state, double T0, double T1) const;
-  /// With inertia: a guess of the motion at T1 from that at T0, of the same V_0.
-  void coast(Vec state, double T0, double T1) const;
+  /// With inertia: a guess of the motion at T1 from that at T0, of the same V_0, sunk by half of the thinnest film at
+  /// most. figures: of the films at T0.
+  void coast(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
   /// Where the flanks of a guess at T1 have parted by much of a film since the last state, at T0: pressures of the
   /// guess as those of Hertz contacts that shrink so far. figures: of the films of the last state.
