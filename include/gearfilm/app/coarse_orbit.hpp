@@ -15,7 +15,7 @@ struct FoundOrbit {
 
 /// From the dry pair's orbit over those on the coarser grid, where it has any; then the multipliers are those of the
 /// coarser grid with the case's own step. The observers see nothing of the coarser grid's marches but their periods.
-/// Throws SolveError where nothing repeats. Collective.
+/// Throws SolveError where nothing repeats; it says so where the coarser grid has an orbit. Collective.
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                       const DryOrbit& dry, const OrbitObservers& observers);
 
