@@ -31,7 +31,7 @@ const Discretisation* Discretisation::coarser(Coarsening along) const {
 }
 
 const Discretisation* Discretisation::before() const {
-  return coarser(has_long_cells(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
+  return coarser(needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
 }
 
 const Discretisation* Discretisation::whole() const {

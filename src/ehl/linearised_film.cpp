@@ -13,7 +13,7 @@ namespace {
 std::optional<Coarsening> coarsening_of(const Grid& grid, bool keep_rows, int fewest_nodes, double longest_step) {
   const auto serves = [&](int nodes) { return (nodes - 1) / 2 + 1 >= fewest_nodes; };
   const bool in_x = grid.can_coarsen(Coarsening::x_only) && serves(grid.nx()) && 2.0 * grid.h_x() <= longest_step;
-  const bool in_y = !(keep_rows && has_long_cells(grid)) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
+  const bool in_y = !(keep_rows && needs_all_rows(grid)) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
   if (in_x && in_y) return Coarsening::both;
   if (in_x) return Coarsening::x_only;
   if (in_y) return Coarsening::y_only;

@@ -91,9 +91,8 @@ PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
 }
 
 struct SolveTolerances {
-  double early;   ///< relative, of the first linear solves
-  double late;    ///< of those behind them
-  double enough;  ///< a norm of the residual below which none need come
+  double early;  ///< relative, of the first linear solves
+  double late;   ///< of those behind them
 };
 
 /// Chooses the tolerance of each linear solve once the iteration before it is done.
@@ -102,14 +101,16 @@ void choose_solve_tolerances(SNES snes, const SolveTolerances& tolerances) {
       snes,
       [](SNES own, PetscInt iteration, PetscReal norm, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
-          const auto& [early, late, enough] = *static_cast<SolveTolerances*>(context);
+          const auto& [early, late] = *static_cast<SolveTolerances*>(context);
           KSP ksp = nullptr;
           PetscReal relative = 0.0, absolute = 0.0, growth = 0.0;
           PetscInt iterations = 0;
           petsc_check(SNESGetKSP(own, &ksp));
           petsc_check(KSPGetTolerances(ksp, &relative, &absolute, &growth, &iterations));
           const double ordered = iteration < early_solves ? early : late;
-          relative = std::clamp(enough / norm, ordered, std::max(ordered, loosest_solve));
+          PetscReal aim = 0.0;
+          petsc_check(SNESGetTolerances(own, &aim, nullptr, nullptr, nullptr, nullptr));
+          relative = std::clamp(left_over * aim / norm, ordered, std::max(ordered, loosest_solve));
           petsc_check(KSPSetTolerances(ksp, relative, absolute, growth, iterations));
         });
       },
@@ -168,6 +169,13 @@ void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
       line_search, growth == Growth::tenfold ? line_search_within<&patience> : line_search_within<&descent>, &system));
 }
 
+void aim_at(SNES snes, double norm) {
+  PetscReal aim = 0.0, relative = 0.0, step = 0.0;
+  PetscInt iterations = 0, evaluations = 0;
+  petsc_check(SNESGetTolerances(snes, &aim, &relative, &step, &iterations, &evaluations));
+  petsc_check(SNESSetTolerances(snes, norm, relative, step, iterations, evaluations));
+}
+
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
@@ -192,9 +200,8 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
-  choose_solve_tolerances(snes,
-                          {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance),
-                           left_over * options.tolerance * weight});
+  choose_solve_tolerances(
+      snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
 }
 
 }  // namespace gearfilm

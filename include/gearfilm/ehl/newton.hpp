@@ -59,6 +59,9 @@ void begin_with_short_restart(KSP ksp);
 /// squares. The system must outlive the SNES.
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
 
+/// Another norm of the residual at which to end, for a SNES that is configured.
+void aim_at(SNES snes, double norm);
+
 /// Whether the residual may grow on the way.
 enum class Growth { none, tenfold };
 

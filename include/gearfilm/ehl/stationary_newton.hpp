@@ -58,6 +58,9 @@ public:
   /// its tolerance; then `guess` holds the last iterate.
   bool solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step = {});
 
+  /// For solves from now on: a root mean square of the residual.
+  void aim_at(double tolerance) { gearfilm::aim_at(snes_, tolerance * system_.weight()); }
+
   /// rho H of films.
   std::vector<double> mass(const LoadCondition& load, const FilmSolution& films);
 
