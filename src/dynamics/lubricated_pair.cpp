@@ -12,6 +12,7 @@ namespace {
 
 constexpr double smallest_similar = 0.1;  // ratio of half-axes
 constexpr double crossed = 0.5;           // of a central film, by the motion of a guess
+constexpr double receded = 0.4;           // mesh widths, by the ends of the ellipse in a step
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
@@ -82,21 +83,22 @@ void LubricatedPair::coast(Vec state, double T0, double T1, const std::vector<Fi
 }
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
-// by some nodes in a step. Where it grows, the extrapolated pressures are the better guess.
+// by a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
                                    const std::vector<FilmFigures>& figures) const {
   const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
-    const FilmFigures& film = figures[k];
-    if (rise < crossed * film.central_film || film.pressure_integral <= 0.0) continue;
-    const HertzContact before = dry_contact(mesh_.scales, conditions, film.pressure_integral);
+    const double force = figures[k].pressure_integral;
+    if (rise <= 0.0 || force <= 0.0) continue;
+    const HertzContact before = dry_contact(mesh_.scales, conditions, force);
     const double approach = before.approach - rise * mesh_.scales.thickness;
     const double ratio = std::max(smallest_similar, std::sqrt(std::max(0.0, approach) / before.approach));
+    const Grid& grid = films_[k]->grid();
+    if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
     system_.set_field(
-        guess, k,
-        similar_pressure(films_[k]->grid(), mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
+        guess, k, similar_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
   }
 }
 
