@@ -12,7 +12,7 @@ namespace {
 
 constexpr double smallest_similar = 0.1;  // ratio of half-axes
 constexpr double crossed = 0.5;           // of a central film, by the motion of a guess
-constexpr double receded = 0.4;           // mesh widths, by the ends of the ellipse in a step
+constexpr double receded = 0.3;           // mesh widths, by the ends of the ellipse in a step
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());

@@ -14,23 +14,25 @@ namespace {
 
 constexpr double first_pseudo_step = 0.05;
 constexpr double last_pseudo_step = 20.0;
-constexpr double pseudo_step_growth = 4.0;
+constexpr double pseudo_step_growth = 4.0;  // until a step fails
+constexpr double careful_growth = 2.0;
 constexpr double rough_tolerance = 1e-5;  // of films that are only a way to others
-constexpr int coarsest_nx = 33;  // grid sequencing starts at the coarsest grid with at least so many lines
+constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
 bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution,
                                double tolerance) {
   newton.aim_at(std::max(tolerance, rough_tolerance));
-  double step = first_pseudo_step;
+  double step = first_pseudo_step, growth = pseudo_step_growth;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
     const std::vector<double> mass = newton.mass(load, solution);
     FilmSolution next = solution;
     if (newton.solve(load, next, ImplicitStep{1.0 / step, mass})) {
       solution = std::move(next);
-      step *= pseudo_step_growth;
+      step *= growth;
     } else {
       step *= 0.25;
+      growth = careful_growth;
       if (step < 1e-6) return false;
     }
   }
@@ -175,7 +177,8 @@ FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCo
                             const SolverOptions& options, FilmSolution guess) {
   StationaryNewton newton(films, options.newton);
   if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
-  if (!solve_on_grid(newton, load, guess, options.newton.tolerance, true)) report_failure(films.front()->grid(), newton);
+  if (!solve_on_grid(newton, load, guess, options.newton.tolerance, true))
+    report_failure(films.front()->grid(), newton);
   return guess;
 }
 
