@@ -20,8 +20,8 @@ constexpr double rough_tolerance = 1e-5;  // of films that are only a way to oth
 constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
-bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution,
-                               double tolerance) {
+bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
+  const double tolerance = newton.tolerance();
   newton.aim_at(std::max(tolerance, rough_tolerance));
   double step = first_pseudo_step, growth = pseudo_step_growth;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
@@ -41,17 +41,15 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
 }
 
 /// Solves from a guess by Newton alone, or through pseudo-time where that fails.
-bool solve_on_grid(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution, double tolerance,
-                   bool guess_is_close) {
+bool solve_on_grid(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution, bool guess_is_close) {
   if (guess_is_close) {
-    newton.aim_at(tolerance);
     FilmSolution direct = solution;
     if (newton.solve(load, direct)) {
       solution = std::move(direct);
       return true;
     }
   }
-  return solve_through_pseudo_time(newton, load, solution, tolerance);
+  return solve_through_pseudo_time(newton, load, solution);
 }
 
 /// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
@@ -127,8 +125,8 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     StationaryNewton newton({&present}, options.newton);
     result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
     // The figures of the last grid but one tell the error of the finest.
-    const double tolerance = n > 1 ? std::max(options.newton.tolerance, rough_tolerance) : options.newton.tolerance;
-    const bool solved = solve_on_grid(newton, load, result.solution, tolerance, before != nullptr);
+    if (n > 1) newton.aim_at(std::max(newton.tolerance(), rough_tolerance));
+    const bool solved = solve_on_grid(newton, load, result.solution, before != nullptr);
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
     if (n == 1 && solved) result.before = figures_of(present, load, result.solution);
@@ -159,9 +157,7 @@ StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& loa
   StationaryNewton newton({&film}, options.newton);
   FilmSolution solution = guess;
   if (load.kind == LoadCondition::Kind::displacement) solution.H0 = load.value;
-  if (!solve_on_grid(newton, load, solution, options.newton.tolerance, true)) {
-    return solve_stationary(film, load, options);
-  }
+  if (!solve_on_grid(newton, load, solution, true)) return solve_stationary(film, load, options);
   return result_of(film, load, std::move(solution), newton.counts());
 }
 
@@ -177,8 +173,7 @@ FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCo
                             const SolverOptions& options, FilmSolution guess) {
   StationaryNewton newton(films, options.newton);
   if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
-  if (!solve_on_grid(newton, load, guess, options.newton.tolerance, true))
-    report_failure(films.front()->grid(), newton);
+  if (!solve_on_grid(newton, load, guess, true)) report_failure(films.front()->grid(), newton);
   return guess;
 }
 

@@ -7,7 +7,8 @@ StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const Newton
       state_(system_.create_state()),
       residual_(system_.create_state()),
       rate_(system_.create_state()),
-      jacobian_(shell_jacobian(system_)) {
+      jacobian_(shell_jacobian(system_)),
+      tolerance_(options.tolerance) {
   petsc_check(SNESCreate(system_.comm(), snes_.put()));
   petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
   petsc_check(SNESSetFunction(

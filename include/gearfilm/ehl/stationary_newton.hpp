@@ -59,7 +59,11 @@ public:
   bool solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step = {});
 
   /// For solves from now on: a root mean square of the residual.
-  void aim_at(double tolerance) { gearfilm::aim_at(snes_, tolerance * system_.weight()); }
+  void aim_at(double tolerance) {
+    tolerance_ = tolerance;
+    gearfilm::aim_at(snes_, tolerance * system_.weight());
+  }
+  double tolerance() const { return tolerance_; }
 
   /// rho H of films.
   std::vector<double> mass(const LoadCondition& load, const FilmSolution& films);
@@ -85,6 +89,7 @@ private:
   OwnedVec state_, residual_, rate_;
   OwnedMat jacobian_;
   OwnedSNES snes_;
+  double tolerance_;
   SolveCounts counts_;
 };
 
