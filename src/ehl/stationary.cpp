@@ -41,15 +41,11 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
 }
 
 /// Solves from a guess by Newton alone, or through pseudo-time where that fails.
-bool solve_on_grid(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution, bool guess_is_close) {
-  if (guess_is_close) {
-    FilmSolution direct = solution;
-    if (newton.solve(load, direct)) {
-      solution = std::move(direct);
-      return true;
-    }
-  }
-  return solve_through_pseudo_time(newton, load, solution);
+bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolution& guess) {
+  FilmSolution direct = guess;
+  if (!newton.solve(load, direct)) return solve_through_pseudo_time(newton, load, guess);
+  guess = std::move(direct);
+  return true;
 }
 
 /// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
@@ -123,14 +119,21 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton({&present}, options.newton);
-    result.solution = before ? interpolate(*before, present.grid(), result.solution) : dry_guess(present, load);
     // The figures of the last grid but one tell the error of the finest.
     if (n > 1) newton.aim_at(std::max(newton.tolerance(), rough_tolerance));
-    const bool solved = solve_on_grid(newton, load, result.solution, before != nullptr);
+    bool solved = false;
+    if (before) {
+      result.solution = interpolate(*before, present.grid(), result.solution);
+      solved = solve_from(newton, load, result.solution);
+    }
+    if (!solved) {
+      result.solution = dry_guess(present, load);
+      solved = solve_through_pseudo_time(newton, load, result.solution);
+    }
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
     if (n == 1 && solved) result.before = figures_of(present, load, result.solution);
-    // A coarse grid may be too coarse for a thin film to exist: then the next one starts from nothing.
+    // A coarse grid may be too coarse for a thin film to exist: then the next one starts from the dry pressure.
     before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
@@ -157,7 +160,7 @@ StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& loa
   StationaryNewton newton({&film}, options.newton);
   FilmSolution solution = guess;
   if (load.kind == LoadCondition::Kind::displacement) solution.H0 = load.value;
-  if (!solve_on_grid(newton, load, solution, true)) return solve_stationary(film, load, options);
+  if (!solve_from(newton, load, solution)) return solve_stationary(film, load, options);
   return result_of(film, load, std::move(solution), newton.counts());
 }
 
@@ -173,7 +176,7 @@ FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCo
                             const SolverOptions& options, FilmSolution guess) {
   StationaryNewton newton(films, options.newton);
   if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
-  if (!solve_on_grid(newton, load, guess, true)) report_failure(films.front()->grid(), newton);
+  if (!solve_from(newton, load, guess)) report_failure(films.front()->grid(), newton);
   return guess;
 }
 

@@ -154,7 +154,7 @@ protected:
 
   FilmCase slender = table3_pitch();                 // cells eight times as long as wide on twice as many lines as rows
   FilmCase circular = moes_contact(200, 10, 1.0);    // cells almost square on as many
-  FilmCase needle = moes_contact(20000, 10, 0.004);  // cells fifty times as long as wide on twice as many
+  FilmCase needle = moes_contact(20000, 10, 0.004);  // cells twenty times as long as wide on as many
 };
 
 TEST_F(PreconditionerLevels, go_down_to_33_lines_where_cells_are_long_whatever_the_rows) {
@@ -174,13 +174,13 @@ TEST_F(PreconditionerLevels, go_down_to_33_nodes_along_either_direction_where_ce
 TEST_F(PreconditionerLevels, go_down_to_33_nodes_along_either_direction_where_rows_need_not_be_kept) {
   EXPECT_EQ(levels_of(slender, 129, 17, HUGE_VAL, false), 3);  // along X alone
   EXPECT_EQ(levels_of(slender, 65, 257, HUGE_VAL, false), 4);  // 65 x 257, 33 x 129, 33 x 65, 33 x 33
-  EXPECT_EQ(levels_of(needle, 129, 65, HUGE_VAL, false), 3);   // 65 x 33, 33 x 33
-  EXPECT_EQ(levels_of(needle, 129, 65, HUGE_VAL, true), 4);    // 65 x 65, 33 x 65, 33 x 33
+  EXPECT_EQ(levels_of(needle, 129, 129, HUGE_VAL, false), 3);  // 65 x 65, 33 x 33
+  EXPECT_EQ(levels_of(needle, 129, 129, HUGE_VAL, true), 4);   // 65 x 129, 33 x 129, 33 x 65
 }
 
 TEST_F(PreconditionerLevels, are_no_coarser_than_the_longest_step) {
   const double h_x = slender.shape(257, 65).h_x();
-  EXPECT_EQ(levels_of(slender, 257, 65, 4.01 * h_x), 3);
+  EXPECT_EQ(levels_of(slender, 257, 65, 4.01 * h_x), 4);  // 129 x 65, 65 x 65, 65 x 33
   EXPECT_EQ(levels_of(slender, 257, 65, 0.5 * h_x), 1);
 }
 

@@ -103,6 +103,6 @@ private:
 inline bool has_long_cells(const Grid& grid) { return grid.h_y() >= 2.0 * grid.h_x(); }
 
 /// Where cells are still longer, halving the rows loses what neighbouring rows differ in: coarser grids keep them all.
-inline bool needs_all_rows(const Grid& grid) { return grid.h_y() >= 16.0 * grid.h_x(); }
+inline bool needs_all_rows(const Grid& grid) { return grid.h_y() >= 8.0 * grid.h_x(); }
 
 }  // namespace gearfilm
