@@ -2,10 +2,9 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <span>
 #include <type_traits>
-#include <utility>
+#include <vector>
 
 #include "gearfilm/ehl/field.hpp"
 
@@ -18,28 +17,28 @@ MPI_Datatype mpi_type() {
   return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
 }
 
-/// Serves all fields of one grid, in either precision. Which ghost is whose row is the DMDA's; PETSc's own update of
-/// local vectors copies the own nodes too.
+/// Serves all fields of one grid, in either precision: each process has the rows between those of its neighbours.
 class Halo {
 public:
   explicit Halo(const Grid& grid);
-  ~Halo();
-  Halo(const Halo&) = delete;
-  Halo& operator=(const Halo&) = delete;
 
   /// Fills the ghosts of all these fields, with one message to a neighbour.
   template <class Real, class... More>
   void exchange(Field<Real>& first, More&... more) const {
     const std::array<Field<Real>*, 1 + sizeof...(More)> fields{&first, &more...};
-    if (!alone_) travel<Real>(fields);
+    if (!neighbours_.empty()) travel<Real>(fields);
     if (first_) reflect<Real>(fields);
   }
 
 private:
+  struct Neighbour {
+    int rank;
+    int edge;   ///< own row next to it
+    int ghost;  ///< its row next to that
+  };
+
   template <class Real>
   void travel(std::span<Field<Real>* const> fields) const;
-  /// A value of each of so many fields.
-  MPI_Datatype values_of(std::size_t fields, MPI_Datatype real) const;
 
   template <class Real>
   static void reflect(std::span<Field<Real>* const> fields) {
@@ -48,11 +47,9 @@ private:
     }
   }
 
-  OwnedSF forest_;  ///< roots: own edge rows; leaves: the neighbours' ghost rows; [line][south, north]
-  bool alone_;
+  MPI_Comm comm_;
   bool first_;  ///< holds row 0
-  bool last_;   ///< holds the last row
-  mutable std::map<std::pair<std::size_t, MPI_Datatype>, MPI_Datatype> types_;
+  std::vector<Neighbour> neighbours_;
 };
 
 }  // namespace gearfilm
