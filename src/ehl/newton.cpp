@@ -15,7 +15,7 @@ constexpr int early_solves = 2;          // before the late tolerance
 constexpr double loosest_solve = 0.2;    // relative tolerance of the last ones
 constexpr double left_over = 0.2;        // of Newton's tolerance: less, a linear solve need not leave
 constexpr int easings = 8;               // of a full step that leads up
-constexpr double growth_of_eased = 6.0;  // of the merit
+constexpr double growth_of_eased = 3.0;  // of the merit
 constexpr double shortest_step = 1e-3;
 
 constexpr PetscInt full_restart = 60;

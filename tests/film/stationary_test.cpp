@@ -137,7 +137,7 @@ TEST(Stationary, films_where_contacts_enter_are_found_at_any_displacement) {
                   grid_shape({.x_min = -2.083, .x_max = 1.667, .y_half = 1.6}, pitch.scales.hertz.ellipticity, 73, 33));
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   film.set_conditions({.relative_radius = 0.838367, .entrainment = 0.948058});
-  for (double H0 = -2.0; H0 < -1.6; H0 += 0.01) {
+  for (double H0 = -2.0; H0 < -1.6; H0 += 0.05) {
     const auto found = solve_stationary(film, LoadCondition::displacement(H0), SolverOptions{});
     EXPECT_GT(found.figures.smallest_film, 0.0) << "H0 = " << H0;
   }
