@@ -124,19 +124,14 @@ void MeshedFilms::make_room() {
 }
 
 // Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.
-LiveContact MeshedFilms::enter(int number, const std::map<int, double>& neighbours) {
+LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std::vector<double> carried) {
   const ScopedStage stage("Entering film");
-  std::vector<int> together;
-  std::vector<double> carried;
-  for (const auto& [neighbour, force] : neighbours) {
-    together.push_back(neighbour);
-    carried.push_back(force);
-  }
-  together.push_back(number);
-  carried.push_back(0.0);
+  const std::size_t own = std::ranges::find(together, number) - together.begin();
+  carried.resize(together.size());
+  carried[own] = 0.0;
   const Compliance compliance = mesh_.compliance(together, T_);
-  const double displaced = compliance.displacements(motion_.H0, carried).back();
-  const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(neighbours.size()));
+  const double displaced = compliance.displacements(motion_.H0, carried)[own];
+  const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(own));
   for (;;) {
     ContactFilm* film = free_film();
     film->set_conditions(mesh_.contact(number, T_).conditions);
@@ -201,13 +196,7 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
     // What films carry that do not exist yet, their dry contacts tell.
     const std::vector<int> numbers = mesh_.path.contacts_after(T_);
     const std::vector<double> dry = DryContacts(DryForce(mesh_), mesh_, numbers, T_).forces(motion_.H0);
-    for (int number : numbers) {
-      std::map<int, double> neighbours;
-      for (std::size_t k = 0; k < numbers.size(); ++k) {
-        if (numbers[k] != number) neighbours.emplace(numbers[k], dry[k]);
-      }
-      contacts_.push_back(enter(number, neighbours));
-    }
+    for (int number : numbers) contacts_.push_back(enter(number, numbers, dry));
     const Compliance compliance = mesh_.compliance(numbers, T_);
     if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0, compliance));
   } else {
@@ -235,20 +224,21 @@ std::vector<ContactRecord> MeshedFilms::records() const {
   return contact_records(mesh_, contacts_, T_, present);
 }
 
-std::map<int, double> MeshedFilms::by_number(const std::vector<double>& values) const {
-  std::map<int, double> known;
-  for (std::size_t k = 0; k < contacts_.size(); ++k) known.emplace(contacts_[k].number, values[k]);
-  return known;
+std::map<int, double> MeshedFilms::displacement_by_number() const {
+  const std::vector<double> displaced = displacements();
+  std::map<int, double> by_number;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) by_number.emplace(contacts_[k].number, displaced[k]);
+  return by_number;
 }
 
 bool MeshedFilms::exchange() {
   const std::vector<int> before = numbers(), after = mesh_.path.contacts_after(T_);
   if (before == after) return false;
-  const std::map<int, double> displaced = by_number(displacements());
+  const std::map<int, double> displaced = displacement_by_number();
   std::erase_if(contacts_,
                 [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
   for (int number : after) {
-    if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number, by_number(forces())));
+    if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number, after, forces()));
   }
   // Teeth spring back that a force bent which is gone, and bend under one that is new.
   if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled())
@@ -257,7 +247,7 @@ bool MeshedFilms::exchange() {
 }
 
 void MeshedFilms::displace(const Motion& motion, double duration) {
-  const std::map<int, double> before = by_number(displacements());
+  const std::map<int, double> before = displacement_by_number();
   const bool jumps = motion.H0 != motion_.H0;
   motion_ = motion;
   if (jumps) follow(before, std::max(options_.steps.dT, duration));

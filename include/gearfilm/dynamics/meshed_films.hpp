@@ -72,8 +72,7 @@ private:
   std::vector<double> forces() const;
   /// H_k.
   std::vector<double> displacements() const;
-  /// Values of the contacts by their numbers.
-  std::map<int, double> by_number(const std::vector<double>& values) const;
+  std::map<int, double> displacement_by_number() const;
   /// Put where they are now.
   std::vector<ContactFilm*> present_films() const;
   std::vector<FilmFigures> figures() const;
@@ -86,8 +85,8 @@ private:
   /// The present pressures, changed as those of dry contacts by the way from these displacements to those of now.
   std::vector<double> similar_pressures(const std::vector<double>& displaced) const;
 
-  /// A contact that is new among neighbours with these forces, by number.
-  LiveContact enter(int number, const std::map<int, double>& neighbours);
+  /// A new contact, among those together with it, of which the first ones carry these forces.
+  LiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
   /// Makes the present films stationary together.
   void settle(const LoadCondition& load);
