@@ -14,7 +14,8 @@ namespace {
 
 constexpr double first_pseudo_step = 0.05;
 constexpr double last_pseudo_step = 20.0;
-constexpr double pseudo_step_growth = 4.0;  // until a step fails
+constexpr double shortest_pseudo_step = 1e-6;  // where shorter ones fail too, the guess leads nowhere
+constexpr double pseudo_step_growth = 4.0;     // until a step fails
 constexpr double careful_growth = 2.0;
 constexpr double rough_tolerance = 1e-5;  // of films that are only a way to others
 constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
@@ -24,7 +25,7 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
   const double tolerance = newton.tolerance();
   newton.aim_at(std::max(tolerance, rough_tolerance));
   double step = first_pseudo_step, growth = pseudo_step_growth;
-  for (int attempt = 0; attempt < 60 && step < last_pseudo_step; ++attempt) {
+  for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
     const std::vector<double> mass = newton.mass(load, solution);
     FilmSolution next = solution;
     if (newton.solve(load, next, ImplicitStep{1.0 / step, mass})) {
@@ -33,11 +34,10 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
     } else {
       step *= 0.25;
       growth = careful_growth;
-      if (step < 1e-6) return false;
     }
   }
   newton.aim_at(tolerance);
-  return newton.solve(load, solution);
+  return step > shortest_pseudo_step && newton.solve(load, solution);
 }
 
 /// Solves from a guess by Newton alone, or through pseudo-time where that fails.

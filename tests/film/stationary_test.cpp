@@ -140,6 +140,7 @@ TEST(Stationary, films_where_contacts_enter_are_found_at_any_displacement) {
   for (double H0 = -2.0; H0 < -1.6; H0 += 0.05) {
     const auto found = solve_stationary(film, LoadCondition::displacement(H0), SolverOptions{});
     EXPECT_GT(found.figures.smallest_film, 0.0) << "H0 = " << H0;
+    EXPECT_LT(found.counts.residual, SolverOptions{}.newton.tolerance) << "H0 = " << H0;
   }
 }
 
