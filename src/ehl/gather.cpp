@@ -1,6 +1,7 @@
 #include "gearfilm/ehl/gather.hpp"
 
 #include <petscdmda.h>
+#include <petscsf.h>
 
 #include <algorithm>
 

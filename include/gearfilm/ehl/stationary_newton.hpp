@@ -68,7 +68,6 @@ public:
   /// rho H of films.
   std::vector<double> mass(const LoadCondition& load, const FilmSolution& films);
 
-  MPI_Comm comm() const { return system_.comm(); }
   const SolveCounts& counts() const { return counts_; }
   /// Where the last solve() left the largest residual, of one film. Collective.
   WorstNode worst(std::size_t film) const { return system_.worst_node(residual_, film); }

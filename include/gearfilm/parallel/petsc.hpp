@@ -6,7 +6,6 @@
 #pragma once
 
 #include <petscdmda.h>
-#include <petscsf.h>
 #include <petscsnes.h>
 
 #include <exception>
@@ -92,7 +91,6 @@ using OwnedKSP = PetscHandle<KSP, KSPDestroy>;
 using OwnedPC = PetscHandle<PC, PCDestroy>;
 using OwnedSNES = PetscHandle<SNES, SNESDestroy>;
 using OwnedDM = PetscHandle<DM, DMDestroy>;
-using OwnedSF = PetscHandle<PetscSF, PetscSFDestroy>;
 
 /// How many values of a vector are here.
 inline std::size_t local_size(Vec vec) {
