@@ -130,7 +130,7 @@ void DryMarch::run(double T_end) {
       integrate(contacts, step == steps ? segment_end : begin + (segment_end - begin) * step / steps);
       observe(T_ - before, MPI_Wtime() - wall_start);
     }
-    if (keeper_) keeper_->keep(T_, {motion_, {}});
+    if (keeper_) keeper_->keep(T_, {motion_, {}}, {});
   }
 }
 

@@ -60,7 +60,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
     system.set_field(state, k, values_of(contacts()[k].fields, field::pressure));
   }
   pair.set_motion(state, motion());
-  SegmentStepper stepper(pair, steps, [&](const StepRecord& record) {
+  SegmentStepper stepper(pair, guesses_, steps, [&](const StepRecord& record) {
     films_.move(record.T, record.motion);
     Room needed;
     for (std::size_t k = 0; k < contacts().size(); ++k) {
@@ -83,6 +83,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 void MeshMarch::run(double T_end) {
   if (const auto kept = take_over(keeper_, T(), motion(), observer_)) {
     films_.take_up(kept->T, kept->state, mesh().path.contacts_before(kept->T));
+    guesses_ = GuessMemory(kept->guesses);
   }
   // What happens between two segments follows from what is kept at the end of the first.
   for (exchange_contacts(); T() < T_end - 1e-9 && !contacts().empty(); exchange_contacts()) {
@@ -95,7 +96,7 @@ void MeshMarch::run(double T_end) {
       if (share->jump) steps.dT = std::min(steps.dT, (segment_end - T()) / mesh().load->jump_refinement);
     }
     run_segment(segment_end, steps, share);
-    if (keeper_) keeper_->keep(T(), state());
+    if (keeper_) keeper_->keep(T(), state(), guesses_.values());
   }
 }
 

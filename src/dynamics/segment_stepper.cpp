@@ -21,9 +21,10 @@ constexpr double longest_fall = 0.2;
 
 double StepOptions::largest() const { return tolerance ? largest_step * dT : dT; }
 
-SegmentStepper::SegmentStepper(LubricatedPair& pair, const StepOptions& options,
+SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, const StepOptions& options,
                                std::function<void(const StepRecord&)> on_step)
     : pair_(pair),
+      memory_(memory),
       options_(options),
       on_step_(std::move(on_step)),
       rows_(pair.system().create_state()),
@@ -145,6 +146,7 @@ void SegmentStepper::configure_solvers() {
           }
           own->pair_.system().restrain(state, own->solved_);
           own->pair_.follow_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
+          own->memory_.correct(own->pair_, state, own->state_time_);
         });
       },
       this));
@@ -172,6 +174,7 @@ void SegmentStepper::finish_stage(double T, Vec state) {
   petsc_check(TSGetSNES(ts_, &snes));
   petsc_check(SNESGetConvergedReason(snes, &reason));
   if (reason > 0) {
+    memory_.learn(pair_, state, solved_time_, T);
     set_solved(T, state);
     at_start_ = false;
     return;

@@ -7,6 +7,7 @@
 
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/own_file.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -80,6 +81,10 @@ std::filesystem::path Checkpoint::file(const KeptState& state) const {
   return folder_ / name;
 }
 
+std::filesystem::path Checkpoint::own_file(const KeptState& state) const {
+  return file(state).replace_extension("guesses" + std::to_string(grid_.rank()));
+}
+
 // States are numbered through all runs. One that was damaged since, or whose steps were: the one before it serves.
 void Checkpoint::find_states() {
   std::string names;
@@ -101,7 +106,7 @@ void Checkpoint::find_states() {
 }
 
 /// Completes what the name of a state does not tell. Whether the state and its steps are what was written.
-bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) const {
+bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
   const std::optional<StateFile> found = read_state(grid_.comm(), file(state));
   if (!found) return false;
   if (!same_lattice(grid_.shape(), found->shape)) {
@@ -117,11 +122,23 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) con
   const auto steps_end = description["steps_end"].get<std::uint64_t>();
   if (steps_end < steps_before.end) return false;
   state.steps = journal_.mark_at(steps_end, steps_before);
-  return state.steps.checksum == description["steps_checksum"].get<std::uint64_t>();
+  if (state.steps.checksum != description["steps_checksum"].get<std::uint64_t>()) return false;
+  const Summary& guesses = description["guesses"];
+  int processes = 0;
+  MPI_Comm_size(grid_.comm(), &processes);
+  if (guesses["processes"] != processes) {
+    guesses_.clear();
+    return true;
+  }
+  std::optional<std::vector<double>> own =
+      read_own(grid_.comm(), own_file(state), guesses["checksum"].get<std::uint64_t>());
+  if (own) guesses_ = std::move(*own);
+  return own.has_value();
 }
 
 void Checkpoint::remove_file(const KeptState& state) const {
   std::error_code ignored;
+  std::filesystem::remove(own_file(state), ignored);
   if (grid_.rank() == 0) std::filesystem::remove(file(state), ignored);
 }
 
@@ -163,6 +180,7 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
     kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
     kept.state.films = films_from(found->fields, description["films"]);
     kept.state.shape = found->shape;
+    if (end == kept_.end()) kept.guesses = guesses_;
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
   kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
@@ -184,18 +202,22 @@ void Checkpoint::drop_snapshots() {
   for (KeptState& state : kept_) state.with_snapshots = state.with_snapshots && state.run != run_;
 }
 
-void Checkpoint::keep(double T, const PairState& state) {
+void Checkpoint::keep(double T, const PairState& state, const std::vector<double>& guesses) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
   const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
   next.steps = journal_.write(steps_before, waiting_);
+  int processes = 0;
+  MPI_Comm_size(grid_.comm(), &processes);
+  const std::uint64_t guesses_checksum = write_own(grid_.comm(), own_file(next), guesses);
   Summary description = {{"T", T},
                          {"H0", state.motion.H0},
                          {"V0", state.motion.V0},
                          {"begin", run_begin_},
                          {"steps_end", next.steps.end},
-                         {"steps_checksum", next.steps.checksum}};
+                         {"steps_checksum", next.steps.checksum},
+                         {"guesses", {{"processes", processes}, {"checksum", guesses_checksum}}}};
   const Grid grid = state.films.empty() ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);

@@ -151,7 +151,7 @@ TEST_F(CheckpointTest, state_of_a_grid_of_other_steps_is_refused) {
     Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::anew);
     checkpoint.begin_run(0.0, {});
     checkpoint.record(step(0.1));
-    checkpoint.keep(0.1, {{}, {{{"pressure", field(1.0)}}}, grid_.shape()});
+    checkpoint.keep(0.1, {{}, {{{"pressure", field(1.0)}}}, grid_.shape()}, {});
   }
   GridShape other = grid_.shape();
   other.x_max += grid_.h_x();
@@ -184,7 +184,7 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
         const double T = run + 0.2 * (segment + 1);
         checkpoint.record(step(T - 0.1));
         checkpoint.record(step(T));
-        checkpoint.keep(T, state_at(T));
+        checkpoint.keep(T, state_at(T), {T, 2.0 * T});
       }
       checkpoint.record(step(run + 0.95));  // never kept
     }
@@ -199,6 +199,8 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
     EXPECT_EQ(kept->state.motion.H0, T / 3.0);
     EXPECT_EQ(kept->state.films.front().at("pressure"), field(T));
     EXPECT_EQ(kept->state.films.front().at("rate"), field(T + 0.5));
+    // Those of a run that another one followed nobody goes on from.
+    EXPECT_EQ(kept->guesses, run == 2 ? std::vector<double>({T, 2.0 * T}) : std::vector<double>());
     ASSERT_EQ(kept->records.size(), 8U);
     EXPECT_EQ(kept->records.back().motion.V0, T / 7.0);
     EXPECT_EQ(kept->records.back().contacts.front().figures["h_min"], T / 11.0);
@@ -214,7 +216,7 @@ TEST_F(CheckpointTest, state_before_the_damage_serves) {
     checkpoint.begin_run(0.0, {});
     for (const double T : {0.1, 0.2}) {
       checkpoint.record(step(T));
-      checkpoint.keep(T, {{T, 0.0}, {{{"pressure", field(T)}, {"rate", field(T)}}}, grid_.shape()});
+      checkpoint.keep(T, {{T, 0.0}, {{{"pressure", field(T)}, {"rate", field(T)}}}, grid_.shape()}, {T});
     }
   }
   const auto kept_until = [&] { return Checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped).kept_until(); };
@@ -224,6 +226,22 @@ TEST_F(CheckpointTest, state_before_the_damage_serves) {
   EXPECT_EQ(kept_until(), 0.1);
   change_bit(folder / "run000_00000.state", 1000);
   EXPECT_EQ(kept_until(), 0.0);
+}
+
+TEST_F(CheckpointTest, state_before_damaged_guesses_serves) {
+  const std::filesystem::path folder = folder_ / "checkpoint";
+  {
+    Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::anew);
+    checkpoint.begin_run(0.0, {});
+    for (const double T : {0.1, 0.2}) checkpoint.keep(T, {{T, 0.0}, {{{"pressure", field(T)}}}, grid_.shape()}, {T, T});
+  }
+  change_bit(folder / "run000_00001.guesses0", 9);
+  Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped);
+  const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->T, 0.1);
+  EXPECT_EQ(kept->guesses, std::vector<double>({0.1, 0.1}));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run000_00001.guesses0"));
 }
 
 // Names that nothing else knows, different ones on two contacts, with a snapshot behind them.
@@ -238,7 +256,7 @@ TEST_F(CheckpointTest, every_named_field_of_a_contact_comes_back) {
     EXPECT_FALSE(checkpoint.begin_run(0.0, {}));
     checkpoint.record(step(0.1));
     checkpoint.attach({0.1, {{4, 1e-3, {{"pressure", shown}, {"temperature", shown}}}}, grid_.shape()});
-    checkpoint.keep(0.1, {{}, films, grid_.shape()});
+    checkpoint.keep(0.1, {{}, films, grid_.shape()}, {});
   }
   Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
   const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
@@ -261,7 +279,7 @@ TEST_F(CheckpointTest, run_that_begins_otherwise_is_not_taken_over) {
   const auto keep_one_run = [&](Checkpoint& checkpoint, double H0) {
     const bool known = checkpoint.begin_run(0.0, {H0, 0.0}).has_value();
     checkpoint.record(step(0.1));
-    checkpoint.keep(0.1, {{H0, 0.0}, {}});
+    checkpoint.keep(0.1, {{H0, 0.0}, {}}, {});
     return known;
   };
   Checkpoint first(grid_, folder_ / "checkpoint", Checkpoint::Begin::anew);

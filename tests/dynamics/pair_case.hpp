@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,19 @@ private:
   SharedDiscretisation discretisation_;
   std::vector<StepRecord> records_;
   MeshMarch march_;
+};
+
+/// Keeps what a march gives it, and gives it back as a program that was started again would find it.
+class Memory final : public MarchKeeper {
+public:
+  std::optional<KeptRun> begin_run(double, const Motion&) override { return known; }
+  void record(const StepRecord&) override {}
+  void keep(double T, const PairState& state, const std::vector<double>& guesses) override {
+    kept.push_back({{}, T, state, guesses});
+  }
+
+  std::vector<KeptRun> kept;
+  std::optional<KeptRun> known;
 };
 
 /// What the march has passed through, in figures.

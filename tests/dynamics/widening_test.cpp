@@ -1,24 +1,12 @@
 // Grids that are widened on the way of a march: the films are those of a wide grid, and nothing is lost between the
 // two.
 #include <algorithm>
-#include <optional>
 
 #include "gearfilm/ehl/refit.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
 namespace {
-
-/// Keeps what a march gives it, and gives it back as a program that was started again would find it.
-class Memory final : public MarchKeeper {
-public:
-  std::optional<KeptRun> begin_run(double, const Motion&) override { return known; }
-  void record(const StepRecord&) override {}
-  void keep(double T, const PairState& state) override { kept.push_back({{}, T, state}); }
-
-  std::vector<KeptRun> kept;
-  std::optional<KeptRun> known;
-};
 
 /// A mesh period at 8000 rpm, where the force reaches twice the static one.
 class Widening : public testing::Test {

@@ -18,6 +18,7 @@ public:
                  const std::optional<LoadSharing::Piece>& share = {});
 
   FilmSystem& system() { return system_; }
+  const FilmSystem& system() const { return system_; }
   const MeshModel& mesh() const { return mesh_; }
   /// Of the contacts.
   const std::vector<int>& numbers() const { return numbers_; }

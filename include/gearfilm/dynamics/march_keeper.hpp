@@ -18,6 +18,7 @@ struct KeptRun {
   std::vector<StepRecord> records;
   double T = 0.0;
   PairState state;
+  std::vector<double> guesses;  ///< this process's GuessMemory
 };
 
 class MarchKeeper {
@@ -27,8 +28,9 @@ public:
   virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
   /// A step of the run, or its state after an entering or leaving.
   virtual void record(const StepRecord& record) = 0;
-  /// A segment ends at T with this state; whatever enters or leaves then is still to do so.
-  virtual void keep(double T, const PairState& state) = 0;
+  /// A segment ends at T with this state; whatever enters or leaves then is still to do so. guesses: values of the
+  /// GuessMemory, on this process.
+  virtual void keep(double T, const PairState& state, const std::vector<double>& guesses) = 0;
 };
 
 /// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.

@@ -63,6 +63,7 @@ private:
   MeshedFilms films_;
   StepObserver observer_;
   MarchKeeper* keeper_;
+  GuessMemory guesses_;
   int halved_steps_ = 0;
 };
 

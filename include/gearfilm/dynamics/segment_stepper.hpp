@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 
+#include "gearfilm/dynamics/guess_memory.hpp"
 #include "gearfilm/dynamics/lubricated_pair.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
 
@@ -44,8 +45,9 @@ struct StepOptions {
 
 class SegmentStepper {
 public:
-  /// on_step is called after every accepted step.
-  SegmentStepper(LubricatedPair& pair, const StepOptions& options, std::function<void(const StepRecord&)> on_step);
+  /// on_step is called after every accepted step. Pair and memory must outlive the stepper.
+  SegmentStepper(LubricatedPair& pair, GuessMemory& memory, const StepOptions& options,
+                 std::function<void(const StepRecord&)> on_step);
   SegmentStepper(const SegmentStepper&) = delete;
   SegmentStepper& operator=(const SegmentStepper&) = delete;
 
@@ -78,6 +80,7 @@ private:
   std::string describe_end() const;
 
   LubricatedPair& pair_;
+  GuessMemory& memory_;
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;

@@ -84,6 +84,7 @@ public:
   /// sqrt(nodes of all films).
   double weight() const { return weight_; }
   MPI_Comm comm() const override { return grid_.comm(); }
+  const Grid& grid() const { return grid_; }
   PetscInt local_size() const override;
   PetscInt pressure_count() const override { return static_cast<PetscInt>(border_at()); }
 

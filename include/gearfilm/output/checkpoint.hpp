@@ -3,7 +3,9 @@
 //   steps                   every step so far, to the bit: the history in results.h5 is made from these again
 //   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (march_keeper.hpp), with
 //                           the snapshots taken since the state before
-// After every segment the steps are appended and the state is written aside, flushed and renamed. Kept are the last
+//   run003_00017.guesses0   what the first process remembers for the guesses of steps to come; another number of
+//                           processes begins without
+// After every segment the steps are appended, and the state is written aside, flushed and renamed. Kept are the last
 // two states, those that end a run, and those with snapshots.
 #pragma once
 
@@ -26,7 +28,7 @@ public:
 
   std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
   void record(const StepRecord& record) override;
-  void keep(double T, const PairState& state) override;
+  void keep(double T, const PairState& state, const std::vector<double>& guesses) override;
 
   /// Fields that are to be kept with the next state.
   void attach(const FilmSnapshot& snapshot);
@@ -58,8 +60,9 @@ private:
   };
 
   std::filesystem::path file(const KeptState& state) const;
+  std::filesystem::path own_file(const KeptState& state) const;
   void find_states();
-  bool complete(KeptState& state, const JournalMark& steps_before) const;
+  bool complete(KeptState& state, const JournalMark& steps_before);
   void remove_file(const KeptState& state) const;
   void forget_from(std::size_t first);
   void remove_superfluous();
@@ -69,6 +72,7 @@ private:
   Begin begin_;
   RecordJournal journal_;
   std::vector<KeptState> kept_;
+  std::vector<double> guesses_;  ///< of the last state that was found
   int run_ = -1;
   Summary run_begin_;                ///< T, H_0, V_0
   std::vector<StepRecord> waiting_;  ///< since the last state

@@ -1,0 +1,19 @@
+// Values that each process keeps for itself, in a file of its own, with a checksum over the files of all.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+
+/// The checksum. Collective, as is read_own(); throws OutputError. The files are on the disk when the call returns.
+std::uint64_t write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values);
+
+/// Nothing where the file of any process is missing, not whole, or damaged.
+std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, std::uint64_t expected);
+
+}  // namespace gearfilm

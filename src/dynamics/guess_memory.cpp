@@ -1,0 +1,134 @@
+#include "gearfilm/dynamics/guess_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+
+namespace gearfilm {
+namespace {
+
+constexpr int places = 1'000'000;    // in a mesh period, that are told apart
+constexpr double helpful = 0.5;      // of the square of a miss, what may be left of it
+constexpr double oldest = 1.5;       // mesh periods
+constexpr double most_bytes = 64e6;  // on all processes
+constexpr double largest = 32767.0;  // multiple of a unit
+
+int place_of(const MeshModel& mesh, double T) {
+  const double periods = mesh.path.mesh_periods(T);
+  return static_cast<int>(std::lround((periods - std::floor(periods)) * places)) % places;
+}
+
+std::span<const double> pressures_of(const LubricatedPair& pair, const VecReading& state) {
+  return state.values().first(static_cast<std::size_t>(pair.system().pressure_count()));
+}
+
+/// Values that so many small integers take, bit by bit.
+std::size_t values_for(std::size_t integers) {
+  return (integers * sizeof(std::int16_t) + sizeof(double) - 1) / sizeof(double);
+}
+
+}  // namespace
+
+GuessMemory::GuessMemory(std::span<const double> values) {
+  if (values.empty()) return;
+  const auto take = [&] {
+    const double value = values.front();
+    values = values.subspan(1);
+    return value;
+  };
+  shape_ = {static_cast<int>(take()), static_cast<int>(take()), take(), take(), take()};
+  marched_ = take();
+  trusted_ = take() > 0.0;
+  while (!values.empty()) {
+    Miss& miss = misses_[static_cast<int>(take())];
+    miss = {take(), {take(), take()}, take(), std::vector<std::int16_t>(static_cast<std::size_t>(take()))};
+    std::memcpy(miss.pressures.data(), values.data(), miss.pressures.size() * sizeof(std::int16_t));
+    values = values.subspan(values_for(miss.pressures.size()));
+  }
+}
+
+std::vector<double> GuessMemory::values() const {
+  std::vector<double> values = {static_cast<double>(shape_.nx),
+                                static_cast<double>(shape_.ny),
+                                shape_.x_min,
+                                shape_.x_max,
+                                shape_.y_half,
+                                marched_,
+                                trusted_ ? 1.0 : 0.0};
+  for (const auto& [place, miss] : misses_) {
+    const std::size_t count = miss.pressures.size();
+    values.insert(values.end(), {static_cast<double>(place), miss.learnt, miss.motion.H0, miss.motion.V0, miss.unit,
+                                 static_cast<double>(count)});
+    const std::size_t begin = values.size();
+    values.resize(begin + values_for(count));
+    std::memcpy(values.data() + begin, miss.pressures.data(), count * sizeof(std::int16_t));
+  }
+  return values;
+}
+
+const GuessMemory::Miss* GuessMemory::last_time(const MeshModel& mesh, double T, std::size_t pressures) const {
+  const auto found = misses_.find(place_of(mesh, T));
+  return found != misses_.end() && found->second.pressures.size() == pressures ? &found->second : nullptr;
+}
+
+void GuessMemory::correct(const LubricatedPair& pair, Vec guess, double T) {
+  const GridShape& shape = pair.system().grid().shape();
+  if (shape != shape_) misses_.clear();
+  shape_ = shape;
+  guessed_at_ = T;
+  guessed_motion_ = pair.motion(guess);
+  {
+    const VecReading values(guess);
+    const std::span<const double> pressures = pressures_of(pair, values);
+    guessed_.assign(pressures.begin(), pressures.end());
+  }
+  const Miss* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
+  if (!miss) return;
+  {
+    const VecWriting values(guess);
+    for (std::size_t n = 0; n < guessed_.size(); ++n)
+      values[n] = std::max(0.0, guessed_[n] + miss->unit * miss->pressures[n]);
+  }
+  pair.set_motion(guess, {guessed_motion_.H0 + miss->motion.H0, guessed_motion_.V0 + miss->motion.V0});
+}
+
+void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, double T) {
+  const MeshModel& mesh = pair.mesh();
+  marched_ += mesh.path.mesh_periods(T) - mesh.path.mesh_periods(T0);
+  if (guessed_.empty() || guessed_at_ != T) return;
+  std::vector<double> missed;
+  std::swap(missed, guessed_);
+  const VecReading values(solved);
+  std::ranges::transform(pressures_of(pair, values), missed, missed.begin(), std::minus());
+
+  const auto square = [](double value) { return value * value; };
+  std::array<double, 2> squares = {0.0, 0.0};
+  const Miss* before = last_time(mesh, T, missed.size());
+  if (before) {
+    squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
+               std::transform_reduce(missed.begin(), missed.end(), before->pressures.begin(), 0.0, std::plus(),
+                                     [&](double now, std::int16_t then) { return square(now - before->unit * then); })};
+  }
+  MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
+  trusted_ = squares[1] < helpful * squares[0];
+
+  std::erase_if(misses_, [&](const auto& entry) { return entry.second.learnt < marched_ - oldest; });
+  const Grid& grid = pair.system().grid();
+  const double bytes = 2.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
+  if (!before && static_cast<double>(misses_.size() + 1) * bytes > most_bytes) return;
+  const double most = std::transform_reduce(
+      missed.begin(), missed.end(), 0.0, [](double a, double b) { return std::max(a, b); },
+      [](double value) { return std::abs(value); });
+  Miss& miss = misses_[place_of(mesh, T)];
+  miss = {marched_, difference(pair.motion(solved), guessed_motion_), most > 0.0 ? most / largest : 1.0,
+          std::move(miss.pressures)};
+  miss.pressures.resize(missed.size());
+  std::ranges::transform(missed, miss.pressures.begin(), [inverse = 1.0 / miss.unit](double value) {
+    return static_cast<std::int16_t>(value * inverse + std::copysign(0.5, value));
+  });
+}
+
+}  // namespace gearfilm

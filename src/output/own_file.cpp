@@ -1,0 +1,41 @@
+#include "gearfilm/output/own_file.hpp"
+
+#include <fstream>
+
+#include "gearfilm/output/checksum.hpp"
+#include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/parallel/agreement.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Places of one process come far behind those of the one before it.
+std::uint64_t checksum_of_all(MPI_Comm comm, const std::vector<double>& values) {
+  std::uint64_t sum = checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U);
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm);
+  return sum;
+}
+
+}  // namespace
+
+std::uint64_t write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
+  write_together(comm, path, [&] {
+    write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
+    flush_to_disk(path);
+  });
+  return checksum_of_all(comm, values);
+}
+
+std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, std::uint64_t expected) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(path, missing);
+  std::vector<double> values(missing ? 0 : size / sizeof(double));
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
+  const bool whole = file && !missing && size % sizeof(double) == 0;
+  const bool all_whole = first_reason(comm, whole ? "" : "not whole").empty();
+  if (checksum_of_all(comm, values) != expected || !all_whole) return {};
+  return values;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,72 @@
+// Guesses that know what those of the mesh period before missed: fewer iterations to the same states.
+#include "gearfilm/dynamics/guess_memory.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
+  const Case problem = table3_case(after_leaving());
+  const double mesh_period = mesh_of(problem).path.mesh_period();
+  Memory first;
+  int newton = 0;
+  const auto march_with = [&](Memory& memory) {
+    auto march = std::make_unique<MeshMarch>(make_march(
+        problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
+        [&](const StepRecord& record, const std::vector<LiveContact>&) { newton += static_cast<int>(record.newton); },
+        &memory));
+    march->start(problem.march.start_motion);
+    march->run(2.0 * mesh_period);
+    return march->state();
+  };
+  march_with(first);
+  KeptRun after_one =
+      *std::ranges::find_if(first.kept, [&](const KeptRun& kept) { return kept.T > 0.99 * mesh_period; });
+  ASSERT_NEAR(after_one.T, mesh_period, 1e-6);
+
+  std::vector<int> iterations;
+  std::vector<PairState> ends;
+  for (const bool remembers : {true, false}) {
+    Memory again;
+    again.known = after_one;
+    if (!remembers) again.known->guesses.clear();
+    newton = 0;
+    ends.push_back(march_with(again));
+    iterations.push_back(newton);
+  }
+  const double motion =
+      std::max(std::abs(ends[0].motion.H0 - ends[1].motion.H0), std::abs(ends[0].motion.V0 - ends[1].motion.V0));
+  double films = 0.0;
+  for (std::size_t k = 0; k < ends[0].films.size(); ++k)
+    films = std::max(films, relative_difference(values_of(ends[0].films[k], field::pressure),
+                                                values_of(ends[1].films[k], field::pressure)));
+  report("%d Newton iterations in the place of %d; the motion differs by %.1e, pressures by %.1e", iterations[0],
+         iterations[1], motion, films);
+  EXPECT_LT(iterations[0], 0.9 * iterations[1]);
+  EXPECT_LT(motion, 1e-5);
+  EXPECT_LT(films, 1e-4);
+}
+
+TEST(Guesses, are_what_they_were_after_being_kept) {
+  const Case problem = table3_case(before_an_entry());
+  Memory memory;
+  MeshMarch march = make_march(
+      problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
+      [](const StepRecord&, const std::vector<LiveContact>&) {}, &memory);
+  march.start(problem.march.start_motion);
+  march.run(0.5);
+  ASSERT_FALSE(memory.kept.empty());
+  const std::vector<double>& values = memory.kept.back().guesses;
+  EXPECT_GT(values.size(), 100U);
+  const std::vector<double> again = GuessMemory(values).values();
+  ASSERT_EQ(again.size(), values.size());
+  EXPECT_EQ(std::memcmp(again.data(), values.data(), values.size() * sizeof(double)), 0);
+  EXPECT_EQ(GuessMemory(std::span<const double>()).values().size(), GuessMemory().values().size());
+}
+
+}  // namespace
+}  // namespace gearfilm
