@@ -119,9 +119,11 @@ void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, doubl
   const Grid& grid = pair.system().grid();
   const double bytes = 2.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
   if (!before && static_cast<double>(misses_.size() + 1) * bytes > most_bytes) return;
-  const double most = std::transform_reduce(
+  // One unit for all processes: any number of them makes the same guesses.
+  double most = std::transform_reduce(
       missed.begin(), missed.end(), 0.0, [](double a, double b) { return std::max(a, b); },
       [](double value) { return std::abs(value); });
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, pair.system().comm());
   Miss& miss = misses_[place_of(mesh, T)];
   miss = {marched_, difference(pair.motion(solved), guessed_motion_), most > 0.0 ? most / largest : 1.0,
           std::move(miss.pressures)};
