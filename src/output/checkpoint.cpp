@@ -124,14 +124,8 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
   state.steps = journal_.mark_at(steps_end, steps_before);
   if (state.steps.checksum != description["steps_checksum"].get<std::uint64_t>()) return false;
   const Summary& guesses = description["guesses"];
-  int processes = 0;
-  MPI_Comm_size(grid_.comm(), &processes);
-  if (guesses["processes"] != processes) {
-    guesses_.clear();
-    return true;
-  }
-  std::optional<std::vector<double>> own =
-      read_own(grid_.comm(), own_file(state), guesses["checksum"].get<std::uint64_t>());
+  std::optional<std::vector<double>> own = read_own(
+      grid_.comm(), own_file(state), {guesses["processes"].get<int>(), guesses["checksum"].get<std::uint64_t>()});
   if (own) guesses_ = std::move(*own);
   return own.has_value();
 }
@@ -208,16 +202,14 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
   next.steps = journal_.write(steps_before, waiting_);
-  int processes = 0;
-  MPI_Comm_size(grid_.comm(), &processes);
-  const std::uint64_t guesses_checksum = write_own(grid_.comm(), own_file(next), guesses);
+  const OwnFilesMark guesses_mark = write_own(grid_.comm(), own_file(next), guesses);
   Summary description = {{"T", T},
                          {"H0", state.motion.H0},
                          {"V0", state.motion.V0},
                          {"begin", run_begin_},
                          {"steps_end", next.steps.end},
                          {"steps_checksum", next.steps.checksum},
-                         {"guesses", {{"processes", processes}, {"checksum", guesses_checksum}}}};
+                         {"guesses", {{"processes", guesses_mark.processes}, {"checksum", guesses_mark.checksum}}}};
   const Grid grid = state.films.empty() ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);

@@ -10,23 +10,28 @@ namespace gearfilm {
 namespace {
 
 /// Places of one process come far behind those of the one before it.
-std::uint64_t checksum_of_all(MPI_Comm comm, const std::vector<double>& values) {
-  std::uint64_t sum = checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U);
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm);
-  return sum;
+OwnFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
+  OwnFilesMark mark{0, checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U)};
+  MPI_Allreduce(MPI_IN_PLACE, &mark.checksum, 1, MPI_UINT64_T, MPI_SUM, comm);
+  MPI_Comm_size(comm, &mark.processes);
+  return mark;
 }
 
 }  // namespace
 
-std::uint64_t write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
+OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
   write_together(comm, path, [&] {
     write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
     flush_to_disk(path);
   });
-  return checksum_of_all(comm, values);
+  return mark_of(comm, values);
 }
 
-std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, std::uint64_t expected) {
+std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path,
+                                            const OwnFilesMark& mark) {
+  int processes = 0;
+  MPI_Comm_size(comm, &processes);
+  if (processes != mark.processes) return std::vector<double>();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
   std::vector<double> values(missing ? 0 : size / sizeof(double));
@@ -34,7 +39,7 @@ std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
   const bool whole = file && !missing && size % sizeof(double) == 0;
   const bool all_whole = first_reason(comm, whole ? "" : "not whole").empty();
-  if (checksum_of_all(comm, values) != expected || !all_whole) return {};
+  if (mark_of(comm, values).checksum != mark.checksum || !all_whole) return {};
   return values;
 }
 

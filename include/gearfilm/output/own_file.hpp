@@ -10,10 +10,16 @@
 
 namespace gearfilm {
 
-/// The checksum. Collective, as is read_own(); throws OutputError. The files are on the disk when the call returns.
-std::uint64_t write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values);
+/// What was written: by how many processes, and the checksum.
+struct OwnFilesMark {
+  int processes = 0;
+  std::uint64_t checksum = 0;
+};
 
-/// Nothing where the file of any process is missing, not whole, or damaged.
-std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, std::uint64_t expected);
+/// Collective, as is read_own(); throws OutputError. The files are on the disk when the call returns.
+OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values);
+
+/// No values for another number of processes. Nothing where the file of any process is missing, not whole, or damaged.
+std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, const OwnFilesMark& mark);
 
 }  // namespace gearfilm
