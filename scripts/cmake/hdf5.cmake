@@ -1,5 +1,5 @@
-# The parallel HDF5 that PETSc uses, as the target HDF5::parallel: Debian's own for Open MPI, or whatever find_package
-# finds, first beside PETSc.
+# A parallel HDF5, as the target HDF5::parallel: Debian's own for Open MPI, or whatever find_package finds, first beside
+# PETSc. Where PETSc has one it must be the same: a program cannot have two.
 pkg_check_modules(HDF5_OPENMPI QUIET IMPORTED_TARGET hdf5-openmpi)
 add_library(HDF5::parallel INTERFACE IMPORTED)
 if(HDF5_OPENMPI_FOUND AND NOT HDF5_ROOT)
@@ -10,11 +10,11 @@ else()
   list(APPEND CMAKE_PREFIX_PATH ${PETSC_PREFIX})
   find_package(HDF5 COMPONENTS C HL)
   if(NOT HDF5_FOUND)
-    message(FATAL_ERROR "No HDF5 found; give the one that PETSc uses with -DHDF5_ROOT=...")
+    message(FATAL_ERROR "No HDF5 found; give the one that PETSc uses, or another one built with MPI, with -DHDF5_ROOT=...")
   endif()
   if(NOT HDF5_IS_PARALLEL)
-    message(FATAL_ERROR "The HDF5 ${HDF5_VERSION} in ${HDF5_INCLUDE_DIRS} is not parallel; give the one that PETSc uses, "
-                        "built with MPI, with -DHDF5_ROOT=...")
+    message(FATAL_ERROR "The HDF5 ${HDF5_VERSION} in ${HDF5_INCLUDE_DIRS} is not parallel; give the one that PETSc uses, or "
+                        "another one built with MPI, with -DHDF5_ROOT=...")
   endif()
   target_include_directories(HDF5::parallel INTERFACE ${HDF5_C_INCLUDE_DIRS})
   target_link_libraries(HDF5::parallel INTERFACE ${HDF5_C_HL_LIBRARIES} ${HDF5_C_LIBRARIES})

@@ -78,8 +78,7 @@ double periodic_job(MPI_Comm comm, const Case& problem, double mesh_period_secon
 /// Speed of all processes together over that of one alone; and what the machine would allow: as many marches side by
 /// side as there are processes.
 Summary process_summary(MPI_Comm comm, const Case& problem, GridSize size) {
-  int processes = 1;
-  MPI_Comm_size(comm, &processes);
+  const int processes = processes_in(comm);
   double alone = rank_in(comm) == 0 ? march_a_period(PETSC_COMM_SELF, problem, size).seconds : 0.0;
   wait_asleep(comm);
   MPI_Bcast(&alone, 1, MPI_DOUBLE, 0, comm);
@@ -123,9 +122,7 @@ Summary bench_pair(MPI_Comm comm, const Case& problem) {
   summary["thermal_contact_step_ratio"] =
       summary["thermal_mesh_period"]["contact_step_convolutions"].get<double>() / contact_step;
   summary["periodic_job_mesh_periods"] = periodic_job(comm, resized, summary["mesh_period"]["seconds"].get<double>());
-  int processes = 1;
-  MPI_Comm_size(comm, &processes);
-  if (processes == 1) return summary;
+  if (processes_in(comm) == 1) return summary;
   summary["processes"] = Summary::array();
   for (const GridSize size : {small, large}) summary["processes"].push_back(process_summary(comm, resized, size));
   for (const char* name : {"process_speedup", "process_limit"}) summary[name] = summary["processes"][0][name];

@@ -43,8 +43,7 @@ std::vector<SweepChain> chains_of(const SweepOptions& sweep) {
 
 /// Groups of processes, as equal as can be, to which chains are dealt out.
 int group_count(MPI_Comm comm, const Case& problem) {
-  int size = 1;
-  MPI_Comm_size(comm, &size);
+  const int size = processes_in(comm);
   const int chains = static_cast<int>(chains_of(problem.sweep).size());
   const int groups = std::min({problem.sweep.groups > 0 ? problem.sweep.groups : chains, chains, size});
   const int largest = (size + groups - 1) / groups;
@@ -59,9 +58,7 @@ int group_count(MPI_Comm comm, const Case& problem) {
 
 void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups, const StopRequest& stop) {
   const std::vector<SweepChain> chains = chains_of(problem.sweep);
-  int size = 1, rank = 0;
-  MPI_Comm_size(comm, &size);
-  MPI_Comm_rank(comm, &rank);
+  const int size = processes_in(comm), rank = rank_in(comm);
   const int own = static_cast<int>(static_cast<long>(rank) * groups / size);
   MPI_Comm group = MPI_COMM_NULL;
   MPI_Comm_split(comm, own, rank, &group);

@@ -4,13 +4,13 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
 
 std::vector<int> even_ranges(MPI_Comm comm, const GridShape& shape) {
-  int processes = 1;
-  MPI_Comm_size(comm, &processes);
+  const int processes = processes_in(comm);
   if (processes > shape.rows()) {
     throw InputError("grid with ny = " + std::to_string(shape.ny) + " (" + std::to_string(shape.rows()) +
                      " rows with Y >= 0) cannot be cut among " + std::to_string(processes) +
@@ -48,13 +48,12 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape) : Grid(comm, shape, even_range
 
 Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
     : comm_(comm),
+      rank_(rank_in(comm)),
       shape_(shape),
       h_x_(shape.h_x()),
       h_y_(shape.h_y()),
       y_ranges_(std::move(y_ranges)),
-      nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {
-  MPI_Comm_rank(comm, &rank_);
-}
+      nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {}
 
 OwnedVec Grid::create_vec() const {
   OwnedVec vec;

@@ -17,6 +17,7 @@ constexpr double left_over = 0.2;        // of Newton's tolerance: less, a linea
 constexpr int easings = 8;               // of a full step that leads up
 constexpr double growth_of_eased = 3.0;  // of the merit
 constexpr double shortest_step = 1e-3;
+constexpr double least_part = 0.25;  // of a length that was too long: rows grow faster than the parabola through them
 
 constexpr PetscInt full_restart = 60;
 constexpr PetscInt short_restart = 6;
@@ -74,7 +75,7 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
       return;
     }
     const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + norm * norm * length;
-    length = std::clamp(0.5 * norm * norm * length * length / excess, 0.1 * length, 0.5 * length);
+    length = std::clamp(0.5 * norm * norm * length * length / excess, least_part * length, 0.5 * length);
     take(length, change);
   }
   petsc_check(VecCopy(trial, state));

@@ -20,10 +20,12 @@ constexpr double careful_growth = 2.0;
 constexpr double rough_tolerance = 1e-5;  // of films that are only a way to others
 constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
 
+double rough(double tolerance) { return std::max(tolerance, rough_tolerance); }
+
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
 bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
   const double tolerance = newton.tolerance();
-  newton.aim_at(std::max(tolerance, rough_tolerance));
+  newton.aim_at(rough(tolerance));
   double step = first_pseudo_step, growth = pseudo_step_growth;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
     const std::vector<double> mass = newton.mass(load, solution);
@@ -120,7 +122,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton({&present}, options.newton);
     // The figures of the last grid but one tell the error of the finest.
-    if (n > 1) newton.aim_at(std::max(newton.tolerance(), rough_tolerance));
+    if (n > 1) newton.aim_at(rough(newton.tolerance()));
     bool solved = false;
     if (before) {
       result.solution = interpolate(*before, present.grid(), result.solution);

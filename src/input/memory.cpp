@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
@@ -19,8 +20,7 @@ constexpr double bytes_per_point = 87.0;
 double memory_of_all_machines(MPI_Comm comm) {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int rank = 0;
-  MPI_Comm_rank(machine, &rank);
+  const int rank = rank_in(machine);
   MPI_Comm_free(&machine);
   double bytes =
       rank == 0 ? static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.0;

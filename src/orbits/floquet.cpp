@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
@@ -23,8 +24,8 @@ public:
         shape_(march.discretisation()->grid().shape()),
         start_(refitted(orbit.start, march.comm(), shape_)),
         end_(refitted(orbit.end, march.comm(), shape_)),
-        difference_(size_of_difference) {
-    MPI_Comm_rank(march.comm(), &rank_);
+        difference_(size_of_difference),
+        rank_(rank_in(march.comm())) {
     for (const ContactFields& fields : start_.films) {
       for (const auto& [name, values] : fields) {
         if (field_named(name).compared) values_ += static_cast<PetscInt>(values.size());

@@ -199,6 +199,7 @@ void Checkpoint::drop_snapshots() {
 void Checkpoint::keep(double T, const PairState& state, const std::vector<double>& guesses) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
+  write_together(grid_.comm(), folder_, [&] { flush_.finish(); });
   const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
   next.steps = journal_.write(steps_before, waiting_);
@@ -220,6 +221,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
     append_fields(grid, snapshot, fields);
   }
   write_state(grid, file(next), description, fields);
+  flush_.begin({journal_.path(), own_file(next), file(next), folder_});
   kept_.push_back(next);
   waiting_.clear();
   attached_.clear();

@@ -96,13 +96,4 @@ void write_bytes(const std::filesystem::path& path, std::string_view bytes, std:
   if (!file) throw std::system_error(errno, std::generic_category());
 }
 
-void flush_to_disk(const std::filesystem::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw std::system_error(errno, std::generic_category());
-  const int error = fsync(descriptor) == 0 ? 0 : errno;
-  close(descriptor);
-  // Some file systems have nothing to flush for a folder.
-  if (error != 0 && error != EINVAL) throw std::system_error(error, std::generic_category());
-}
-
 }  // namespace gearfilm

@@ -11,9 +11,8 @@ namespace {
 
 /// Places of one process come far behind those of the one before it.
 OwnFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
-  OwnFilesMark mark{0, checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U)};
+  OwnFilesMark mark{processes_in(comm), checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U)};
   MPI_Allreduce(MPI_IN_PLACE, &mark.checksum, 1, MPI_UINT64_T, MPI_SUM, comm);
-  MPI_Comm_size(comm, &mark.processes);
   return mark;
 }
 
@@ -22,16 +21,13 @@ OwnFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
 OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
   write_together(comm, path, [&] {
     write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
-    flush_to_disk(path);
   });
   return mark_of(comm, values);
 }
 
 std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path,
                                             const OwnFilesMark& mark) {
-  int processes = 0;
-  MPI_Comm_size(comm, &processes);
-  if (processes != mark.processes) return std::vector<double>();
+  if (processes_in(comm) != mark.processes) return std::vector<double>();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
   std::vector<double> values(missing ? 0 : size / sizeof(double));

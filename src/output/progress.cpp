@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gearfilm/parallel/agreement.hpp"
+
 namespace gearfilm {
 namespace {
 
@@ -30,9 +32,7 @@ std::string duration(double seconds) {
 // standard error stays a pipe.
 Progress::Progress(MPI_Comm comm)
     : terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0), start_(MPI_Wtime()) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  prints_ = rank == 0;
+  prints_ = rank_in(comm) == 0;
 }
 
 Progress::~Progress() {

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "gearfilm/parallel/agreement.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 
@@ -41,10 +42,8 @@ std::string mpi_version() {
 }  // namespace
 
 Summary provenance(MPI_Comm comm) {
-  int processes = 1;
-  MPI_Comm_size(comm, &processes);
   return {{"version", version},
-          {"processes", processes},
+          {"processes", processes_in(comm)},
           {"petsc", petsc_version(PetscGetVersionNumber)},
           {"slepc", petsc_version(SlepcGetVersionNumber)},
           {"mpi", mpi_version()},

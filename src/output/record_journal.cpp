@@ -66,7 +66,6 @@ JournalMark RecordJournal::write(const JournalMark& before, const std::vector<St
     if (before.end > 0) std::filesystem::resize_file(path_, before.end);
     write_bytes(path_, {reinterpret_cast<const char*>(values.data()), size},
                 before.end > 0 ? std::ios::app : std::ios::trunc);
-    flush_to_disk(path_);
   });
   return {before.end + size, before.checksum + part};
 }

@@ -14,105 +14,120 @@ namespace {
 /// An axis keeps a list of its fields in an attribute, which HDF5 bounds by 64 kB of 16 bytes a field.
 constexpr int most_fields_of_an_axis = 4000;
 
-void put_text(hid_t file, const std::string& object, const std::string& name, const std::string& value) {
-  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
-  hdf5_check(H5Tset_size(type, H5T_VARIABLE), "create a text type");
-  hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "create a text type");
+hid_t create_file(MPI_Comm comm, const std::filesystem::path& path) {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create a file");
+  hdf5_check(H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL), "write by all processes");
+  return hdf5_valid(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create it");
+}
+
+/// A group, and those on the way to it, where they are missing.
+void require_group(hid_t file, const std::string& path) {
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    const std::string part = path.substr(0, end);
+    if (part != "/" && H5Lexists(file, part.c_str(), H5P_DEFAULT) <= 0) {
+      const Hdf5Handle made(H5Gcreate2(file, part.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                            "create a group");
+    }
+    if (end == std::string::npos) return;
+  }
+}
+
+void put_attribute(hid_t file, const std::string& object, const std::string& name, hid_t type, const void* value) {
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create an attribute");
   const Hdf5Handle attribute(
       H5Acreate_by_name(file, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, "create an attribute");
+  hdf5_check(H5Awrite(attribute, type, value), "write an attribute");
+}
+
+void put_text(hid_t file, const std::string& object, const std::string& name, const std::string& value) {
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "create a text type");
+  hdf5_check(H5Tset_size(type, H5T_VARIABLE), "create a text type");
+  hdf5_check(H5Tset_cset(type, H5T_CSET_UTF8), "create a text type");
   const char* text = value.c_str();
-  hdf5_check(H5Awrite(attribute, type, &text), "write an attribute");
+  put_attribute(file, object, name, type, &text);
 }
 
 }  // namespace
 
-ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {
-  MPI_Comm_rank(comm, &rank_);
-  write([&] { petsc_check(PetscViewerHDF5Open(comm, part_of(path_).c_str(), FILE_MODE_WRITE, viewer_.put())); });
+ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path)
+    : comm_(comm), rank_(rank_in(comm)), path_(std::move(path)) {
+  write([&] { file_ = create_file(comm, part_of(path_)); });
 }
 
 // Closing takes all processes, but an error may have struck this one alone; and HDF5 cannot close what it could not
 // write. Without finish() the file is left to the end of the program.
-ResultsFile::~ResultsFile() { (void)viewer_.release(); }
-
-hid_t ResultsFile::hdf5_file() {
-  hid_t file = H5I_INVALID_HID;
-  petsc_check(PetscViewerHDF5GetFileId(viewer_, &file));
-  return file;
-}
+ResultsFile::~ResultsFile() = default;
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, const std::string& value) {
   write([&] {
-    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
-    put_text(hdf5_file(), group, name, value);
+    require_group(file_, group);
+    put_text(file_, group, name, value);
   });
 }
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, double value) {
   write([&] {
-    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
-    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_DOUBLE, &value));
+    require_group(file_, group);
+    put_attribute(file_, group, name, H5T_NATIVE_DOUBLE, &value);
   });
 }
 
 void ResultsFile::attribute(const std::string& group, const std::string& name, int value) {
-  const PetscInt number = value;
   write([&] {
-    petsc_check(PetscViewerHDF5WriteGroup(viewer_, group.c_str()));
-    petsc_check(PetscViewerHDF5WriteAttribute(viewer_, group.c_str(), name.c_str(), PETSC_INT, &number));
+    require_group(file_, group);
+    put_attribute(file_, group, name, H5T_NATIVE_INT, &value);
   });
 }
 
 void ResultsFile::dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value) {
-  write([&] { put_text(hdf5_file(), dataset, name, value); });
+  write([&] { put_text(file_, dataset, name, value); });
 }
 
-void ResultsFile::view(const std::string& group, const std::string& name, Vec vec, const std::string& unit) {
+// PETSc's viewer would wait for the disk after every one.
+void ResultsFile::put(const std::string& path, const DistributedArray& array, const std::string& unit) {
   write([&] {
-    petsc_check(PetscViewerHDF5PushGroup(viewer_, group.c_str()));
-    petsc_check(PetscObjectSetName(reinterpret_cast<PetscObject>(vec), name.c_str()));
-    petsc_check(VecView(vec, viewer_));
-    petsc_check(PetscViewerHDF5PopGroup(viewer_));
+    const int dimensions = static_cast<int>(array.all.size());
+    const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "create an array");
+    hdf5_check(H5Pset_create_intermediate_group(links, 1), "create an array");
+    const Hdf5Handle together(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "create an array");
+    hdf5_check(H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE), "write by all processes");
+    const Hdf5Handle all(H5Screate_simple(dimensions, array.all.data(), nullptr), H5Sclose, "create an array");
+    const Hdf5Handle own(H5Screate_simple(dimensions, array.count.data(), nullptr), H5Sclose, "create an array");
+    hdf5_check(H5Sselect_hyperslab(all, H5S_SELECT_SET, array.begin.data(), nullptr, array.count.data(), nullptr),
+               "select a part");
+    const Hdf5Handle dataset(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, all, links, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Dclose, "create an array");
+    hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, own, all, together, array.values.data()), "write an array");
+    put_text(file_, path, "unit", unit);
   });
-  dataset_attribute(group + "/" + name, "unit", unit);
+}
+
+void ResultsFile::put_by_first(const std::string& path, const std::vector<hsize_t>& all,
+                               const std::vector<double>& values, const std::string& unit) {
+  const std::vector<hsize_t> nothing(all.size(), 0);
+  const std::vector<hsize_t>& count = rank_ == 0 ? all : nothing;
+  put(path, {all, nothing, count, rank_ == 0 ? values : std::vector<double>()}, unit);
 }
 
 void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit,
                         const WholeDomain& domain, const Field<double>& values, double scale, const std::string& axes) {
-  view(group, name, domain.unfold(values, scale), unit);
+  put(group + "/" + name, domain.unfold(values, scale), unit);
   int& fields = fields_of_[axes];
   if (++fields > most_fields_of_an_axis) return;
   write([&] {
-    const Hdf5Handle dataset(H5Dopen2(hdf5_file(), (group + "/" + name).c_str(), H5P_DEFAULT), H5Dclose,
-                             "open a field");
+    const Hdf5Handle dataset(H5Dopen2(file_, (group + "/" + name).c_str(), H5P_DEFAULT), H5Dclose, "open a field");
     unsigned dimension = 0;
     for (const char* axis : {"/x", "/y"}) {
-      const Hdf5Handle scale_of(H5Dopen2(hdf5_file(), (axes + axis).c_str(), H5P_DEFAULT), H5Dclose, "open an axis");
+      const Hdf5Handle scale_of(H5Dopen2(file_, (axes + axis).c_str(), H5P_DEFAULT), H5Dclose, "open an axis");
       hdf5_check(H5DSattach_scale(dataset, scale_of, dimension++), "give a field its axis");
     }
   });
 }
 
-void ResultsFile::line(const std::string& group, const std::string& name, const std::vector<double>& values) {
-  const auto count = static_cast<PetscInt>(values.size());
-  OwnedVec vec;
-  petsc_check(VecCreateMPI(comm_, rank_ == 0 ? count : 0, count, vec.put()));
-  if (rank_ == 0) std::ranges::copy(values, VecWriting(vec).values().begin());
-  view(group, name, vec, "m");
-}
-
 void ResultsFile::rows(const std::string& group, const std::string& name, const std::string& unit, int rows,
                        int columns, const std::vector<double>& values) {
-  const PetscInt count = static_cast<PetscInt>(rows) * columns;
-  OwnedVec vec;
-  petsc_check(VecCreate(comm_, vec.put()));
-  petsc_check(VecSetSizes(vec, rank_ == 0 ? count : 0, count));
-  petsc_check(VecSetBlockSize(vec, columns));
-  petsc_check(VecSetType(vec, VECSTANDARD));
-  if (rank_ == 0) std::ranges::copy(values, VecWriting(vec).values().begin());
-  view(group, name, vec, unit);
+  put_by_first(group + "/" + name, {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)}, values, unit);
 }
 
 void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
@@ -120,21 +135,20 @@ void ResultsFile::grid(const std::string& group, const WholeDomain& domain, cons
   std::vector<double> x(grid.nx()), y(grid.ny());
   for (int i = 0; i < grid.nx(); ++i) x[i] = scales.length * grid.x(i);
   for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * domain.y(j);
-  line(group, "x", x);
-  line(group, "y", y);
+  put_by_first(group + "/x", {x.size()}, x, "m");
+  put_by_first(group + "/y", {y.size()}, y, "m");
   write([&] {
     for (const char* axis : {"x", "y"}) {
-      const Hdf5Handle dataset(H5Dopen2(hdf5_file(), (group + "/" + axis).c_str(), H5P_DEFAULT), H5Dclose,
-                               "open an axis");
+      const Hdf5Handle dataset(H5Dopen2(file_, (group + "/" + axis).c_str(), H5P_DEFAULT), H5Dclose, "open an axis");
       hdf5_check(H5DSset_scale(dataset, axis), "make an axis");
     }
   });
-  view(group, "mesh", domain.coordinates(scales.length), "m");
+  put(group + "/mesh", domain.coordinates(scales.length), "m");
 }
 
 void ResultsFile::publish() {
   write([&] {
-    if (H5Fflush(hdf5_file(), H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
+    if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
   });
   take_name();
 }
@@ -145,10 +159,7 @@ void ResultsFile::take_name() {
 }
 
 void ResultsFile::finish() {
-  write([&] {
-    PetscViewer viewer = viewer_.release();
-    petsc_check(PetscViewerDestroy(&viewer));
-  });
+  write([&] { hdf5_check(H5Fclose(file_), "close it"); });
   if (!published_) take_name();
 }
 

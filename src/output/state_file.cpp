@@ -97,7 +97,7 @@ std::string description_in(const std::filesystem::path& path) {
   return this_format && !has_all_fields(description, text.size(), size) ? std::string() : text;
 }
 
-/// Writes the fields behind the description, down to the disk.
+/// Writes the fields behind the description.
 void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, const CompactFields& fields) {
   std::vector<double> values;
   for (const std::vector<double>& field : fields) values.insert(values.end(), field.begin(), field.end());
@@ -109,7 +109,7 @@ void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offs
     const int codes[] = {
         view.show(file, begin),
         MPI_File_write_all(file, values.data(), static_cast<int>(fields.size()), view.own_field(), MPI_STATUS_IGNORE),
-        MPI_File_sync(file), MPI_File_close(&file)};
+        MPI_File_close(&file)};
     for (int code : codes) mpi_check(code);
   });
 }
@@ -182,13 +182,9 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
     const Head head = {text.size(), checksum(text)};
     write_bytes(part, {reinterpret_cast<const char*>(head.data()), sizeof head});
     write_bytes(part, text, std::ios::app);
-    flush_to_disk(part);
   });
   if (!fields.empty()) append_fields(grid, part, fields_begin(text.size()), fields);
   finish_part(grid.comm(), path);
-  write_together(grid.comm(), path, [&] {
-    if (grid.rank() == 0) flush_to_disk(path.parent_path());
-  });
 }
 
 std::optional<StateFile> read_state(MPI_Comm comm, const std::filesystem::path& path) {

@@ -1,35 +1,24 @@
 #include "gearfilm/output/whole_domain.hpp"
 
-#include <petscdmda.h>
-
 #include <algorithm>
 #include <cstdlib>
 
 namespace gearfilm {
 
 WholeDomain::WholeDomain(const Grid& grid)
-    : grid_(grid), ranges_(cut_evenly(grid.ny(), grid.processes())), stored_(grid.create_vec()) {
-  std::vector<PetscInt> counts(grid.processes());
-  for (int p = 0; p < grid.processes(); ++p) counts[p] = ranges_[p + 1] - ranges_[p];
-  const PetscInt all_x = grid.nx();
-  petsc_check(DMDACreate2d(grid.comm(), DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DMDA_STENCIL_STAR, grid.ny(), grid.nx(),
-                           grid.processes(), 1, 1, 1, counts.data(), &all_x, nodes_.put()));
-  petsc_check(DMSetUp(nodes_));
-
+    : grid_(grid), cuts_(cut_evenly(grid.ny(), grid.processes())), stored_(grid.create_vec()) {
   std::vector<PetscInt> sources;
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int row = ranges_[grid.rank()]; row < ranges_[grid.rank() + 1]; ++row)
-      sources.push_back(index_on_grid(i, row));
+    for (int row = first_row(); row < end_row(); ++row) sources.push_back(index_on_grid(i, row));
   }
-  OwnedVec whole;
-  petsc_check(DMCreateGlobalVector(nodes_, whole.put()));
-  PetscInt first = 0;
-  petsc_check(VecGetOwnershipRange(whole, &first, nullptr));
-  PetscHandle<IS, ISDestroy> from, to;
   const auto size = static_cast<PetscInt>(sources.size());
+  petsc_check(VecCreateMPI(grid.comm(), size, PETSC_DETERMINE, whole_.put()));
+  PetscInt first = 0;
+  petsc_check(VecGetOwnershipRange(whole_, &first, nullptr));
+  PetscHandle<IS, ISDestroy> from, to;
   petsc_check(ISCreateGeneral(grid.comm(), size, sources.data(), PETSC_COPY_VALUES, from.put()));
   petsc_check(ISCreateStride(grid.comm(), size, first, 1, to.put()));
-  petsc_check(VecScatterCreate(stored_, from, whole, to, scatter_.put()));
+  petsc_check(VecScatterCreate(stored_, from, whole_, to, scatter_.put()));
 }
 
 /// Where the grid's vectors have the value of a node of the whole domain.
@@ -41,30 +30,36 @@ PetscInt WholeDomain::index_on_grid(int i, int row) const {
   return static_cast<PetscInt>(grid_.nx()) * begin + i * count + stored_row - begin;
 }
 
-OwnedVec WholeDomain::unfold(const Field<double>& values, double scale) const {
-  values.store(VecWriting(stored_).values());
-  OwnedVec whole;
-  petsc_check(DMCreateGlobalVector(nodes_, whole.put()));
-  petsc_check(VecScatterBegin(scatter_, stored_, whole, INSERT_VALUES, SCATTER_FORWARD));
-  petsc_check(VecScatterEnd(scatter_, stored_, whole, INSERT_VALUES, SCATTER_FORWARD));
-  petsc_check(VecScale(whole, scale));
-  return whole;
+DistributedArray WholeDomain::array_of(std::size_t values_of_node) const {
+  const auto lines = static_cast<hsize_t>(grid_.nx()), rows = static_cast<hsize_t>(grid_.ny());
+  const auto first = static_cast<hsize_t>(first_row()), end = static_cast<hsize_t>(end_row());
+  DistributedArray array{{lines, rows}, {0, first}, {lines, end - first}, {}};
+  if (values_of_node == 1) return array;
+  array.all.push_back(values_of_node);
+  array.begin.push_back(0);
+  array.count.push_back(values_of_node);
+  return array;
 }
 
-OwnedVec WholeDomain::coordinates(double scale) const {
-  OwnedDM pairs;
-  OwnedVec mesh;
-  petsc_check(DMDACreateCompatibleDMDA(nodes_, 2, pairs.put()));
-  petsc_check(DMCreateGlobalVector(pairs, mesh.put()));
-  const VecWriting values(mesh);
-  std::size_t next = 0;
+DistributedArray WholeDomain::unfold(const Field<double>& values, double scale) const {
+  values.store(VecWriting(stored_).values());
+  petsc_check(VecScatterBegin(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
+  petsc_check(VecScatterEnd(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
+  DistributedArray array = array_of(1);
+  const VecReading whole(whole_);
+  for (const double value : whole.values()) array.values.push_back(scale * value);
+  return array;
+}
+
+DistributedArray WholeDomain::coordinates(double scale) const {
+  DistributedArray array = array_of(2);
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int row = ranges_[grid_.rank()]; row < ranges_[grid_.rank() + 1]; ++row) {
-      values[next++] = scale * grid_.x(i);
-      values[next++] = scale * y(row);
+    for (int row = first_row(); row < end_row(); ++row) {
+      array.values.push_back(scale * grid_.x(i));
+      array.values.push_back(scale * y(row));
     }
   }
-  return mesh;
+  return array;
 }
 
 }  // namespace gearfilm

@@ -30,6 +30,12 @@ int rank_in(MPI_Comm comm) {
   return rank;
 }
 
+int processes_in(MPI_Comm comm) {
+  int processes = 1;
+  MPI_Comm_size(comm, &processes);
+  return processes;
+}
+
 void broadcast(MPI_Comm comm, std::string& text) {
   unsigned long long length = text.size();
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
@@ -56,8 +62,7 @@ bool wait_briefly(MPI_Request& request) {
 }
 
 std::string first_reason(MPI_Comm comm, const std::string& own) {
-  int size = 1;
-  MPI_Comm_size(comm, &size);
+  const int size = processes_in(comm);
   const int own_place = own.empty() ? size : rank_in(comm);
   int first = size;
   MPI_Request agreement = MPI_REQUEST_NULL;

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -21,8 +22,12 @@ int open_mpi_generation() {
 
 void prefer(const char* name, const char* value) { setenv((std::string("OMPI_MCA_") + name).c_str(), value, 0); }
 
-/// Without mpiexec or a batch system, which give every process a name space.
-bool is_alone() { return std::getenv("PMIX_NAMESPACE") == nullptr; }
+/// Without mpiexec or a batch system, which tell every process by one of these which of them it is.
+bool is_alone() {
+  const char* const told_by[] = {"PMIX_NAMESPACE", "OMPI_COMM_WORLD_RANK", "PMI_RANK",
+                                 "PMI_FD",         "SLURM_PROCID",         "ALPS_APP_PE"};
+  return std::ranges::none_of(told_by, [](const char* name) { return std::getenv(name) != nullptr; });
+}
 
 bool is_on_one_machine() {
   const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
@@ -47,13 +52,14 @@ void prefer_mpi_settings() {
   // More than 4 kB go between processes of one machine by a system call, which takes as long as a whole transpose of
   // 129 x 65 nodes.
   prefer(generation < 5 ? "btl_vader_eager_limit" : "btl_sm_eager_limit", "16384");
-  if (generation < 5) return;
-  // A process alone leaves the file of its shared memory behind. Processes of one machine look for a network all the
-  // same, and complain where there is none.
   if (is_alone()) {
+    // Which starts a daemon for processes that it might spawn, and looks for networks: two thirds of a short run. From
+    // Open MPI 5 on it leaves the file of its shared memory behind.
+    prefer("ess_singleton_isolated", "1");
+    prefer("pml", "ob1");
     prefer("btl", "self");
-  } else if (is_on_one_machine()) {
-    prefer("btl", "^tcp");
+  } else if (generation >= 5 && is_on_one_machine()) {
+    prefer("btl", "^tcp");  // it complains where there is no network
   }
 }
 

@@ -5,13 +5,15 @@
 //                           the snapshots taken since the state before
 //   run003_00017.guesses0   what the first process remembers for the guesses of steps to come; another number of
 //                           processes begins without
-// After every segment the steps are appended, and the state is written aside, flushed and renamed. Kept are the last
-// two states, those that end a run, and those with snapshots.
+// After every segment the steps are appended, and the state is written aside and renamed. What was written last reaches
+// the disk while the march goes on, and is there before anything more is written: a failure of the machine costs the
+// last state at most. Kept are the last two states, those that end a run, and those with snapshots.
 #pragma once
 
 #include <deque>
 
 #include "gearfilm/dynamics/march_keeper.hpp"
+#include "gearfilm/output/disk_flush.hpp"
 #include "gearfilm/output/film_snapshot.hpp"
 #include "gearfilm/output/record_journal.hpp"
 #include "gearfilm/output/summary.hpp"
@@ -71,6 +73,7 @@ private:
   std::filesystem::path folder_;
   Begin begin_;
   RecordJournal journal_;
+  DiskFlush flush_;
   std::vector<KeptState> kept_;
   std::vector<double> guesses_;  ///< of the last state that was found
   int run_ = -1;

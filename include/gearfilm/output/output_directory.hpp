@@ -43,7 +43,4 @@ void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::st
 /// std::system_error.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes, std::ios::openmode mode = std::ios::trunc);
 
-/// Makes sure that a file, or the names in a folder, outlive a failure of the machine. Throws std::system_error.
-void flush_to_disk(const std::filesystem::path& path);
-
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-// The steps of a march, to the bit, in a file that only grows: whatever of it is on disk is whole.
+// The steps of a march, to the bit, in a file that only grows.
 //
 // One step: the number of its contacts, T, dT, H_0, V_0, Newton and Krylov iterations, seconds; then for each contact
 // its number, xi [m] and its figures. All doubles. The first process reads and writes.
@@ -22,8 +22,9 @@ class RecordJournal {
 public:
   RecordJournal(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {}
 
-  /// Puts steps behind a mark in the place of what follows there, down to the disk; returns the mark behind them.
-  /// Throws OutputError.
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Puts steps behind a mark in the place of what follows there; returns the mark behind them. Throws OutputError.
   JournalMark write(const JournalMark& before, const std::vector<StepRecord>& records) const;
   /// The mark behind a later step, from what is on the disk: another one than was written, where that is damaged.
   JournalMark mark_at(std::uint64_t end, const JournalMark& before) const;

@@ -7,12 +7,10 @@
 //   /contact0/P, H   pressure [Pa] and film thickness [m] as (nx, ny)
 //   /contact0/x, y   coordinates along and across entrainment [m]: dimension scales of the fields
 //   /contact0/mesh   the same as (nx, ny, 2), for ParaView through results.xmf
-// Text is UTF-8. Written by all processes together through PETSc's HDF5 viewer; every write that fails is an
-// OutputError on all.
+// Text is UTF-8. Written by all processes together; every write that fails is an OutputError on all.
 #pragma once
 
 #include <hdf5.h>
-#include <petscviewerhdf5.h>
 
 #include <filesystem>
 #include <map>
@@ -68,21 +66,21 @@ public:
   /// After a failed write; nothing more can be expected of the file.
   bool damaged() const { return damaged_; }
 
-  hid_t hdf5_file();
+  hid_t hdf5_file() const { return file_; }
   int rank() const { return rank_; }
   MPI_Comm comm() const { return comm_; }
 
 private:
-  using OwnedViewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
-
   void take_name();
-  void view(const std::string& group, const std::string& name, Vec vec, const std::string& unit);
-  void line(const std::string& group, const std::string& name, const std::vector<double>& values);
+  void put(const std::string& path, const DistributedArray& array, const std::string& unit);
+  /// An array that the first process has.
+  void put_by_first(const std::string& path, const std::vector<hsize_t>& all, const std::vector<double>& values,
+                    const std::string& unit);
 
   MPI_Comm comm_;
-  int rank_ = 0;
+  int rank_;
   std::filesystem::path path_;
-  OwnedViewer viewer_;
+  hid_t file_ = H5I_INVALID_HID;
   std::map<std::string, int> fields_of_;  // by the group of their axes
   bool published_ = false;
   bool damaged_ = false;

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "gearfilm/ehl/field.hpp"
+#include "gearfilm/output/distributed_array.hpp"
 
 namespace gearfilm {
 
-/// The nodes (nx, ny) between -Y_half and Y_half as a DMDA, cut evenly in y among the processes.
+/// The nodes (nx, ny) between -Y_half and Y_half, cut evenly in y among the processes.
 class WholeDomain {
 public:
   /// The grid must outlive the object.
@@ -15,21 +16,25 @@ public:
   /// Y of a row, 0 <= row < ny.
   double y(int row) const { return grid_.h_y() * from_middle(row); }
   /// scale times a field of the grid, with its mirror image. Collective.
-  OwnedVec unfold(const Field<double>& values, double scale) const;
-  /// scale times X and Y of every node, as (nx, ny, 2). Collective.
-  OwnedVec coordinates(double scale) const;
+  DistributedArray unfold(const Field<double>& values, double scale) const;
+  /// scale times X and Y of every node, as (nx, ny, 2).
+  DistributedArray coordinates(double scale) const;
 
 private:
   using OwnedScatter = PetscHandle<VecScatter, VecScatterDestroy>;
 
   /// Rows from the one at Y = 0 on, or before it.
   int from_middle(int row) const { return row - (grid_.rows() - 1); }
+  int first_row() const { return cuts_[grid_.rank()]; }
+  int end_row() const { return cuts_[grid_.rank() + 1]; }
   PetscInt index_on_grid(int i, int row) const;
+  /// Of as many values a node, without the values.
+  DistributedArray array_of(std::size_t values_of_node) const;
 
   const Grid& grid_;
-  std::vector<int> ranges_;  ///< first row of every process, and their number
-  OwnedDM nodes_;
+  std::vector<int> cuts_;  ///< first row of every process, and their number
   OwnedVec stored_;
+  OwnedVec whole_;
   OwnedScatter scatter_;
 };
 

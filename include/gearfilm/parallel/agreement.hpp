@@ -8,8 +8,9 @@
 
 namespace gearfilm {
 
-/// This process's number.
+/// This process's number, and how many there are.
 int rank_in(MPI_Comm comm);
+int processes_in(MPI_Comm comm);
 
 /// The first process's text, on all. Collective, as are the others.
 void broadcast(MPI_Comm comm, std::string& text);

@@ -74,8 +74,6 @@ public:
     reset();
     return &object_;
   }
-  /// Gives the reference away.
-  Object release() { return std::exchange(object_, nullptr); }
   void reset() {
     if (object_) destroy(&object_);
     object_ = nullptr;

@@ -25,7 +25,7 @@ class Gearfilm(CMakePackage):
     depends_on("ninja", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("mpi")
-    depends_on("petsc@3.18: +mpi +hdf5 +double ~complex")
+    depends_on("petsc@3.18: +mpi +double ~complex")
     depends_on("slepc@3.18:")
     depends_on("hdf5 +mpi")
     depends_on("fftw@3: precision=float,double")
