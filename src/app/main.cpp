@@ -10,6 +10,7 @@
 #include "gearfilm/app/session.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/plain_text.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace {
 
@@ -22,9 +23,7 @@ ExitStatus end(const Session& session, const char* kind, const std::exception& e
   if (session) {
     session->end_together(line, status);
   } else {
-    int rank = 0;
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    if (rank == 0) std::fprintf(stderr, "%s\n", line.c_str());
+    if (gearfilm::rank_in(MPI_COMM_WORLD) == 0) std::fprintf(stderr, "%s\n", line.c_str());
   }
   return status;
 }

@@ -221,7 +221,9 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
     append_fields(grid, snapshot, fields);
   }
   write_state(grid, file(next), description, fields);
-  flush_.begin({journal_.path(), own_file(next), file(next), folder_});
+  std::vector<std::filesystem::path> written = {own_file(next), file(next)};
+  if (grid_.rank() == 0) written.insert(written.end(), {journal_.path(), folder_});
+  flush_.begin(std::move(written));
   kept_.push_back(next);
   waiting_.clear();
   attached_.clear();

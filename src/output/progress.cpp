@@ -31,9 +31,9 @@ std::string duration(double seconds) {
 // Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
 // standard error stays a pipe.
 Progress::Progress(MPI_Comm comm)
-    : terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0), start_(MPI_Wtime()) {
-  prints_ = rank_in(comm) == 0;
-}
+    : prints_(rank_in(comm) == 0),
+      terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0),
+      start_(MPI_Wtime()) {}
 
 Progress::~Progress() {
   if (line_open_) std::printf("\n");

@@ -55,10 +55,6 @@ ResultsFile::ResultsFile(MPI_Comm comm, std::filesystem::path path)
   write([&] { file_ = create_file(comm, part_of(path_)); });
 }
 
-// Closing takes all processes, but an error may have struck this one alone; and HDF5 cannot close what it could not
-// write. Without finish() the file is left to the end of the program.
-ResultsFile::~ResultsFile() = default;
-
 void ResultsFile::attribute(const std::string& group, const std::string& name, const std::string& value) {
   write([&] {
     require_group(file_, group);
@@ -85,34 +81,36 @@ void ResultsFile::dataset_attribute(const std::string& dataset, const std::strin
 }
 
 // PETSc's viewer would wait for the disk after every one.
-void ResultsFile::put(const std::string& path, const DistributedArray& array, const std::string& unit) {
+void ResultsFile::put(const std::string& group, const std::string& name, const DistributedArray& array,
+                      const std::string& unit) {
+  const std::string path = group + "/" + name;
   write([&] {
+    require_group(file_, group);
     const int dimensions = static_cast<int>(array.all.size());
-    const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "create an array");
-    hdf5_check(H5Pset_create_intermediate_group(links, 1), "create an array");
     const Hdf5Handle together(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "create an array");
     hdf5_check(H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE), "write by all processes");
     const Hdf5Handle all(H5Screate_simple(dimensions, array.all.data(), nullptr), H5Sclose, "create an array");
     const Hdf5Handle own(H5Screate_simple(dimensions, array.count.data(), nullptr), H5Sclose, "create an array");
     hdf5_check(H5Sselect_hyperslab(all, H5S_SELECT_SET, array.begin.data(), nullptr, array.count.data(), nullptr),
                "select a part");
-    const Hdf5Handle dataset(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, all, links, H5P_DEFAULT, H5P_DEFAULT),
-                             H5Dclose, "create an array");
+    const Hdf5Handle dataset(
+        H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, all, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+        "create an array");
     hdf5_check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, own, all, together, array.values.data()), "write an array");
     put_text(file_, path, "unit", unit);
   });
 }
 
-void ResultsFile::put_by_first(const std::string& path, const std::vector<hsize_t>& all,
+void ResultsFile::put_by_first(const std::string& group, const std::string& name, const std::vector<hsize_t>& all,
                                const std::vector<double>& values, const std::string& unit) {
   const std::vector<hsize_t> nothing(all.size(), 0);
   const std::vector<hsize_t>& count = rank_ == 0 ? all : nothing;
-  put(path, {all, nothing, count, rank_ == 0 ? values : std::vector<double>()}, unit);
+  put(group, name, {all, nothing, count, rank_ == 0 ? values : std::vector<double>()}, unit);
 }
 
 void ResultsFile::field(const std::string& group, const std::string& name, const std::string& unit,
                         const WholeDomain& domain, const Field<double>& values, double scale, const std::string& axes) {
-  put(group + "/" + name, domain.unfold(values, scale), unit);
+  put(group, name, domain.unfold(values, scale), unit);
   int& fields = fields_of_[axes];
   if (++fields > most_fields_of_an_axis) return;
   write([&] {
@@ -127,7 +125,7 @@ void ResultsFile::field(const std::string& group, const std::string& name, const
 
 void ResultsFile::rows(const std::string& group, const std::string& name, const std::string& unit, int rows,
                        int columns, const std::vector<double>& values) {
-  put_by_first(group + "/" + name, {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)}, values, unit);
+  put_by_first(group, name, {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)}, values, unit);
 }
 
 void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
@@ -135,21 +133,19 @@ void ResultsFile::grid(const std::string& group, const WholeDomain& domain, cons
   std::vector<double> x(grid.nx()), y(grid.ny());
   for (int i = 0; i < grid.nx(); ++i) x[i] = scales.length * grid.x(i);
   for (int j = 0; j < grid.ny(); ++j) y[j] = scales.length * domain.y(j);
-  put_by_first(group + "/x", {x.size()}, x, "m");
-  put_by_first(group + "/y", {y.size()}, y, "m");
+  put_by_first(group, "x", {x.size()}, x, "m");
+  put_by_first(group, "y", {y.size()}, y, "m");
   write([&] {
     for (const char* axis : {"x", "y"}) {
       const Hdf5Handle dataset(H5Dopen2(file_, (group + "/" + axis).c_str(), H5P_DEFAULT), H5Dclose, "open an axis");
       hdf5_check(H5DSset_scale(dataset, axis), "make an axis");
     }
   });
-  put(group + "/mesh", domain.coordinates(scales.length), "m");
+  put(group, "mesh", domain.coordinates(scales.length), "m");
 }
 
 void ResultsFile::publish() {
-  write([&] {
-    if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) throw std::runtime_error("HDF5 cannot flush it");
-  });
+  write([&] { hdf5_check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush it"); });
   take_name();
 }
 

@@ -30,29 +30,27 @@ PetscInt WholeDomain::index_on_grid(int i, int row) const {
   return static_cast<PetscInt>(grid_.nx()) * begin + i * count + stored_row - begin;
 }
 
-DistributedArray WholeDomain::array_of(std::size_t values_of_node) const {
+DistributedArray WholeDomain::extents() const {
   const auto lines = static_cast<hsize_t>(grid_.nx()), rows = static_cast<hsize_t>(grid_.ny());
   const auto first = static_cast<hsize_t>(first_row()), end = static_cast<hsize_t>(end_row());
-  DistributedArray array{{lines, rows}, {0, first}, {lines, end - first}, {}};
-  if (values_of_node == 1) return array;
-  array.all.push_back(values_of_node);
-  array.begin.push_back(0);
-  array.count.push_back(values_of_node);
-  return array;
+  return {{lines, rows}, {0, first}, {lines, end - first}, {}};
 }
 
 DistributedArray WholeDomain::unfold(const Field<double>& values, double scale) const {
   values.store(VecWriting(stored_).values());
   petsc_check(VecScatterBegin(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
   petsc_check(VecScatterEnd(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
-  DistributedArray array = array_of(1);
+  DistributedArray array = extents();
   const VecReading whole(whole_);
   for (const double value : whole.values()) array.values.push_back(scale * value);
   return array;
 }
 
 DistributedArray WholeDomain::coordinates(double scale) const {
-  DistributedArray array = array_of(2);
+  DistributedArray array = extents();
+  array.all.push_back(2);
+  array.begin.push_back(0);
+  array.count.push_back(2);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int row = first_row(); row < end_row(); ++row) {
       array.values.push_back(scale * grid_.x(i));

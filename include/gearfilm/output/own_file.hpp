@@ -16,7 +16,7 @@ struct OwnFilesMark {
   std::uint64_t checksum = 0;
 };
 
-/// Collective, as is read_own(); throws OutputError. The files are on the disk when the call returns.
+/// Collective, as is read_own(); throws OutputError.
 OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values);
 
 /// No values for another number of processes. Nothing where the file of any process is missing, not whole, or damaged.

@@ -27,7 +27,6 @@ class ResultsFile {
 public:
   /// Opens the file as part_of(path): it takes the place of an earlier one in publish() or finish().
   ResultsFile(MPI_Comm comm, std::filesystem::path path);
-  ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
@@ -72,14 +71,16 @@ public:
 
 private:
   void take_name();
-  void put(const std::string& path, const DistributedArray& array, const std::string& unit);
+  void put(const std::string& group, const std::string& name, const DistributedArray& array, const std::string& unit);
   /// An array that the first process has.
-  void put_by_first(const std::string& path, const std::vector<hsize_t>& all, const std::vector<double>& values,
-                    const std::string& unit);
+  void put_by_first(const std::string& group, const std::string& name, const std::vector<hsize_t>& all,
+                    const std::vector<double>& values, const std::string& unit);
 
   MPI_Comm comm_;
   int rank_;
   std::filesystem::path path_;
+  /// Without finish() left to the end of the program: closing takes all processes, but an error may have struck this
+  /// one alone; and HDF5 cannot close what it could not write.
   hid_t file_ = H5I_INVALID_HID;
   std::map<std::string, int> fields_of_;  // by the group of their axes
   bool published_ = false;

@@ -28,8 +28,8 @@ private:
   int first_row() const { return cuts_[grid_.rank()]; }
   int end_row() const { return cuts_[grid_.rank() + 1]; }
   PetscInt index_on_grid(int i, int row) const;
-  /// Of as many values a node, without the values.
-  DistributedArray array_of(std::size_t values_of_node) const;
+  /// Of the nodes, without values.
+  DistributedArray extents() const;
 
   const Grid& grid_;
   std::vector<int> cuts_;  ///< first row of every process, and their number
