@@ -6,5 +6,5 @@ cd "$(dirname "$0")/.."
 scripts/install.sh clang-tidy
 scripts/setup.sh release gearfilm
 # Without what is no finding: each command, and how many warnings other people's headers have.
-run-clang-tidy -quiet -p build/release "$PWD/src/" 2>&1 | sed '/^clang-tidy/d; /warnings generated/d'
+run-clang-tidy -quiet -p build/release "$PWD/build/release/src/" 2>&1 | sed '/^clang-tidy/d; /warnings generated/d'
 echo "tidy: no findings"

@@ -8,7 +8,7 @@
 namespace gearfilm {
 namespace {
 
-const std::map<std::string, std::string>& keys() {
+const std::map<std::string, std::string>& continuation_keys() {
   static const std::map<std::string, std::string> by_choice = {{"speed", "pinion.speed_rpm"},
                                                                {"torque", "pinion.torque"},
                                                                {"mass", "gear.equivalent_mass"},
@@ -76,7 +76,7 @@ ContinuationCase read_continuation(const ParameterValues& values, int order) {
   constexpr double parts = 10.0;  // of the range; one counts as much as 1 of H_0 and V_0
   const bool on_films = values.text("model") != "dry";
   ContinuationCase result;
-  result.parameter = keys().at(values.text("continuation.parameter"));
+  result.parameter = continuation_keys().at(values.text("continuation.parameter"));
   result.unit = find_parameter(result.parameter)->unit;
   result.options = continuation_steps(on_films);
   read_ends(values, result);

@@ -9,7 +9,7 @@
 namespace gearfilm {
 namespace {
 
-const std::map<std::string, std::string>& keys() {
+const std::map<std::string, std::string>& sweep_keys() {
   static const std::map<std::string, std::string> by_choice = {
       {"speed", "pinion.speed_rpm"}, {"torque", "pinion.torque"}, {"equivalent_mass", "gear.equivalent_mass"}};
   return by_choice;
@@ -93,7 +93,7 @@ SweepOptions read_sweep(const ParameterValues& values) {
     return sweep;
   }
   if (kind == "marches") sweep.kind = SweepKind::marches;
-  sweep.parameter = keys().at(values.text("sweep.over"));
+  sweep.parameter = sweep_keys().at(values.text("sweep.over"));
   const Parameter& varied = *find_parameter(sweep.parameter);
   sweep.unit = varied.unit;
   const bool from = values.has("sweep.from"), to = values.has("sweep.to"), list = values.has("sweep.values");

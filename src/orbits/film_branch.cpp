@@ -11,7 +11,7 @@ namespace gearfilm {
 namespace {
 
 // Between two states, from which derivatives are told: above the noise of marches, and of one linear map.
-constexpr double telling_step = 1e-3, longest_step = 1.0;
+constexpr double shortest_secant = 1e-3, longest_secant = 1.0;
 
 /// What is to be added to the derivatives of the dry map, in (H_0, V_0, lambda/unit).
 using Correction = std::array<BranchVector, 2>;
@@ -106,7 +106,7 @@ private:
   /// Broyden: the least change by which the derivatives agree with the last two marches.
   void update(const BranchVector& u, const Motion& image, Correction& whole) {
     const BranchVector step = {u[0] - last_[0], u[1] - last_[1], u[2] - last_[2]};
-    if (length(step) < telling_step || length(step) > longest_step) return;
+    if (length(step) < shortest_secant || length(step) > longest_secant) return;
     const Motion change = difference(image, last_image_);
     const double square = dot(step, step);
     const std::array<double, 2> errors = {(change.H0 - dot(whole[0], step)) / square,

@@ -10,7 +10,7 @@ namespace gearfilm {
 namespace {
 
 constexpr int longest = 8;                    // mesh periods
-constexpr double far = 1.0;                   // in (H_0, V_0) from the last point: beyond it maps bend
+constexpr double bends_beyond = 1.0;          // in (H_0, V_0) from the last point: beyond it maps bend
 constexpr double noise = 3e-5;                // of a march
 constexpr std::size_t fewest = 5, most = 12;  // points that are fitted
 
@@ -29,7 +29,7 @@ std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, 
   std::vector<Return> returns;
   for (std::size_t n = points.size() - 1; n >= period && returns.size() < most; n -= period) {
     const Return one{difference(points[n - period].motion, last), difference(points[n].motion, last)};
-    if (length(one.from) > far) break;
+    if (length(one.from) > bends_beyond) break;
     if (std::max(length(one.from), length(one.to)) > noise) returns.push_back(one);
   }
   if (returns.size() < fewest) return {};

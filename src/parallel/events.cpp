@@ -28,8 +28,8 @@ void register_events() {
   }
 }
 
-ScopedEvent::ScopedEvent(Kernel kernel) : kernel_(kernel) { (void)PetscLogEventBegin(event_of(kernel_), 0, 0, 0, 0); }
-ScopedEvent::~ScopedEvent() { (void)PetscLogEventEnd(event_of(kernel_), 0, 0, 0, 0); }
+ScopedEvent::ScopedEvent(Kernel kernel) : event_(event_of(kernel)) { (void)PetscLogEventBegin(event_, 0, 0, 0, 0); }
+ScopedEvent::~ScopedEvent() { (void)PetscLogEventEnd(event_, 0, 0, 0, 0); }
 
 ScopedStage::ScopedStage(const char* name) {
   PetscLogStage stage = -1;

@@ -26,7 +26,7 @@ constexpr double least_across = 1e-3;   // of A, likewise
 constexpr double coldest = 150.0;       // that mixing may make a temperature [K]
 constexpr double shortest_way = 1e-3;
 // Turns after which a film that has not settled goes on without mixing, part of the way.
-constexpr int patience = 30;
+constexpr int patient_turns = 30;
 constexpr double careful_way = 0.25;
 
 // Changes in a turn at which a film counts as settled.
@@ -165,8 +165,8 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     const std::vector<double> before = unknowns.packed(present);
     std::vector<double> change = unknowns.packed(swept);
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= before[n];
-    if (found.change > near || way < 1.0 || found.turns > patience || sheared > largest_shear / 4.0) mixing.restart();
-    if (found.turns > patience) way = std::min(way, careful_way);
+    if (found.change > near || way < 1.0 || found.turns > patient_turns || sheared > largest_shear / 4.0) mixing.restart();
+    if (found.turns > patient_turns) way = std::min(way, careful_way);
     change = mixing.change(before, change);
     present.passing = std::move(swept.passing);
     std::optional<StationaryResult> next;

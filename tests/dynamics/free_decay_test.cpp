@@ -8,17 +8,17 @@
 namespace gearfilm {
 namespace {
 
-constexpr Motion begin{-1.5, 1.3};
-constexpr Motion end{-1.5 + 2e-5, 1.3 - 3e-5};  // the orbit's own defect
+constexpr Motion orbit_begin{-1.5, 1.3};
+constexpr Motion orbit_end{-1.5 + 2e-5, 1.3 - 3e-5};  // the orbit's own defect
 
 Motion mapped(const Monodromy& map, const Motion& from) {
-  const double H = from.H0 - begin.H0, V = from.V0 - begin.V0;
-  return {end.H0 + map[0][0] * H + map[0][1] * V, end.V0 + map[1][0] * H + map[1][1] * V};
+  const double H = from.H0 - orbit_begin.H0, V = from.V0 - orbit_begin.V0;
+  return {orbit_end.H0 + map[0][0] * H + map[0][1] * V, orbit_end.V0 + map[1][0] * H + map[1][1] * V};
 }
 
 /// After a push of H_0, the first period's films being slow to follow; with errors of the given size.
 Returns returns(const Monodromy& map, int periods, double noise, double push = 5e-3) {
-  Returns motions = {{begin.H0 + push, begin.V0}};
+  Returns motions = {{orbit_begin.H0 + push, orbit_begin.V0}};
   for (int n = 1; n <= periods; ++n) {
     Motion next = mapped(map, motions.back());
     if (n == 1) next.V0 += 4e-4;
@@ -34,7 +34,7 @@ Monodromy rotation(double modulus, double angle) {
 }
 
 TEST(FreeDecay, of_a_linear_map_gives_its_multipliers) {
-  const FreeDecay decay = fit_decay({returns(rotation(0.95, 2.05), 4, 0.0)}, begin, end);
+  const FreeDecay decay = fit_decay({returns(rotation(0.95, 2.05), 4, 0.0)}, orbit_begin, orbit_end);
   EXPECT_NEAR(std::abs(decay.multipliers[0]), 0.95, 1e-10);
   EXPECT_NEAR(std::arg(decay.multipliers[0]), 2.05, 1e-10);
   EXPECT_LT(decay.modulus_error, 1e-10);
@@ -42,7 +42,7 @@ TEST(FreeDecay, of_a_linear_map_gives_its_multipliers) {
 
 TEST(FreeDecay, says_by_how_much_it_may_err) {
   for (const double noise : {1e-6, 1e-5, 1e-4}) {
-    const FreeDecay decay = fit_decay({returns(rotation(0.9, 1.3), 5, noise)}, begin, end);
+    const FreeDecay decay = fit_decay({returns(rotation(0.9, 1.3), 5, noise)}, orbit_begin, orbit_end);
     const double error = std::abs(std::abs(decay.multipliers[0]) - 0.9);
     EXPECT_LT(error, decay.modulus_error);
     EXPECT_LT(decay.modulus_error, 5e3 * noise);
@@ -51,22 +51,23 @@ TEST(FreeDecay, says_by_how_much_it_may_err) {
 
 TEST(FreeDecay, of_pushes_both_ways_fits_both) {
   const Monodromy map = rotation(0.95, 2.05);
-  const FreeDecay decay = fit_decay({returns(map, 4, 3e-5), returns(map, 4, 3e-5, -5e-3)}, begin, end);
+  const FreeDecay decay = fit_decay({returns(map, 4, 3e-5), returns(map, 4, 3e-5, -5e-3)}, orbit_begin, orbit_end);
   EXPECT_LT(std::abs(std::abs(decay.multipliers[0]) - 0.95), decay.modulus_error);
   // Two maps cannot be fitted by one: their difference is an error.
-  const FreeDecay kinked = fit_decay({returns(map, 4, 0.0), returns(rotation(0.75, 2.05), 4, 0.0, -5e-3)}, begin, end);
+  const FreeDecay kinked =
+      fit_decay({returns(map, 4, 0.0), returns(rotation(0.75, 2.05), 4, 0.0, -5e-3)}, orbit_begin, orbit_end);
   EXPECT_GT(kinked.modulus_error, 0.05);
 }
 
 TEST(FreeDecay, tells_two_real_multipliers_apart) {
-  const FreeDecay decay = fit_decay({returns({{{-1.2, 0.05}, {0.0, -0.6}}}, 4, 0.0)}, begin, end);
+  const FreeDecay decay = fit_decay({returns({{{-1.2, 0.05}, {0.0, -0.6}}}, 4, 0.0)}, orbit_begin, orbit_end);
   std::array<double, 2> found = {decay.multipliers[0].real(), decay.multipliers[1].real()};
   EXPECT_NEAR(std::min(found[0], found[1]), -1.2, 1e-9);
   EXPECT_NEAR(std::max(found[0], found[1]), -0.6, 1e-9);
 }
 
 TEST(FreeDecay, that_is_over_at_once_is_known_to_be_small_only) {
-  const FreeDecay decay = fit_decay({returns(rotation(1e-3, 2.0), 2, 1e-7)}, begin, end);
+  const FreeDecay decay = fit_decay({returns(rotation(1e-3, 2.0), 2, 1e-7)}, orbit_begin, orbit_end);
   EXPECT_LT(std::abs(decay.multipliers[0]), 0.1);
   EXPECT_DOUBLE_EQ(decay.modulus_error, std::max(std::abs(decay.multipliers[0]), std::abs(decay.multipliers[1])));
 }

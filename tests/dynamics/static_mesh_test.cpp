@@ -13,7 +13,7 @@ using teeth_case::reference;
 
 const Settings just_after_leaving = {{"start.place", "after_leaving"}};
 
-Settings relieved(const nlohmann::json& relief) {
+Settings with_tip_relief(const nlohmann::json& relief) {
   Settings settings;
   if (relief.is_null()) return settings;
   for (const std::string gear : {"pinion", "wheel"}) {
@@ -30,7 +30,7 @@ Settings settings_of(const std::string& name) {
   if (name.starts_with("teeth_body")) {
     settings = with(settings, bending(name == "teeth_body_uncoupled" ? "no" : "yes"));
   }
-  return with(settings, relieved(reference().at("static").at(name).at("relief")));
+  return with(settings, with_tip_relief(reference().at("static").at(name).at("relief")));
 }
 
 class StaticMeshOf : public testing::TestWithParam<const char*> {};
@@ -75,7 +75,8 @@ TEST(StaticMesh, has_the_natural_frequencies_of_the_reference) {
   const auto frequency = [](const Settings& settings) { return mesh_of(table3_case(settings)).frequency_si(); };
   EXPECT_NEAR(frequency({}) / expected.at("f_n_hertz").get<double>(), 1.0, tolerance);
   EXPECT_NEAR(frequency({{"gear.tooth_compliance", "weber"}}) / expected.at("f_n_teeth").get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(frequency(with(bending(), just_after_leaving)) / expected.at("f_n_teeth_body").get<double>(), 1.0, tolerance);
+  EXPECT_NEAR(frequency(with(bending(), just_after_leaving)) / expected.at("f_n_teeth_body").get<double>(), 1.0,
+              tolerance);
 }
 
 // All teeth lack the same: the gears turn that much further, and nothing else changes.

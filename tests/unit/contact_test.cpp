@@ -19,7 +19,7 @@ using std::numbers::pi;
 using table3::expect_derived;
 using table3::expect_input_error_naming;
 
-constexpr double round_off = 1e-13;  // relative, a few operations and powers
+using table3::round_off;
 
 ContactSolids pitch_solids(const LineOfAction& line, double youngs_modulus) {
   return {.radius_x = line.radius_x(0.0),

@@ -15,7 +15,7 @@ using std::numbers::pi;
 using table3::expect_derived;
 using table3::expect_input_error_naming;
 
-constexpr double round_off = 1e-13;  // relative, a few operations
+using table3::round_off;
 
 // Two equal gears of 60 teeth whose tip circles give the contact ratio asked for.
 SpurGearPair symmetric_pair(double contact_ratio) {

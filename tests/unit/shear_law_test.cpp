@@ -10,14 +10,14 @@
 namespace gearfilm {
 namespace {
 
-constexpr double film = 1e-6;                             // [m]
-const double log_newtonian = std::log(3.0 * 2.0 / film);  // 3 Pa s, 2 m/s
+constexpr double thickness = 1e-6;                             // [m]
+const double log_newtonian = std::log(3.0 * 2.0 / thickness);  // 3 Pa s, 2 m/s
 
 ShearLaw unlimited(ShearLawKind kind) { return {.kind = kind, .limiting_ratio = 0.0}; }
 
 /// tau_m under a pressure gradient [MPa].
 double stress_under(const ShearLaw& law, double gradient) {
-  return 1e-6 * mean_shear(law, log_newtonian, 0.5 * film * gradient, 0.0).stress;
+  return 1e-6 * mean_shear(law, log_newtonian, 0.5 * thickness * gradient, 0.0).stress;
 }
 
 TEST(ShearLaw, eyring_with_a_pressure_gradient) {
@@ -58,8 +58,8 @@ TEST(ShearLaw, the_mean_stress_shears_the_oil_as_fast_as_the_surfaces_slide) {
         const double newtonian = rate * law.eyring_stress, S = sigma * law.eyring_stress;
         const MeanShear found = mean_shear(law, std::log(newtonian), S, 0.0);
         // The rates of both halves of the film cancel, for the most part, where the gradient is strong.
-        const double round_off = 1e-14 * std::abs(fluidity(law, found.stress + std::abs(S))) / newtonian;
-        EXPECT_NEAR(mean_rate(law, found.stress, S) / newtonian, 1.0, 1e-10 + round_off) << sigma << " " << rate;
+        const double rounding = 1e-14 * std::abs(fluidity(law, found.stress + std::abs(S))) / newtonian;
+        EXPECT_NEAR(mean_rate(law, found.stress, S) / newtonian, 1.0, 1e-10 + rounding) << sigma << " " << rate;
         constexpr double step = 1e-5;
         const double above = mean_shear(law, std::log(newtonian) + step, S, 0.0).stress;
         const double below = mean_shear(law, std::log(newtonian) - step, S, 0.0).stress;

@@ -18,6 +18,7 @@ namespace gearfilm::table3 {
 inline constexpr double pinion_speed = 15000.0 * 2.0 * std::numbers::pi / 60.0;  // [rad/s]
 inline constexpr double pinion_torque = 470.0;                                   // [N m]
 inline constexpr double equivalent_mass = 0.3709;                                // [kg]
+inline constexpr double round_off = 1e-13;  // relative, of a few operations and powers
 
 inline SpurGearPair gear_pair() {
   return {.pinion = {.teeth = 28, .outer_radius = 46.55e-3, .crowning = 0.131e-3},

@@ -29,7 +29,7 @@ public:
   ScopedEvent& operator=(const ScopedEvent&) = delete;
 
 private:
-  Kernel kernel_;
+  PetscLogEvent event_;
 };
 
 /// Times a scope as a named stage of the run; stages of one name are one row of -log_view.
