@@ -1,14 +1,14 @@
 """The plot scripts from outside, on small results made up here: figures, exit statuses and messages."""
 import json
 import math
-import subprocess
 import sys
 import unittest
 
 import h5py
 import numpy
 
-from program import SECONDS, SOURCE, ProgramTest
+from program import SOURCE, ProgramTest
+from script import run_script
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from gearfilm.drawing.orbit import read_orbit  # noqa: E402
@@ -61,8 +61,7 @@ class Motion:
 
 class Figures(ProgramTest):
     def plot(self, name, *options):
-        command = [sys.executable, "-B", str(SOURCE / f"scripts/plot_{name}.py"), str(self.folder), *options]
-        return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+        return run_script(SOURCE / f"scripts/plot_{name}.py", self.folder, *options)
 
     def assert_drawn(self, name, *options, figure=None):
         run = self.plot(name, *options)
@@ -258,9 +257,7 @@ class Figures(ProgramTest):
         self.assertEqual(orbit.mesh_period, MESH_PERIOD)
 
     def compare(self, *runs):
-        script = SOURCE / "scripts/compare_runs.py"
-        return subprocess.run([sys.executable, "-B", script, *runs, "--into", self.folder], capture_output=True,
-                              text=True, check=False)
+        return run_script(SOURCE / "scripts/compare_runs.py", *runs, "--into", self.folder)
 
     def test_runs_side_by_side(self):
         for command in ("sweep", "periodic"):
