@@ -20,6 +20,7 @@ constexpr double many_node_steps = 4e6;   // in a mesh period of the coarser gri
 constexpr int enough_periods = 12;        // of a search: marches that scatter need not repeat as they should
 constexpr double same_orbit = 0.1;        // between the motions of an orbit on two grids
 constexpr double well_known = 0.1;        // error of a multiplier whose map serves a search
+constexpr double noise_of_decay = 3.0;    // Newton's tolerance for a decay, in that of the case: its errors hardly grow
 
 /// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
 /// in 1.5.
@@ -92,6 +93,7 @@ public:
         newton_of_decay_(fine.numerics.steps.newton),
         films_(discretise(comm, coarse)),
         on_grid_("on " + std::to_string(coarse.numerics.nx) + " x " + std::to_string(coarse.numerics.ny) + " nodes") {
+    newton_of_decay_.tolerance *= noise_of_decay;
     own_step_.numerics.steps.dT = fine.numerics.steps.dT;
   }
 
@@ -131,9 +133,8 @@ private:
   OrbitRun with_decay(Case coarse, OrbitRun run) {
     if (!with_multipliers_) return run;
     coarse.numerics.steps.newton = newton_of_decay_;
-    run.decay = attempt<FreeDecay>("coarse_decay", coarse, [&](const OrbitObservers& own) {
-      return decay_from(coarse, films_, mesh_, run.orbit, own);
-    });
+    run.decay = attempt<FreeDecay>(
+        "coarse_decay", coarse, [&](const OrbitObservers& own) { return decay_from(coarse, films_, mesh_, run, own); });
     if (run.decay) add_grid_error(coarse, *run.decay);
     return run;
   }
@@ -301,7 +302,7 @@ OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films,
   run.decay = coarse_decay(problem, films, mesh, run.orbit, observers);
   if (run.decay) return run;
   Checkpoint checkpoint = observers.checkpoint.within("decay", films->grid());
-  run.decay = decay_from(problem, films, mesh, run.orbit, on_the_way(observers, checkpoint));
+  run.decay = decay_from(problem, films, mesh, run, on_the_way(observers, checkpoint));
   return run;
 }
 

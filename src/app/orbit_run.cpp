@@ -54,6 +54,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   run.states_after_leaving = {run.orbit.start.motion};
   const long first = std::lround(begin / mesh.path.mesh_period());
   for (long n = 1; n < mesh.periods(); ++n) run.states_after_leaving.push_back(after_leaving.at(first + n));
+  run.memory = march.memory();
   run.contact_lost = statistics.contact_lost(begin, end);
   run.transmission_error = signal.deviation(begin, end);
   if (problem.search.with_multipliers) run.decay = free_decay(march, run.orbit, {.lead = problem.search.options.lead});
@@ -67,9 +68,10 @@ OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films,
 }
 
 FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                     const PeriodicOrbit& orbit, const OrbitObservers& observers) {
+                     const OrbitRun& run, const OrbitObservers& observers) {
   MeshMarch march = stoppable_march(problem, films, mesh, observers);
-  return free_decay(march, orbit, {.lead = problem.search.options.lead});
+  march.remember(run.memory);
+  return free_decay(march, run.orbit, {.lead = problem.search.options.lead});
 }
 
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {

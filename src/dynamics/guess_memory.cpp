@@ -32,32 +32,23 @@ std::size_t values_for(std::size_t integers) {
 
 }  // namespace
 
-GuessMemory::GuessMemory(std::span<const double> values) {
-  if (values.empty()) return;
-  const auto take = [&] {
-    const double value = values.front();
-    values = values.subspan(1);
-    return value;
-  };
-  shape_ = {static_cast<int>(take()), static_cast<int>(take()), take(), take(), take()};
-  marched_ = take();
-  trusted_ = take() > 0.0;
-  while (!values.empty()) {
-    Miss& miss = misses_[static_cast<int>(take())];
-    miss = {take(), {take(), take()}, take(), std::vector<std::int16_t>(static_cast<std::size_t>(take()))};
-    std::memcpy(miss.pressures.data(), values.data(), miss.pressures.size() * sizeof(std::int16_t));
-    values = values.subspan(values_for(miss.pressures.size()));
+GuessMemory::GuessMemory(ValueReader values)
+    : shape_(values.shape()), marched_(values.value()), trusted_(values.value() > 0.0) {
+  while (!values.at_end()) {
+    Miss& miss = misses_[static_cast<int>(values.value())];
+    miss.learnt = values.value();
+    miss.motion.H0 = values.value();
+    miss.motion.V0 = values.value();
+    miss.unit = values.value();
+    miss.pressures.resize(values.count());
+    const std::span<const double> packed = values.values(values_for(miss.pressures.size()));
+    std::memcpy(miss.pressures.data(), packed.data(), miss.pressures.size() * sizeof(std::int16_t));
   }
 }
 
-std::vector<double> GuessMemory::values() const {
-  std::vector<double> values = {static_cast<double>(shape_.nx),
-                                static_cast<double>(shape_.ny),
-                                shape_.x_min,
-                                shape_.x_max,
-                                shape_.y_half,
-                                marched_,
-                                trusted_ ? 1.0 : 0.0};
+void GuessMemory::append_to(std::vector<double>& values) const {
+  append(values, shape_);
+  values.insert(values.end(), {marched_, trusted_ ? 1.0 : 0.0});
   for (const auto& [place, miss] : misses_) {
     const std::size_t count = miss.pressures.size();
     values.insert(values.end(), {static_cast<double>(place), miss.learnt, miss.motion.H0, miss.motion.V0, miss.unit,
@@ -66,7 +57,6 @@ std::vector<double> GuessMemory::values() const {
     values.resize(begin + values_for(count));
     std::memcpy(values.data() + begin, miss.pressures.data(), count * sizeof(std::int16_t));
   }
-  return values;
 }
 
 const GuessMemory::Miss* GuessMemory::last_time(const MeshModel& mesh, double T, std::size_t pressures) const {

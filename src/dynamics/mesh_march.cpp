@@ -32,6 +32,22 @@ void MeshMarch::displace(const Motion& motion, double duration) {
 
 void MeshMarch::resume(double T, const PairState& state) { films_.take_up(T, state, mesh().path.contacts_after(T)); }
 
+std::vector<double> MeshMarch::memory() {
+  std::vector<double> values;
+  films_.entering().append_to(values);
+  guesses_.append_to(values);
+  return values;
+}
+
+void MeshMarch::remember(std::span<const double> memory) {
+  films_.entering() = {};
+  guesses_ = {};
+  if (memory.empty()) return;
+  ValueReader values(memory);
+  films_.entering().take_from(values);
+  guesses_ = GuessMemory(values);
+}
+
 void MeshMarch::observe(const StepRecord& record) {
   if (record.failures > 1) ++halved_steps_;
   observer_(record, contacts());
@@ -83,7 +99,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 void MeshMarch::run(double T_end) {
   if (const auto kept = take_over(keeper_, T(), motion(), observer_)) {
     films_.take_up(kept->T, kept->state, mesh().path.contacts_before(kept->T));
-    guesses_ = GuessMemory(kept->guesses);
+    remember(kept->memory);
   }
   // What happens between two segments follows from what is kept at the end of the first.
   for (exchange_contacts(); T() < T_end - 1e-9 && !contacts().empty(); exchange_contacts()) {
@@ -96,7 +112,7 @@ void MeshMarch::run(double T_end) {
       if (share->jump) steps.dT = std::min(steps.dT, (segment_end - T()) / mesh().load->jump_refinement);
     }
     run_segment(segment_end, steps, share);
-    if (keeper_) keeper_->keep(T(), state(), guesses_.values());
+    if (keeper_) keeper_->keep(T(), state(), memory());
   }
 }
 

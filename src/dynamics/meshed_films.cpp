@@ -136,7 +136,7 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
     ContactFilm* film = free_film();
     film->set_conditions(mesh_.contact(number, T_).conditions);
     StationaryResult entered =
-        located(label(number) + ", entering", [&] { return solve_stationary(*film, load, options_.films); });
+        located(label(number) + ", entering", [&] { return entering_.solve(*film, load, options_.films); });
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));

@@ -126,7 +126,7 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
   const Summary& guesses = description["guesses"];
   std::optional<std::vector<double>> own = read_own(
       grid_.comm(), own_file(state), {guesses["processes"].get<int>(), guesses["checksum"].get<std::uint64_t>()});
-  if (own) guesses_ = std::move(*own);
+  if (own) memory_ = std::move(*own);
   return own.has_value();
 }
 
@@ -174,7 +174,7 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
     kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
     kept.state.films = films_from(found->fields, description["films"]);
     kept.state.shape = found->shape;
-    if (end == kept_.end()) kept.guesses = guesses_;
+    if (end == kept_.end()) kept.memory = memory_;
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
   kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
@@ -196,14 +196,14 @@ void Checkpoint::drop_snapshots() {
   for (KeptState& state : kept_) state.with_snapshots = state.with_snapshots && state.run != run_;
 }
 
-void Checkpoint::keep(double T, const PairState& state, const std::vector<double>& guesses) {
+void Checkpoint::keep(double T, const PairState& state, const std::vector<double>& memory) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
   write_together(grid_.comm(), folder_, [&] { flush_.finish(); });
   const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
   next.steps = journal_.write(steps_before, waiting_);
-  const OwnFilesMark guesses_mark = write_own(grid_.comm(), own_file(next), guesses);
+  const OwnFilesMark guesses_mark = write_own(grid_.comm(), own_file(next), memory);
   Summary description = {{"T", T},
                          {"H0", state.motion.H0},
                          {"V0", state.motion.V0},

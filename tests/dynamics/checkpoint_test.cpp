@@ -200,7 +200,7 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
     EXPECT_EQ(kept->state.films.front().at("pressure"), field(T));
     EXPECT_EQ(kept->state.films.front().at("rate"), field(T + 0.5));
     // Those of a run that another one followed nobody goes on from.
-    EXPECT_EQ(kept->guesses, run == 2 ? std::vector<double>({T, 2.0 * T}) : std::vector<double>());
+    EXPECT_EQ(kept->memory, run == 2 ? std::vector<double>({T, 2.0 * T}) : std::vector<double>());
     ASSERT_EQ(kept->records.size(), 8U);
     EXPECT_EQ(kept->records.back().motion.V0, T / 7.0);
     EXPECT_EQ(kept->records.back().contacts.front().figures["h_min"], T / 11.0);
@@ -240,7 +240,7 @@ TEST_F(CheckpointTest, state_before_damaged_guesses_serves) {
   const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->T, 0.1);
-  EXPECT_EQ(kept->guesses, std::vector<double>({0.1, 0.1}));
+  EXPECT_EQ(kept->memory, std::vector<double>({0.1, 0.1}));
   EXPECT_FALSE(std::filesystem::exists(folder / "run000_00001.guesses0"));
 }
 

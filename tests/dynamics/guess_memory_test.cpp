@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "gearfilm/dynamics/entering_film.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -33,7 +34,7 @@ TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
   for (const bool remembers : {true, false}) {
     Memory again;
     again.known = after_one;
-    if (!remembers) again.known->guesses.clear();
+    if (!remembers) again.known->memory.clear();
     newton = 0;
     ends.push_back(march_with(again));
     iterations.push_back(newton);
@@ -51,6 +52,27 @@ TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
   EXPECT_LT(films, 1e-4);
 }
 
+TEST(Guesses, the_film_that_entered_last_is_one_for_another_that_lies_near) {
+  const Case problem = table3_case(after_leaving());
+  const MeshModel mesh = mesh_of(problem);
+  ContactFilm film(discretise(PETSC_COMM_WORLD, problem), problem.scales, MultigridOptions{});
+  film.set_conditions(mesh.contact(0, 0.0).conditions);
+  const double H0 = problem.march.start_motion->H0;
+  const auto at = [](double displacement) { return LoadCondition::displacement(displacement); };
+  EnteringFilm entering;
+  const auto enters = [&](double displacement) {
+    return entering.solve(film, at(displacement), problem.numerics.solver);
+  };
+  EXPECT_GT(enters(H0).by_grid.size(), 1U);
+  for (const double displacement : {H0 + 0.01, H0 + 0.5}) {
+    const bool near = displacement < H0 + 0.1;
+    const StationaryResult entered = enters(displacement);
+    const StationaryResult expected = solve_stationary(film, at(displacement), problem.numerics.solver);
+    EXPECT_EQ(entered.by_grid.size(), near ? 1U : expected.by_grid.size());
+    EXPECT_LT(relative_difference(entered.solution.pressure, expected.solution.pressure), near ? 1e-5 : 1e-12);
+  }
+}
+
 TEST(Guesses, are_what_they_were_after_being_kept) {
   const Case problem = table3_case(before_an_entry());
   Memory memory;
@@ -60,12 +82,17 @@ TEST(Guesses, are_what_they_were_after_being_kept) {
   march.start(problem.march.start_motion);
   march.run(0.5);
   ASSERT_FALSE(memory.kept.empty());
-  const std::vector<double>& values = memory.kept.back().guesses;
+  const std::vector<double>& values = memory.kept.back().memory;
   EXPECT_GT(values.size(), 100U);
-  const std::vector<double> again = GuessMemory(values).values();
+  MeshMarch other = make_march(problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
+                               [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const std::vector<double> nothing = other.memory();
+  other.remember(values);
+  const std::vector<double> again = other.memory();
   ASSERT_EQ(again.size(), values.size());
   EXPECT_EQ(std::memcmp(again.data(), values.data(), values.size() * sizeof(double)), 0);
-  EXPECT_EQ(GuessMemory(std::span<const double>()).values().size(), GuessMemory().values().size());
+  other.remember({});
+  EXPECT_EQ(other.memory(), nothing);
 }
 
 }  // namespace

@@ -114,8 +114,8 @@ class Memory final : public MarchKeeper {
 public:
   std::optional<KeptRun> begin_run(double, const Motion&) override { return known; }
   void record(const StepRecord&) override {}
-  void keep(double T, const PairState& state, const std::vector<double>& guesses) override {
-    kept.push_back({{}, T, state, guesses});
+  void keep(double T, const PairState& state, const std::vector<double>& memory) override {
+    kept.push_back({{}, T, state, memory});
   }
 
   std::vector<KeptRun> kept;

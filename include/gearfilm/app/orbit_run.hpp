@@ -23,6 +23,7 @@ struct OrbitRun {
   bool contact_lost = false;                 ///< in it
   SignalDeviation transmission_error;        ///< of H_0 over it
   std::optional<FreeDecay> decay;            ///< with the multipliers
+  std::vector<double> memory;                ///< MeshMarch::memory() at its end
 };
 
 /// Watches a search: every accepted step, and every period marched. Nothing is reported once the orbit is found. The
@@ -45,8 +46,8 @@ OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films,
                          const OrbitGuess& guess, const OrbitObservers& observers);
 
 /// The return of the pair pushed off an orbit that was found with other tolerances.
-FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                     const PeriodicOrbit& orbit, const OrbitObservers& observers);
+FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh, const OrbitRun& run,
+                     const OrbitObservers& observers);
 
 /// Its figures in SI.
 Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run);

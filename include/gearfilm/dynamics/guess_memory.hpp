@@ -13,20 +13,20 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <vector>
 
 #include "gearfilm/dynamics/lubricated_pair.hpp"
+#include "gearfilm/dynamics/value_list.hpp"
 
 namespace gearfilm {
 
 class GuessMemory {
 public:
   GuessMemory() = default;
-  /// From values(), of this process among as many; none: nothing is remembered.
-  explicit GuessMemory(std::span<const double> values);
-  /// All that is remembered on this process, for whoever keeps it.
-  std::vector<double> values() const;
+  /// Back from a list, to its end.
+  explicit GuessMemory(ValueReader values);
+  /// All that is remembered on this process, for whoever keeps it, at the end of a list.
+  void append_to(std::vector<double>& values) const;
 
   /// Corrects the stepper's own guess of the state at T. Collective, as is learn().
   void correct(const LubricatedPair& pair, Vec guess, double T);

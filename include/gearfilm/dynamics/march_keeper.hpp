@@ -18,7 +18,7 @@ struct KeptRun {
   std::vector<StepRecord> records;
   double T = 0.0;
   PairState state;
-  std::vector<double> guesses;  ///< this process's GuessMemory
+  std::vector<double> memory;  ///< of the march, on this process
 };
 
 class MarchKeeper {
@@ -28,9 +28,9 @@ public:
   virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
   /// A step of the run, or its state after an entering or leaving.
   virtual void record(const StepRecord& record) = 0;
-  /// A segment ends at T with this state; whatever enters or leaves then is still to do so. guesses: values of the
-  /// GuessMemory, on this process.
-  virtual void keep(double T, const PairState& state, const std::vector<double>& guesses) = 0;
+  /// A segment ends at T with this state; whatever enters or leaves then is still to do so. memory: of the
+  /// march, on this process.
+  virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
 };
 
 /// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.

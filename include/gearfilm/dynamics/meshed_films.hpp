@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 
+#include "gearfilm/dynamics/entering_film.hpp"
 #include "gearfilm/dynamics/pair_state.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
 #include "gearfilm/ehl/room.hpp"
-#include "gearfilm/ehl/stationary.hpp"
 
 namespace gearfilm {
 
@@ -55,6 +55,8 @@ public:
   const SharedDiscretisation& discretisation() const { return discretisation_; }
   /// The leading one first.
   const std::vector<LiveContact>& contacts() const { return contacts_; }
+  /// What the next contact to enter begins with, if it is near.
+  EnteringFilm& entering() { return entering_; }
   PairState state() const;
   std::vector<ContactRecord> records() const;
   /// A contact and where it is, for messages.
@@ -105,6 +107,7 @@ private:
   std::vector<LiveContact> contacts_;
   double T_ = 0.0;
   Motion motion_;
+  EnteringFilm entering_;
 };
 
 }  // namespace gearfilm

@@ -3,7 +3,7 @@
 //   steps                   every step so far, to the bit: the history in results.h5 is made from these again
 //   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (march_keeper.hpp), with
 //                           the snapshots taken since the state before
-//   run003_00017.guesses0   what the first process remembers for the guesses of steps to come; another number of
+//   run003_00017.guesses0   what the first process remembers for first guesses; another number of
 //                           processes begins without
 // After every segment the steps are appended, and the state is written aside and renamed. What was written last reaches
 // the disk while the march goes on, and is there before anything more is written: a failure of the machine costs the
@@ -30,7 +30,7 @@ public:
 
   std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
   void record(const StepRecord& record) override;
-  void keep(double T, const PairState& state, const std::vector<double>& guesses) override;
+  void keep(double T, const PairState& state, const std::vector<double>& memory) override;
 
   /// Fields that are to be kept with the next state.
   void attach(const FilmSnapshot& snapshot);
@@ -75,7 +75,7 @@ private:
   RecordJournal journal_;
   DiskFlush flush_;
   std::vector<KeptState> kept_;
-  std::vector<double> guesses_;  ///< of the last state that was found
+  std::vector<double> memory_;  ///< of the last state that was found
   int run_ = -1;
   Summary run_begin_;                ///< T, H_0, V_0
   std::vector<StepRecord> waiting_;  ///< since the last state

@@ -1,0 +1,28 @@
+// Shapes and arrays in a list of values, as what a march remembers is kept in.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gearfilm/ehl/grid.hpp"
+
+namespace gearfilm {
+
+void append(std::vector<double>& values, const GridShape& shape);
+
+/// Takes values off the beginning of a list, in the order in which they were appended.
+class ValueReader {
+public:
+  explicit ValueReader(std::span<const double> values) : rest_(values) {}
+
+  bool at_end() const { return rest_.empty(); }
+  double value() { return values(1).front(); }
+  std::size_t count() { return static_cast<std::size_t>(value()); }
+  std::span<const double> values(std::size_t count);
+  GridShape shape();
+
+private:
+  std::span<const double> rest_;
+};
+
+}  // namespace gearfilm
