@@ -48,9 +48,13 @@ void MeshMarch::remember(std::span<const double> memory) {
   guesses_ = GuessMemory(values);
 }
 
-void MeshMarch::observe(const StepRecord& record) {
+void MeshMarch::show(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   if (record.failures > 1) ++halved_steps_;
-  observer_(record, contacts());
+  observer_(record, contacts);
+}
+
+void MeshMarch::observe(const StepRecord& record) {
+  show(record, contacts());
   if (keeper_) keeper_->record(record);
 }
 
@@ -97,7 +101,8 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 }
 
 void MeshMarch::run(double T_end) {
-  if (const auto kept = take_over(keeper_, T(), motion(), observer_)) {
+  const auto recalled = [&](const StepRecord& record, const std::vector<LiveContact>& none) { show(record, none); };
+  if (const auto kept = take_over(keeper_, T(), motion(), recalled)) {
     films_.take_up(kept->T, kept->state, mesh().path.contacts_before(kept->T));
     remember(kept->memory);
   }

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "gearfilm/dynamics/value_list.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -11,43 +12,32 @@ namespace gearfilm {
 namespace {
 
 void pack(const StepRecord& record, std::vector<double>& values) {
-  values.insert(values.end(), {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0,
-                               record.motion.V0, record.back_force, static_cast<double>(record.newton),
-                               static_cast<double>(record.krylov), record.wall_seconds});
+  values.insert(values.end(),
+                {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
+                 record.back_force, static_cast<double>(record.newton), static_cast<double>(record.krylov),
+                 static_cast<double>(record.failures), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
     values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
     values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
   }
 }
 
-/// Takes values off the front of a list.
-class Unpacking {
-public:
-  explicit Unpacking(const std::vector<double>& values) : values_(values) {}
-  bool done() const { return next_ >= values_.size(); }
-  double real() { return values_.at(next_++); }
-  int whole() { return static_cast<int>(real()); }
-
-private:
-  const std::vector<double>& values_;
-  std::size_t next_ = 0;
-};
-
-StepRecord unpack(Unpacking& values) {
+StepRecord unpack(ValueReader& values) {
   StepRecord record;
-  record.contacts.resize(static_cast<std::size_t>(values.whole()));
-  record.T = values.real();
-  record.dT = values.real();
-  record.motion.H0 = values.real();
-  record.motion.V0 = values.real();
-  record.back_force = values.real();
+  record.contacts.resize(values.count());
+  record.T = values.value();
+  record.dT = values.value();
+  record.motion.H0 = values.value();
+  record.motion.V0 = values.value();
+  record.back_force = values.value();
   record.newton = values.whole();
   record.krylov = values.whole();
-  record.wall_seconds = values.real();
+  record.failures = values.whole();
+  record.wall_seconds = values.value();
   for (ContactRecord& contact : record.contacts) {
     contact.number = values.whole();
-    contact.position = values.real();
-    for (double& figure : contact.figures.values) figure = values.real();
+    contact.position = values.value();
+    for (double& figure : contact.figures.values) figure = values.value();
   }
   return record;
 }
@@ -99,7 +89,7 @@ std::vector<StepRecord> RecordJournal::read(std::uint64_t begin, std::uint64_t e
   values.resize(count);
   MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, 0, comm_);
   std::vector<StepRecord> records;
-  for (Unpacking rest(values); !rest.done();) records.push_back(unpack(rest));
+  for (ValueReader rest(values); !rest.at_end();) records.push_back(unpack(rest));
   return records;
 }
 

@@ -1,6 +1,6 @@
 """Runs that are stopped on their way, and go on to the end of one that was not; environment as for cli_test.py.
 
-continuation_test.py has those that go on from states that were kept.
+restart_together_test.py has those of two processes, continuation_test.py those that go on from states that were kept.
 """
 import shutil
 import signal
@@ -10,9 +10,6 @@ import unittest
 from films import BARBIERI
 from restarts import EIGEN, MARCH, SEARCH, SMALL, SWEEP, RestartTest, states_in, stopped_after
 from vibration import table_in
-
-# A run that is complete before it is stopped is done again. None was when this was written.
-ATTEMPTS = 5
 
 
 class Continued(RestartTest):
@@ -90,19 +87,6 @@ class Continued(RestartTest):
             self.assertIn(run.end().status, (3, -signal.SIGKILL))
         self.assert_same(self.complete(*SWEEP), expected)
 
-    def test_sweep_on_two_processes(self):
-        expected = self.uninterrupted(*SWEEP, processes=2)
-        second = self.folder / "run/points/up_0001.checkpoint"
-        for _ in range(ATTEMPTS):
-            run = self.start(*SWEEP, processes=2)
-            run.wait_until(lambda: len(states_in(second)) >= 2)
-            run.kill()
-            if run.end().status != 0:
-                break
-            shutil.rmtree(self.folder / "run")
-        self.assertTrue((self.folder / "run/points/up_0000.json").exists())
-        self.assert_same(self.complete(*SWEEP, processes=2), expected)
-
 
 class Requests(RestartTest):
     def test_signals_to_a_single_process(self):
@@ -143,22 +127,6 @@ class Requests(RestartTest):
         again = self.run_program(*MARCH, "-restart", "-time_limit", 1e-9, "-output_dir", "run")
         self.assertGreater(len(self.assert_stopped(again, "after the time limit of 1e-09 s")), 20)
         self.assert_same(self.complete(*MARCH), expected)
-
-    def test_signals_to_mpiexec(self):
-        """SIGUSR1 is handed on. With SIGTERM Open MPI gives processes a second to end, and returns a status of its
-        own."""
-        # The march that is stopped would take minutes; within a second it is not beyond what is compared.
-        endless, compared = [[*MARCH, "-mesh_periods", periods] for periods in (10000, 30)]
-        expected = self.uninterrupted(*compared, processes=2)
-        for number in (signal.SIGUSR1, signal.SIGTERM):
-            with self.subTest(signal=number):
-                run = self.start(*endless, processes=2)
-                run.wait_until(lambda: states_in(self.folder / "run/checkpoint"))
-                run.send(number)
-                outcome = run.end()
-                if number == signal.SIGUSR1:
-                    self.assert_stopped(outcome, "by SIGUSR1")
-                self.assert_same(self.complete(*compared, processes=2), expected)
 
 
 class Refused(RestartTest):

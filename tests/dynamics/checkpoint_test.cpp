@@ -49,6 +49,7 @@ protected:
     record.motion = {-1.0 / 3.0, T / 7.0};
     record.newton = 3;
     record.krylov = 17;
+    record.failures = 2;
     ContactFigures figures;
     figures["force"] = T / 3.0;
     figures["h_min"] = T / 11.0;
@@ -99,7 +100,10 @@ TEST_F(CheckpointTest, journal_has_the_times_of_the_first_process) {
   const RecordJournal journal(PETSC_COMM_WORLD, path_);
   const JournalMark end = journal.write({}, records);
   EXPECT_EQ(end.checksum, journal.mark_at(end.end, {}).checksum);
-  for (const StepRecord& record : journal.read(0, end.end)) EXPECT_EQ(record.wall_seconds, 0.0);
+  for (const StepRecord& record : journal.read(0, end.end)) {
+    EXPECT_EQ(record.wall_seconds, 0.0);
+    EXPECT_EQ(record.failures, 2);
+  }
 }
 
 TEST_F(CheckpointTest, state_is_read_by_another_number_of_processes) {

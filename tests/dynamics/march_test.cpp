@@ -64,6 +64,24 @@ const ContactRecord& of_contact(const StepRecord& record, int contact) {
 }
 
 // Two and three contacts in turn; at an event, neither the motion nor the films that stay know of it yet.
+TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
+  const Case problem = table3_case(after_leaving());
+  Memory memory;
+  const auto march_to = [&](double T) {
+    MeshMarch march = make_march(
+        problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
+        [](const StepRecord&, const std::vector<LiveContact>&) {}, &memory);
+    march.start(problem.march.start_motion);
+    march.run(T);
+    return march.halved_steps();
+  };
+  EXPECT_EQ(march_to(0.1), 0);
+  memory.known = memory.kept.back();
+  memory.known->records.resize(3);
+  for (int n = 0; n < 3; ++n) memory.known->records[n].failures = n;  // from the second failure on a step is halved
+  EXPECT_EQ(march_to(0.1), 1);
+}
+
 TEST(March, three_contacts_share_the_force_and_come_and_go) {
   RecordedMarch march(
       input_case("high_contact_ratio.yaml", {{"grid.nx", "65"}, {"grid.ny", "33"}, {"time.dt", "0.05"}}));

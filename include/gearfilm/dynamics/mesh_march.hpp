@@ -60,6 +60,7 @@ public:
 
 private:
   void exchange_contacts();
+  void show(const StepRecord& record, const std::vector<LiveContact>& contacts);
   void observe(const StepRecord& record);
   void observe_present();
   void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);

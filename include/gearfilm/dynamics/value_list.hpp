@@ -1,4 +1,4 @@
-// Shapes and arrays in a list of values, as what a march remembers is kept in.
+// Lists of values, in which what a march remembers and its steps are kept.
 #pragma once
 
 #include <span>
@@ -17,6 +17,7 @@ public:
 
   bool at_end() const { return rest_.empty(); }
   double value() { return values(1).front(); }
+  int whole() { return static_cast<int>(value()); }
   std::size_t count() { return static_cast<std::size_t>(value()); }
   std::span<const double> values(std::size_t count);
   GridShape shape();
