@@ -49,7 +49,7 @@ void MeshMarch::remember(std::span<const double> memory) {
 }
 
 void MeshMarch::show(const StepRecord& record, const std::vector<LiveContact>& contacts) {
-  if (record.failures > 1) ++halved_steps_;
+  if (record.halvings > 0) ++halved_steps_;
   observer_(record, contacts);
 }
 

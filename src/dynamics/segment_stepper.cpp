@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gearfilm/dynamics/back_flanks.hpp"
+#include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -16,6 +17,8 @@ constexpr double largest_step = 4.0;
 constexpr double smallest_step = 1e-4;
 constexpr double longest_growth = 2.0;
 constexpr double longest_fall = 0.2;
+constexpr int short_steps = 4;     // that guess the end of a whole one
+constexpr int short_halvings = 2;  // of such a step, before that is given up
 
 }  // namespace
 
@@ -95,7 +98,7 @@ void SegmentStepper::create_time_scheme() {
   }
   petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
   petsc_check(TSSetMaxSNESFailures(ts_, -1));
-  petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + 1));
+  petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + whole_tries()));
   petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
 }
@@ -140,6 +143,7 @@ void SegmentStepper::configure_solvers() {
             petsc_check(VecCopy(own->solved_, state));
             return;
           }
+          if (own->failures_ == 2 && own->whole_tries() == 2) return own->guess_by_short_steps(state);
           if (own->at_start_) {
             own->pair_.follow_share(state, own->solved_time_, own->state_time_);
             own->pair_.coast(state, own->solved_time_, own->state_time_, own->solved_films_);
@@ -161,11 +165,36 @@ void SegmentStepper::set_solved(double T, Vec state) {
 
 void SegmentStepper::set_failures(int failures) {
   failures_ = failures;
-  const bool same_length = failures == 1;
+  const bool same_length = failures <= whole_tries();
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
   petsc_check(TSAdaptSetScaleSolveFailed(adapt(), same_length ? 1.0 : 0.5));
-  allow_growth(snes, pair_.system(), same_length ? Growth::none : Growth::tenfold);
+  allow_growth(snes, pair_.system(), failures == 1 ? Growth::none : Growth::tenfold);
+}
+
+// From the last state, and from where shorter steps lead; but what friction and heat carry along is the march's alone.
+int SegmentStepper::whole_tries() const {
+  const MeshModel& mesh = pair_.mesh();
+  const bool by_short_steps =
+      options_.guess_by_short_steps && !options_.tolerance && !mesh.friction_in_motion && !corrects_films(mesh);
+  return by_short_steps ? 2 : 1;
+}
+
+void SegmentStepper::guess_by_short_steps(Vec state) {
+  StepOptions options = options_;
+  options.dT = (state_time_ - solved_time_) / short_steps;
+  options.max_rejections = short_halvings;
+  options.guess_by_short_steps = false;
+  GuessMemory nothing;
+  SegmentStepper shorter(pair_, nothing, options, [](const StepRecord&) {});
+  const OwnedVec marched = pair_.system().create_state();
+  petsc_check(VecCopy(solved_, marched));
+  try {
+    shorter.run(marched, solved_time_, state_time_);
+    petsc_check(VecCopy(marched, state));
+  } catch (const SolveError&) {
+    petsc_check(VecCopy(solved_, state));
+  }
 }
 
 void SegmentStepper::finish_stage(double T, Vec state) {
@@ -207,7 +236,7 @@ void SegmentStepper::finish_step() {
   petsc_check(TSGetKSPIterations(ts_, &krylov));
   petsc_check(TSGetSolution(ts_, &state));
   StepRecord record;
-  record.failures = failures_;
+  record.halvings = std::max(0, failures_ - whole_tries());
   if (failures_ > 0) set_failures(0);
   record.T = T;
   record.dT = T - last_time_;

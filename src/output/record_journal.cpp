@@ -15,7 +15,7 @@ void pack(const StepRecord& record, std::vector<double>& values) {
   values.insert(values.end(),
                 {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
                  record.back_force, static_cast<double>(record.newton), static_cast<double>(record.krylov),
-                 static_cast<double>(record.failures), record.wall_seconds});
+                 static_cast<double>(record.halvings), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
     values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
     values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
@@ -32,7 +32,7 @@ StepRecord unpack(ValueReader& values) {
   record.back_force = values.value();
   record.newton = values.whole();
   record.krylov = values.whole();
-  record.failures = values.whole();
+  record.halvings = values.whole();
   record.wall_seconds = values.value();
   for (ContactRecord& contact : record.contacts) {
     contact.number = values.whole();

@@ -128,7 +128,7 @@ class OtherVersions(RestartTest):
     VERSIONS = ((7, "format version 7"), (None, "no format version"))
 
     def set_version(self, content, version):
-        self.assertEqual(content.pop("format"), 5)
+        self.assertEqual(content.pop("format"), 6)
         return content if version is None else content | {"format": version}
 
     def test_identity_of_a_march(self):

@@ -49,7 +49,7 @@ protected:
     record.motion = {-1.0 / 3.0, T / 7.0};
     record.newton = 3;
     record.krylov = 17;
-    record.failures = 2;
+    record.halvings = 2;
     ContactFigures figures;
     figures["force"] = T / 3.0;
     figures["h_min"] = T / 11.0;
@@ -102,7 +102,7 @@ TEST_F(CheckpointTest, journal_has_the_times_of_the_first_process) {
   EXPECT_EQ(end.checksum, journal.mark_at(end.end, {}).checksum);
   for (const StepRecord& record : journal.read(0, end.end)) {
     EXPECT_EQ(record.wall_seconds, 0.0);
-    EXPECT_EQ(record.failures, 2);
+    EXPECT_EQ(record.halvings, 2);
   }
 }
 

@@ -78,8 +78,8 @@ TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
   EXPECT_EQ(march_to(0.1), 0);
   memory.known = memory.kept.back();
   memory.known->records.resize(3);
-  for (int n = 0; n < 3; ++n) memory.known->records[n].failures = n;  // from the second failure on a step is halved
-  EXPECT_EQ(march_to(0.1), 1);
+  for (int n = 0; n < 3; ++n) memory.known->records[n].halvings = n;
+  EXPECT_EQ(march_to(0.1), 2);
 }
 
 TEST(March, three_contacts_share_the_force_and_come_and_go) {

@@ -122,8 +122,9 @@ TEST(TimeSteps, a_tolerance_on_their_errors_chooses_their_lengths) {
 }
 
 /// Few Newton iterations, so that many a step of 0.05 fails.
-RecordedMarch march_with(int max_iterations, int max_rejections) {
+RecordedMarch march_with(int max_iterations, int max_rejections, bool by_short_steps = false) {
   Case problem = table3_case(after_leaving());
+  problem.numerics.steps.guess_by_short_steps = by_short_steps;
   problem.numerics.steps.newton.max_iterations = max_iterations;
   problem.numerics.steps.max_rejections = max_rejections;
   return RecordedMarch(problem);
@@ -181,6 +182,23 @@ TEST(TimeSteps, a_failed_step_is_tried_again_before_it_is_shortened) {
     if (record.dT > 0.99 * nominal && record.newton > max_iterations) ++again;
   }
   EXPECT_GE(again, 1);
+}
+
+TEST(TimeSteps, a_failed_step_is_made_whole_from_where_shorter_ones_lead) {
+  const auto march = [](int max_iterations, bool by_short_steps) {
+    RecordedMarch march = march_with(max_iterations, StepOptions{}.max_rejections, by_short_steps);
+    march.start();
+    march.run(2.0);
+    return std::pair(march.march().halved_steps(), march.motion());
+  };
+  const auto [none, expected] = march(StepOptions{}.newton.max_iterations, true);
+  const auto [halved, off] = march(4, false);
+  const auto [fewer, near] = march(4, true);
+  const auto error = [&](const Motion& motion) { return std::abs(motion.H0 - expected.H0); };
+  report("%d and %d halved steps, H0 is off by %.1e and %.1e", halved, fewer, error(off), error(near));
+  EXPECT_EQ(none, 0);
+  EXPECT_LT(fewer, halved);
+  EXPECT_LT(error(near), error(off));
 }
 
 TEST(TimeSteps, a_step_that_fails_for_good_is_an_error_that_names_the_contact) {

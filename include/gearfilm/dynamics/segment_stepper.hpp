@@ -38,6 +38,7 @@ struct StepOptions {
                        .krylov_max_iterations = 60,
                        .limit_changes = true};
   int max_rejections = 12;                    ///< halvings of one step before the run fails
+  bool guess_by_short_steps = true;           ///< for a step that has failed twice, before it is halved
   std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
 
   double largest() const;
@@ -76,6 +77,10 @@ private:
   void return_to_start_of_step();
   void finish_stage(double T, Vec state);
   void finish_step();
+  /// How often a step that has failed is tried again as a whole, before it is halved.
+  int whole_tries() const;
+  /// The end of the step by shorter ones, which are no part of the march: its own errors stay those of equal steps.
+  void guess_by_short_steps(Vec state);
   /// How the last solves ended.
   std::string describe_end() const;
 

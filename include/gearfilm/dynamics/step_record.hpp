@@ -40,7 +40,7 @@ struct StepRecord {
   Motion motion;
   std::vector<ContactRecord> contacts;
   double back_force = 0.0;  ///< of back flanks [-]
-  int failures = 0;         ///< before it: from the second on, it was halved at each
+  int halvings = 0;         ///< of it, for it could not be made whole
   int newton = 0;
   int krylov = 0;
   double wall_seconds = 0.0;
