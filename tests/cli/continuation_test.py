@@ -9,6 +9,8 @@ from films import SAME, summary_in
 from restarts import EIGEN, HEAD, MARCH, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
 from vibration import SAME_ORBIT, table_in
 
+PRESENT = 6  # the format version of what a run goes on from
+
 
 def flip(file, place):
     """Changes a bit, and nothing of the size."""
@@ -125,10 +127,10 @@ class Cut(RestartTest):
 class OtherVersions(RestartTest):
     """Files of another format version are refused, with that version."""
 
-    VERSIONS = ((7, "format version 7"), (None, "no format version"))
+    VERSIONS = ((PRESENT + 1, f"format version {PRESENT + 1}"), (None, "no format version"))
 
     def set_version(self, content, version):
-        self.assertEqual(content.pop("format"), 6)
+        self.assertEqual(content.pop("format"), PRESENT)
         return content if version is None else content | {"format": version}
 
     def test_identity_of_a_march(self):
@@ -138,7 +140,7 @@ class OtherVersions(RestartTest):
         for version, words in self.VERSIONS:
             identity.write_text(json.dumps(self.set_version(dict(content), version)), encoding="utf-8")
             for processes in (1, 2):
-                self.assert_wrong(["run.json", words, "version 5"], *MARCH, "-restart", "-output_dir", "run",
+                self.assert_wrong(["run.json", words, f"version {PRESENT}"], *MARCH, "-restart", "-output_dir", "run",
                                   processes=processes)
 
     def test_identity_of_a_sweep(self):
@@ -147,7 +149,7 @@ class OtherVersions(RestartTest):
         content = json.loads(identity.read_text(encoding="utf-8"))
         for version, words in self.VERSIONS:
             identity.write_text(json.dumps(self.set_version(dict(content), version)), encoding="utf-8")
-            self.assert_wrong(["sweep.json", words, "version 5"], *SWEEP, "-output_dir", "run")
+            self.assert_wrong(["sweep.json", words, f"version {PRESENT}"], *SWEEP, "-output_dir", "run")
 
     def test_state(self):
         self.run_well(*MARCH, "-mesh_periods", 0.5, "-keep_checkpoint", "-output_dir", "run")
@@ -159,7 +161,7 @@ class OtherVersions(RestartTest):
             head = len(text).to_bytes(8, "little") + checksum(text).to_bytes(8, "little")
             state.write_bytes(head + text + data[end:])
             for processes in (1, 2):
-                self.assert_wrong([state.name, words, "version 5"], *MARCH, "-restart", "-output_dir", "run",
+                self.assert_wrong([state.name, words, f"version {PRESENT}"], *MARCH, "-restart", "-output_dir", "run",
                                   processes=processes)
 
     def stop_at_once(self, arguments):
