@@ -92,9 +92,6 @@ struct Trial {
   double begin = 0.0;
   Motion defect{};
   double film_defect = 0.0;
-  int halved_steps = 0;
-  /// False of a first period whose films were not made by a march: it says little about the map of the motion alone.
-  bool films_marched = false;
 };
 
 class OrbitSearch {
@@ -141,7 +138,7 @@ private:
       march_.run(mesh_.period());
       lead_ = guess.lead;
       lead_map_ = guess.lead_map;
-      films_marched_ = true;
+      trials_ = 1;
     } catch (const SolveError& error) {
       trouble_ = error.what();
       march_.start(guess.motion);
@@ -181,23 +178,20 @@ private:
     trial.end = march_.state();
     trial.defect = difference(trial.end.motion, trial.start.motion);
     trial.film_defect = film_change(trial.start, trial.end, march_.comm());
-    trial.halved_steps = march_.halved_steps() - halved_before;
-    trial.films_marched = films_marched_;
-    films_marched_ = true;
-    // Steps that had to be halved, and had not in the best period, are another map than its: nothing is learnt from it.
-    const bool same_map = !best_ || trial.halved_steps <= best_->halved_steps;
+    // The films of the first period were not made by a march: it says little about the map of the motion alone.
+    const bool first_true = ++trials_ == 2;
     const Motion step = difference(trial.start.motion, last_.start.motion);
-    if (same_map && last_.films_marched && mesh_.size(step) > telling_step) {
+    if (trials_ > 2 && mesh_.size(step) > telling_step) {
       jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
     const double change = mesh_.size(trial.defect);
-    better_ = !best_ || settling_ > 0 || (same_map && !best_->films_marched) || change < options_.tolerance ||
-              change < mesh_.size(best_->defect);
-    if (same_map || better_) last_ = trial;
+    better_ =
+        !best_ || first_true || settling_ > 0 || change < options_.tolerance || change < mesh_.size(best_->defect);
+    last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = repeats(trial);
-    observer_({periods_, trial.begin, change, trial.film_defect, found, trial.halved_steps});
+    observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
   }
 
@@ -284,7 +278,7 @@ private:
   std::optional<Monodromy> lead_map_;
   MapJacobian jacobian_;
   int periods_ = 0;
-  bool films_marched_ = false;  ///< of the next period's begin
+  int trials_ = 0;  ///< periods marched to their end
   std::optional<PairState> beside_;
   Trial last_;
   std::optional<Trial> best_;
