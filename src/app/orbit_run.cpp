@@ -67,8 +67,8 @@ OrbitGuess improve_guess(const Case& problem, const SharedDiscretisation& films,
   return improved_guess(march, guess, observers.on_period);
 }
 
-FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                     const OrbitRun& run, const OrbitObservers& observers) {
+FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh, const OrbitRun& run,
+                     const OrbitObservers& observers) {
   MeshMarch march = stoppable_march(problem, films, mesh, observers);
   march.remember(run.memory);
   return free_decay(march, run.orbit, {.lead = problem.search.options.lead});

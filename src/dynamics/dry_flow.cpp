@@ -14,8 +14,6 @@
 namespace gearfilm {
 namespace {
 
-constexpr double flow_tolerance = 1e-10;
-
 constexpr int motion_size = 2;  // H_0, V_0
 constexpr int whole_size = 8;   // these, Phi row by row, w
 
@@ -58,7 +56,7 @@ public:
     petsc_check(TSSetType(ts_, TSRK));
     petsc_check(TSRKSetType(ts_, TSRK8VR));
     petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
-    petsc_check(TSSetTolerances(ts_, flow_tolerance, nullptr, flow_tolerance, nullptr));
+    petsc_check(TSSetTolerances(ts_, integration_tolerance, nullptr, integration_tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
     petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));

@@ -9,11 +9,6 @@
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
-namespace {
-
-constexpr double integration_tolerance = 1e-10;
-
-}  // namespace
 
 DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
     : mesh_(std::move(mesh)),

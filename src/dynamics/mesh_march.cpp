@@ -32,7 +32,7 @@ void MeshMarch::displace(const Motion& motion, double duration) {
 
 void MeshMarch::resume(double T, const PairState& state) { films_.take_up(T, state, mesh().path.contacts_after(T)); }
 
-std::vector<double> MeshMarch::memory() {
+std::vector<double> MeshMarch::memory() const {
   std::vector<double> values;
   films_.entering().append_to(values);
   guesses_.append_to(values);

@@ -195,6 +195,12 @@ void SegmentStepper::guess_by_short_steps(Vec state) {
   } catch (const SolveError&) {
     petsc_check(VecCopy(solved_, state));
   }
+  // They count as the step's own.
+  PetscInt newton = 0, krylov = 0;
+  petsc_check(TSGetSNESIterations(shorter.ts_, &newton));
+  petsc_check(TSGetKSPIterations(shorter.ts_, &krylov));
+  newton_so_far_ -= newton;
+  krylov_so_far_ -= krylov;
 }
 
 void SegmentStepper::finish_stage(double T, Vec state) {

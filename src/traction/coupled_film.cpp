@@ -165,7 +165,8 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     const std::vector<double> before = unknowns.packed(present);
     std::vector<double> change = unknowns.packed(swept);
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= before[n];
-    if (found.change > near || way < 1.0 || found.turns > patient_turns || sheared > largest_shear / 4.0) mixing.restart();
+    if (found.change > near || way < 1.0 || found.turns > patient_turns || sheared > largest_shear / 4.0)
+      mixing.restart();
     if (found.turns > patient_turns) way = std::min(way, careful_way);
     change = mixing.change(before, change);
     present.passing = std::move(swept.passing);

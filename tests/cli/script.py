@@ -1,10 +1,13 @@
 """Runs scripts in children of this process, which have what it has imported: most of a script's time, with Matplotlib."""
 import os
 import runpy
+import signal
 import subprocess
 import sys
 import tempfile
 import traceback
+
+from program import SECONDS
 
 
 def end_as_interpreter(end):
@@ -16,6 +19,7 @@ def end_as_interpreter(end):
 
 
 def run_in_child(path, arguments, out, err):
+    signal.alarm(SECONDS)  # ends it
     os.dup2(out.fileno(), 1)
     os.dup2(err.fileno(), 2)
     sys.argv = [str(path), *map(str, arguments)]

@@ -63,7 +63,6 @@ const ContactRecord& of_contact(const StepRecord& record, int contact) {
   throw std::out_of_range("no contact " + std::to_string(contact));
 }
 
-// Two and three contacts in turn; at an event, neither the motion nor the films that stay know of it yet.
 TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
   const Case problem = table3_case(after_leaving());
   Memory memory;
@@ -82,6 +81,7 @@ TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
   EXPECT_EQ(march_to(0.1), 2);
 }
 
+// Two and three contacts in turn; at an event, neither the motion nor the films that stay know of it yet.
 TEST(March, three_contacts_share_the_force_and_come_and_go) {
   RecordedMarch march(
       input_case("high_contact_ratio.yaml", {{"grid.nx", "65"}, {"grid.ny", "33"}, {"time.dt", "0.05"}}));

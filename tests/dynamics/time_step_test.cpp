@@ -185,15 +185,15 @@ TEST(TimeSteps, a_failed_step_is_tried_again_before_it_is_shortened) {
 }
 
 TEST(TimeSteps, a_failed_step_is_made_whole_from_where_shorter_ones_lead) {
-  const auto march = [](int max_iterations, bool by_short_steps) {
+  const auto come_to = [](int max_iterations, bool by_short_steps) {
     RecordedMarch march = march_with(max_iterations, StepOptions{}.max_rejections, by_short_steps);
     march.start();
     march.run(2.0);
     return std::pair(march.march().halved_steps(), march.motion());
   };
-  const auto [none, expected] = march(StepOptions{}.newton.max_iterations, true);
-  const auto [halved, off] = march(4, false);
-  const auto [fewer, near] = march(4, true);
+  const auto [none, expected] = come_to(StepOptions{}.newton.max_iterations, true);
+  const auto [halved, off] = come_to(4, false);
+  const auto [fewer, near] = come_to(4, true);
   const auto error = [&](const Motion& motion) { return std::abs(motion.H0 - expected.H0); };
   report("%d and %d halved steps, H0 is off by %.1e and %.1e", halved, fewer, error(off), error(near));
   EXPECT_EQ(none, 0);

@@ -18,7 +18,6 @@ namespace {
 using std::numbers::pi;
 using table3::expect_derived;
 using table3::expect_input_error_naming;
-
 using table3::round_off;
 
 ContactSolids pitch_solids(const LineOfAction& line, double youngs_modulus) {

@@ -14,7 +14,6 @@ namespace {
 using std::numbers::pi;
 using table3::expect_derived;
 using table3::expect_input_error_naming;
-
 using table3::round_off;
 
 // Two equal gears of 60 teeth whose tip circles give the contact ratio asked for.

@@ -13,6 +13,9 @@
 
 namespace gearfilm {
 
+/// Absolute and relative, of the dry pair's motion in time.
+inline constexpr double integration_tolerance = 1e-10;
+
 /// c of a damping ratio zeta, which relates to the linear natural frequency f_n.
 inline double dry_damping(const MeshModel& mesh, double zeta) {
   return 4.0 * std::numbers::pi * zeta * mesh.frequency();

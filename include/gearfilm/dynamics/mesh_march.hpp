@@ -41,7 +41,7 @@ public:
   void displace(const Motion& motion, double duration = 0.0);
   /// What helps first guesses of a march over the same steps that goes on from where this one is, on this process among
   /// as many; from nothing on where there is none.
-  std::vector<double> memory();
+  std::vector<double> memory() const;
   void remember(std::span<const double> memory);
   /// Makes films of another grid those of this one, with the rates that they have. Throws SolveError.
   void adapt_pressures() { films_.adapt_pressures(); }

@@ -57,6 +57,7 @@ public:
   const std::vector<LiveContact>& contacts() const { return contacts_; }
   /// What the next contact to enter begins with, if it is near.
   EnteringFilm& entering() { return entering_; }
+  const EnteringFilm& entering() const { return entering_; }
   PairState state() const;
   std::vector<ContactRecord> records() const;
   /// A contact and where it is, for messages.
