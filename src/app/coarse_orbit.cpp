@@ -79,6 +79,12 @@ bool keeps_phase(const MeshModel& mesh, double dT) {
   return w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
+/// Words before what is said of a march there.
+std::string place_of(const NumericsCase& numerics) {
+  return "on " + std::to_string(numerics.nx) + " x " + std::to_string(numerics.ny) +
+         " nodes with dT = " + format_value(numerics.steps.dT) + ": ";
+}
+
 /// The orbits on the coarser grid, one from the other.
 class CoarseSearch {
 public:
@@ -91,8 +97,7 @@ public:
         in_phase_(keeps_phase(mesh, coarse.numerics.steps.dT)),
         with_multipliers_(fine.search.with_multipliers),
         newton_of_decay_(fine.numerics.steps.newton),
-        films_(discretise(comm, coarse)),
-        on_grid_("on " + std::to_string(coarse.numerics.nx) + " x " + std::to_string(coarse.numerics.ny) + " nodes") {
+        films_(discretise(comm, coarse)) {
     newton_of_decay_.tolerance *= noise_of_decay;
     own_step_.numerics.steps.dT = fine.numerics.steps.dT;
   }
@@ -146,7 +151,7 @@ private:
 
   template <class Result, class March>
   std::optional<Result> attempt(const std::string& name, const Case& coarse, March march) {
-    const std::string place = on_grid_ + " with dT = " + format_value(coarse.numerics.steps.dT) + ": ";
+    const std::string place = place_of(coarse.numerics);
     Checkpoint checkpoint = observers_.checkpoint.within(name, films_->grid());
     try {
       return march(on_the_way(observers_, checkpoint));
@@ -166,7 +171,6 @@ private:
   bool with_multipliers_;
   NewtonOptions newton_of_decay_;
   SharedDiscretisation films_;
-  std::string on_grid_;
 };
 
 /// By how much the pair lies higher on the films of the case's own grid: as much as one contact at rest does.
@@ -306,13 +310,33 @@ OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films,
   return run;
 }
 
+void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm,
+                       FoundOrbit& found) {
+  if (found.coarse || !coarser(problem.numerics)) return;
+  Case coarse = problem;
+  const auto [numerics, ratio] = slightly_coarser(problem.numerics);
+  coarse.numerics = numerics;
+  coarse.search.with_multipliers = false;
+  coarse.search.options.enough_periods = enough_periods;
+  coarse.search.options.max_periods = std::min(coarse.search.options.max_periods, enough_periods * mesh.periods());
+  try {
+    const SharedDiscretisation films = discretise(comm, coarse);
+    Checkpoint checkpoint = observers.checkpoint.within("slightly_coarser", films->grid());
+    const OrbitGuess guess{found.run.orbit.start.motion, found.run.orbit.monodromy, {}};
+    found.coarse = run_orbit(coarse, films, mesh, guess, on_the_way(observers, checkpoint));
+    found.ratio = ratio;
+  } catch (const SolveError& error) {
+    observers.on_trouble(place_of(numerics) + error.what());
+  }
+}
+
 std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
-  const auto& [run, coarse] = found;
+  const auto& [run, coarse, ratio] = found;
   std::optional<double> largest;
   const auto add = [&](const std::string& name, double fine, std::optional<double> half) {
     Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
     if (!half) return;  // null
-    const Estimate estimated = estimate(fine, *half);
+    const Estimate estimated = estimate(fine, *half, ratio);
     error = estimated.error;
     extrapolated = estimated.extrapolated;
     largest = std::max(largest.value_or(0.0), estimated.relative_error());

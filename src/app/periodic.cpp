@@ -77,7 +77,7 @@ std::string stability(const Summary& summary) {
   return text.str();
 }
 
-void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary,
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary, bool dry,
                   const std::optional<double>& error, const std::string& advice) {
   constexpr double tolerable = 0.05;
   ScreenTable(summary)
@@ -95,14 +95,17 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
   if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
-  if (error.value_or(0.0) <= tolerable) return;
+  if (dry || (error && *error <= tolerable)) return;
   std::ostringstream warning;
-  const double percent = 100.0 * *error;
   warning.precision(3);
-  warning << "some figures have an error of about " << (percent < 10.0 ? percent : std::round(percent))
-          << " % (their names and _error in summary.json); lower grid.accuracy, or raise grid.nx and grid.ny and lower "
-             "time.dt";
-  warn(comm, warning.str());
+  if (error) {
+    const double percent = 100.0 * *error;
+    warning << "some figures have an error of about " << (percent < 10.0 ? percent : std::round(percent))
+            << " % (their names and _error in summary.json)";
+  } else {
+    warning << "the errors of the figures are not known, since no coarser grid has this state";
+  }
+  warn(comm, warning.str() + "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
 }  // namespace
@@ -131,6 +134,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
       found.run = run_dry_orbit(problem, mesh, problem.march.start_motion, observers.on_step);
     } else {
       found = find_orbit(problem, films, mesh, dry_start(mesh), observers);
+      find_coarse_orbit(problem, mesh, observers, comm, found);
     }
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());
@@ -158,7 +162,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, run.directory().path(), summary, error, advice(problem, found.run));
+  print_result(comm, run.directory().path(), summary, problem.dry(), error, advice(problem, found.run));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_roughness(comm, summary, "lambda_min");
   warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gearfilm/dynamics/natural_frequency.hpp"
 
@@ -89,6 +90,19 @@ std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
   coarse.ny = (numerics.ny - 1) / 2 + 1;
   coarse.steps.dT = 2.0 * numerics.steps.dT;
   return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
+}
+
+SlightlyCoarser slightly_coarser(const NumericsCase& numerics) {
+  constexpr int block = 8;  // of cells, so that there are coarser grids
+  const auto fewer = [](int nodes) {
+    return block * static_cast<int>(std::lround((nodes - 1) / (block * std::numbers::sqrt2))) + 1;
+  };
+  NumericsCase coarse = numerics;
+  coarse.nx = fewer(numerics.nx);
+  coarse.ny = fewer(numerics.ny);
+  const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
+  coarse.steps.dT *= ratio;
+  return {coarse, ratio};
 }
 
 double natural_period(const Case& problem) {

@@ -61,6 +61,21 @@ class Defaults(ProgramTest):
         self.assertRegex(run.of_errors, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
         self.assertIsNone(summary["h_central_error"])
 
+    # Half the nodes, 65 x 17, have no film that is positive; 257 x 65 have a smallest one of 0.999 um.
+    def test_state_that_half_the_grid_cannot_carry_has_errors(self):
+        run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 5000, "-pinion_torque", 100,
+                                  "-grid_domain", "auto", "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
+        self.assertRegex(run.stdout, r"on 65 x 17 nodes .* is not positive.*; the search goes on without")
+        self.assertGreater(found["h_min_error"], 0.1 * found["h_min"])
+        self.assertAlmostEqual(found["h_min_extrapolated"], 0.999e-6, delta=0.07e-6)
+        self.assertLess(found["force_ratio_max_error"], 0.01 * found["force_ratio_max"])
+
+    def test_state_that_no_coarser_grid_carries_has_none(self):
+        run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",
+                                  "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
+        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the errors of the figures are not known.*\n\Z")
+        self.assertIsNone(found["h_min_error"])
+
     def test_two_processes_choose_and_find_the_same(self):
         case = self.write_case(SLENDER)
         _, alone = self.summary("steady", case, "-grid_accuracy", 0.05)

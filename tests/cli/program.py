@@ -9,7 +9,8 @@ import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INPUT = SOURCE / "input"
-ERROR_OF_FILMS = re.compile("gearfilm: warning: the (films have an error|error of the films)")
+ERRORS_SAID = re.compile(
+    "gearfilm: warning: (the films have an error|the error of the films|some figures have an error|the errors of the figures)")
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
@@ -38,7 +39,7 @@ class Outcome:
         self.stdout = stdout
         # mpiexec adds a notice of its own when a process returns another status than 0.
         said = stderr if processes == 1 else before_notice_of_mpiexec(stderr)
-        of_errors = [line for line in said.splitlines(keepends=True) if ERROR_OF_FILMS.match(line)]
+        of_errors = [line for line in said.splitlines(keepends=True) if ERRORS_SAID.match(line)]
         # Coarse grids are what most tests want: what is said of them is kept apart.
         self.of_errors = "".join(of_errors)
         self.stderr = "".join(line for line in said.splitlines(keepends=True) if line not in of_errors)

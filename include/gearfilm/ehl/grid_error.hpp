@@ -23,9 +23,9 @@ struct Estimate {
   double relative_error() const { return error / std::abs(extrapolated); }
 };
 
-/// Of a figure on a grid, and on one of twice the steps.
-inline Estimate estimate(double fine, double coarse) {
-  const double difference = (fine - coarse) / 3.0;
+/// Of a figure on a grid, and on one of `ratio` times the steps.
+inline Estimate estimate(double fine, double coarse, double ratio = 2.0) {
+  const double difference = (fine - coarse) / (ratio * ratio - 1.0);
   return {fine, std::abs(difference), fine + difference};
 }
 

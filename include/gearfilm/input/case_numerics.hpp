@@ -17,6 +17,13 @@ Steps steps_of(const NumericsCase& numerics);
 /// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
 std::optional<NumericsCase> coarser(const NumericsCase& numerics);
 
+/// Steps in space and time that are longer by about the root of two; along X and in time by a ratio that is told.
+struct SlightlyCoarser {
+  NumericsCase numerics;
+  double ratio = 1.0;
+};
+SlightlyCoarser slightly_coarser(const NumericsCase& numerics);
+
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
 double natural_period(const Case& problem);
 /// The largest speed of a march over its first; 1 without a ramp.
