@@ -31,11 +31,12 @@ void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Fie
                        const Field<Real>& coarse_wet, Field<Real>& coarse) {
   const Ratio ratio(fine_grid, coarse_grid);
   const Weighting<Real> along_x(ratio.x), along_y(ratio.y);
+  const Real side = along_x.side, centre = along_x.centre;
   for (int I = 1; I < coarse_grid.nx() - 1; ++I) {
     const Real* before = fine.row(ratio.x * I - 1);
     const Real* here = fine.row(ratio.x * I);
     const Real* after = fine.row(ratio.x * I + 1);
-    const auto mean = [&](int j) { return along_x.side * (before[j] + after[j]) + along_x.centre * here[j]; };
+    const auto mean = [&](int j) { return side * (before[j] + after[j]) + centre * here[j]; };
     const Real* wet = coarse_wet.row(I);
     Real* out = coarse.row(I);
     for (int J = 0; J < coarse_grid.y_count(); ++J) {

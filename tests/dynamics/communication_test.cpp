@@ -1,4 +1,5 @@
 // What travels between processes: the model of docs/performance.md against PETSc's counters.
+#include "gearfilm/ehl/row_sums.hpp"
 #include "gearfilm/traction/traction.hpp"
 #include "pair_case.hpp"
 
@@ -48,10 +49,18 @@ protected:
     const double messages = 2.0 * (processes - 1);
     return {messages, messages * fields * grid.nx() * bytes, 0.0, 0.0};
   }
-  Traffic convolution(double bytes) const {
-    const double waves = fftw::fast_length(2 * grid.nx() - 3, true) / 2 + 1;
-    return processes == 1 ? Traffic{} : Traffic{0.0, 0.0, 2.0 * processes, 2.0 * waves * grid.rows() * 2.0 * bytes};
+  // Few rows go to all others, in pieces; many are transposed, and back.
+  Traffic convolution(double bytes, const Grid& on) const {
+    if (processes == 1) return {};
+    const int waves = fftw::fast_length(2 * on.nx() - 3, true) / 2 + 1;
+    const double spectra = 2.0 * waves * on.rows() * bytes;
+    if (!RowSums<float>::serve(on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
+    const int largest = (on.rows() + on.processes() - 1) / on.processes();
+    const int pieces =
+        bytes == in_single ? RowSums<float>::pieces(waves, largest) : RowSums<double>::pieces(waves, largest);
+    return {processes * (processes - 1) * pieces, (processes - 1) * spectra, 0.0, 0.0};
   }
+  Traffic convolution(double bytes) const { return convolution(bytes, grid); }
   Traffic collective() const { return {0.0, 0.0, processes == 1 ? 0.0 : processes, 0.0}; }
   Traffic krylov_iteration() const {
     const Traffic product = convolution(in_single) + halo(2, in_single), sweep = halo(1, in_single);
@@ -83,9 +92,12 @@ TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
   };
   exchange();  // the first one sets up its messages
   expect_equal(traffic_of(exchange), halo(1, in_single) + halo(2, in_double));
-  const Deformation<float> deformation(grid, 1.0);
-  Field<float> deformed(grid);
-  expect_equal(traffic_of([&] { deformation.apply(single_field, deformed); }), convolution(in_single));
+  const Grid many_rows(PETSC_COMM_WORLD, {65, 129, -2.0, 1.25, 1.1});
+  for (const Grid* on : {&grid, &many_rows}) {
+    const Deformation<float> deformation(*on, 1.0);
+    Field<float> field(*on), deformed(*on);
+    expect_equal(traffic_of([&] { deformation.apply(field, deformed); }), convolution(in_single, *on));
+  }
 }
 
 TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {

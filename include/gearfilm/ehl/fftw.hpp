@@ -35,6 +35,9 @@ struct Interface<float> {
   static constexpr auto destroy = fftwf_destroy_plan;
 };
 
+/// Not measured: a measurement may choose differently in the next run, whose results would differ in the last digits.
+constexpr unsigned effort = FFTW_ESTIMATE;
+
 /// A planned transform between fixed buffers; an empty one does nothing.
 template <class Real>
 class Plan {
