@@ -25,7 +25,7 @@ template <class Real>
 Deformation<Real>::Deformation(const Grid& grid, double C_h)
     : C_h_(C_h), h_x_(grid.h_x()), h_y_(grid.h_y()), spectra_(grid) {
   const Influence kernel = [this](int i, int j) { return coefficient(i, j); };
-  if (RowSums<Real>::serve(grid.rows())) {
+  if (RowSums<Real>::serve(spectra_.waves(), grid.rows())) {
     across_ = std::make_unique<RowSums<Real>>(grid, kernel, spectra_);
   } else {
     across_ = std::make_unique<RowTransforms<Real>>(grid, kernel, spectra_);

@@ -10,7 +10,8 @@ constexpr int most_rows = 40;
 #else
 constexpr int most_rows = 24;  // FFTW has wider vectors than the compiler is allowed
 #endif
-constexpr int piece_bytes = 12288;  // messages that wait in memory that is shared until they are received
+constexpr int most_spectra = 10000;  // wave numbers of all rows, each of which has a row of the matrix
+constexpr int piece_bytes = 12288;   // messages that wait in memory that is shared until they are received
 constexpr int tag = 1;
 constexpr int few = 24, many = 40;  // rows that are summed side by side: they fill vectors, and their sums registers
 static_assert(most_rows <= many);
@@ -36,8 +37,8 @@ void add_rows(const Real* __restrict matrix, const std::complex<Real>* rows, int
 }  // namespace
 
 template <class Real>
-bool RowSums<Real>::serve(int rows) {
-  return rows <= most_rows;
+bool RowSums<Real>::serve(int waves, int rows) {
+  return rows <= most_rows && waves * rows <= most_spectra;
 }
 
 template <class Real>

@@ -54,7 +54,7 @@ protected:
     if (processes == 1) return {};
     const int waves = fftw::fast_length(2 * on.nx() - 3, true) / 2 + 1;
     const double spectra = 2.0 * waves * on.rows() * bytes;
-    if (!RowSums<float>::serve(on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
+    if (!RowSums<float>::serve(waves, on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
     const int largest = (on.rows() + on.processes() - 1) / on.processes();
     const int pieces =
         bytes == in_single ? RowSums<float>::pieces(waves, largest) : RowSums<double>::pieces(waves, largest);

@@ -16,8 +16,8 @@ namespace gearfilm {
 template <class Real>
 class RowSums : public AcrossRows<Real> {
 public:
-  /// Whether sums are the faster way for so many rows.
-  static bool serve(int rows);
+  /// Whether sums are the faster way for so many rows, and their matrix small enough for a cache.
+  static bool serve(int waves, int rows);
   /// Messages in which the spectra of rows travel to another process.
   static int pieces(int waves, int rows);
 
