@@ -7,6 +7,13 @@
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// The scheme begins with a first-order half step. Where nothing happens but that the grid is widened it is to leave no
+/// trace: a step so short does not.
+constexpr double part_after_widening = 1.0 / 8.0;
+
+}  // namespace
 
 int step_levels(const Grid& grid, double dT) {
   const double widths = dT / grid.h_x();
@@ -108,9 +115,10 @@ void MeshMarch::run(double T_end) {
   }
   // What happens between two segments follows from what is kept at the end of the first.
   for (exchange_contacts(); T() < T_end - 1e-9 && !contacts().empty(); exchange_contacts()) {
-    films_.make_room();
+    const bool widened = films_.make_room();
     double segment_end = std::min(T_end, mesh().path.next_event(T()));
     StepOptions steps = films_.options().steps;
+    if (widened) steps.first_part = part_after_widening;
     const std::optional<LoadSharing::Piece> share = mesh().share_from(T());
     if (share) {
       segment_end = std::min(segment_end, mesh().path.time_at(share->end));

@@ -113,14 +113,16 @@ void MeshedFilms::make_room(const Room& needed) {
   move_to(shape);
 }
 
-void MeshedFilms::make_room() {
+bool MeshedFilms::make_room() {
   Room needed;
-  if (!options_.room) return;
+  if (!options_.room) return false;
   const std::vector<double> carried = forces();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     needed = united(needed, needed_room(contacts_[k].number, carried[k]));
   }
+  if (has_room(needed)) return false;
   make_room(needed);
+  return true;
 }
 
 // Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.

@@ -301,7 +301,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));
-  petsc_check(TSSetTimeStep(ts_, options_.tolerance ? first_step * step_ : step_));
+  petsc_check(TSSetTimeStep(ts_, (options_.tolerance ? first_step : options_.first_part) * step_));
   if (options_.tolerance) {
     petsc_check(TSAdaptSetAlwaysAccept(adapt(), PETSC_TRUE));
   }

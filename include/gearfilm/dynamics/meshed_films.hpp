@@ -66,8 +66,8 @@ public:
   /// What a contact needs under this pressure integral; nothing where the grid stays as it is.
   Room needed_room(int number, double pressure_integral) const;
   bool has_room(const Room& needed) const { return gearfilm::has_room(discretisation_->grid().shape(), needed); }
-  /// Widens the grid where the present contacts lack room.
-  void make_room();
+  /// Widens the grid where the present contacts lack room; says whether it did.
+  bool make_room();
 
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }

@@ -38,6 +38,7 @@ struct StepOptions {
                        .krylov_max_iterations = 60,
                        .limit_changes = true};
   int max_rejections = 12;                    ///< halvings of one step before the run fails
+  double first_part = 1.0;                    ///< of a step, with which a segment begins
   bool guess_by_short_steps = true;           ///< for a step that has failed twice, before it is halved
   std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
 
