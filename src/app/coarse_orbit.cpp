@@ -331,12 +331,13 @@ void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitOb
 }
 
 std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
-  const auto& [run, coarse, ratio] = found;
+  const OrbitRun& run = found.run;
+  const std::optional<OrbitRun>& coarse = found.coarse;
   std::optional<double> largest;
   const auto add = [&](const std::string& name, double fine, std::optional<double> half) {
     Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
     if (!half) return;  // null
-    const Estimate estimated = estimate(fine, *half, ratio);
+    const Estimate estimated = estimate(fine, *half, found.ratio);
     error = estimated.error;
     extrapolated = estimated.extrapolated;
     largest = std::max(largest.value_or(0.0), estimated.relative_error());
