@@ -10,6 +10,7 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
@@ -313,8 +314,9 @@ OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films,
 void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitObservers& observers, MPI_Comm comm,
                        FoundOrbit& found) {
   if (found.coarse || !coarser(problem.numerics)) return;
-  Case coarse = problem;
   const auto [numerics, ratio] = slightly_coarser(problem.numerics);
+  if ((numerics.ny + 1) / 2 < processes_in(comm)) return;
+  Case coarse = problem;
   coarse.numerics = numerics;
   coarse.search.with_multipliers = false;
   coarse.search.options.enough_periods = enough_periods;

@@ -106,11 +106,12 @@ Room MeshedFilms::needed_room(int number, double pressure_integral) const {
   return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.largest()).conditions));
 }
 
-void MeshedFilms::make_room(const Room& needed) {
-  if (has_room(needed)) return;
+bool MeshedFilms::make_room(const Room& needed) {
+  if (has_room(needed)) return false;
   const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.room);
   if (options_.on_widening) options_.on_widening(comm(), shape);
   move_to(shape);
+  return true;
 }
 
 bool MeshedFilms::make_room() {
@@ -120,9 +121,7 @@ bool MeshedFilms::make_room() {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     needed = united(needed, needed_room(contacts_[k].number, carried[k]));
   }
-  if (has_room(needed)) return false;
-  make_room(needed);
-  return true;
+  return make_room(needed);
 }
 
 // Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.

@@ -99,7 +99,7 @@ private:
   ContactFilm* free_film();
   /// Puts the present contacts and their fields on a grid of another shape.
   void move_to(const GridShape& shape);
-  void make_room(const Room& needed);
+  bool make_room(const Room& needed);
 
   SharedDiscretisation discretisation_;
   MeshModel mesh_;
