@@ -53,6 +53,13 @@ void add_grid_error(const Case& coarse, FreeDecay& decay) {
   decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
 }
 
+/// For error bars alone: not worth more periods than a search that begins with this grid.
+Case searched_briefly(Case problem, const MeshModel& mesh) {
+  int& most = problem.search.options.max_periods;
+  most = std::min(most, enough_periods * mesh.periods());
+  return problem;
+}
+
 /// What watches marches that only lead to the orbit.
 OrbitObservers on_the_way(const OrbitObservers& observers, Checkpoint& checkpoint) {
   return {[](const StepRecord&, const std::vector<LiveContact>&) {},
@@ -125,8 +132,7 @@ public:
   /// of both. Nothing where it has none that is found about as soon.
   std::optional<OrbitRun> with_twice_the_step(const OrbitRun& found) {
     if (in_phase_) return found;
-    Case brief = twice_the_step_;
-    brief.search.options.max_periods = std::min(brief.search.options.max_periods, enough_periods * mesh_.periods());
+    const Case brief = searched_briefly(twice_the_step_, mesh_);
     try {
       return orbit("coarse_step", brief, [&] { return guess_from(found); });
     } catch (const NoPeriodicState& error) {
@@ -316,11 +322,10 @@ void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitOb
   if (found.coarse || !coarser(problem.numerics)) return;
   const auto [numerics, ratio] = slightly_coarser(problem.numerics);
   if ((numerics.ny + 1) / 2 < processes_in(comm)) return;
-  Case coarse = problem;
+  Case coarse = searched_briefly(problem, mesh);
   coarse.numerics = numerics;
   coarse.search.with_multipliers = false;
   coarse.search.options.enough_periods = enough_periods;
-  coarse.search.options.max_periods = std::min(coarse.search.options.max_periods, enough_periods * mesh.periods());
   try {
     const SharedDiscretisation films = discretise(comm, coarse);
     Checkpoint checkpoint = observers.checkpoint.within("slightly_coarser", films->grid());
