@@ -43,18 +43,28 @@ RoomRule room_rule(const Case& result) {
   return rule;
 }
 
-NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section) {
-  return {.tolerance = values.real(section + ".newton_tolerance"),
-          .max_iterations = values.integer(section + ".newton_max_iterations"),
-          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
-          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations")};
+NewtonOptions read_newton_options(const ParameterValues& values) {
+  return {.tolerance = values.real("solver.newton_tolerance"),
+          .max_iterations = values.integer("solver.newton_max_iterations"),
+          .krylov_tolerance = values.real("solver.krylov_tolerance"),
+          .krylov_max_iterations = values.integer("solver.krylov_max_iterations")};
 }
 
-NewtonOptions read_step_newton_options(const ParameterValues& values) {
-  NewtonOptions options = read_newton_options(values, "time");
-  options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
-  options.limit_changes = true;
-  return options;
+/// What Newton's method leaves of a step's rows, oil that is there too much or not, goes with the film: relative errors
+/// of films come to it over H.
+double step_tolerance(const Scales& scales) {
+  constexpr double of_the_film = 6e-5;
+  return std::min(StepOptions().newton.tolerance, of_the_film * ExpectedFilm(scales).film);
+}
+
+NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
+  return {
+      .tolerance = values.has("time.newton_tolerance") ? values.real("time.newton_tolerance") : step_tolerance(scales),
+      .max_iterations = values.integer("time.newton_max_iterations"),
+      .krylov_tolerance = values.real("time.krylov_tolerance"),
+      .late_krylov_tolerance = values.real("time.late_krylov_tolerance"),
+      .krylov_max_iterations = values.integer("time.krylov_max_iterations"),
+      .limit_changes = true};
 }
 
 MultigridOptions read_multigrid_options(const ParameterValues& values) {
@@ -128,13 +138,13 @@ void set_film_numerics(Case& result) {
   result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.room = room_rule(result);
   set_nodes(result);
-  result.numerics.solver = {read_newton_options(values, "solver"), read_multigrid_options(values)};
+  result.numerics.solver = {read_newton_options(values), read_multigrid_options(values)};
 }
 
 void set_time_steps(Case& result) {
   const ParameterValues& values = result.parameters;
   result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
-                           .newton = read_step_newton_options(values)};
+                           .newton = read_step_newton_options(values, result.scales)};
   result.numerics.step_levels = values.integer("time.levels");
 }
 

@@ -23,16 +23,16 @@ from pairs import case_text  # noqa: E402
 
 PAIRS = int(os.environ.get("GEARFILM_RANDOM_PAIRS", "6"))
 SEED = os.environ.get("GEARFILM_RANDOM_SEED", "5")
-# Root mean squares at which Newton's method stops, the defaults of solver.newton_tolerance and time.newton_tolerance,
-# and the round-off of the same rows from the fields of results.h5.
-STEADY_ROWS, STEP_ROWS = 1.01e-8, 1.001e-5
+# Root mean square at which Newton's method stops, the default of solver.newton_tolerance, and the round-off of the same
+# rows from the fields of results.h5.
+STEADY_ROWS = 1.01e-8
 # Sums of some thousand terms in another order, differences of values that are not far from one.
 ROUND_OFF = 1e-12
 # Of the formula, fitted to computed films of Barus' law: its own error, that of the grid and that of another law.
 FORMULA = 0.15
-# Marches of 1 and 2 processes, both solved to 1e-5. By as much do histories differ from those with a tolerance of 1e-8:
-# 9e-6 in H_0, 4e-5 in the forces, 5e-4 in the films (docs/verification.md, section 7).
-SAME_H0, SAME_FORCE, SAME_FILM = 2e-5, 1e-4, 1e-3
+# Marches of 1 and 2 processes. Twice as much as histories differ from those with a tolerance of 1e-8
+# (docs/performance.md, twelve marches).
+SAME_H0, SAME_FORCE, SAME_FILM = 2e-5, 1e-4, 2e-4
 # H_0 at the end of a march by other time steps; measured 2e-6. Half the step changes it by 1e-4 (the same section).
 OTHER_STEPS = 2e-4
 
@@ -57,6 +57,11 @@ def derivative_weights(T):
     oldest = last / (before * (before + last))
     newest = (before + 2 * last) / (last * (before + last))
     return numpy.array([oldest, -oldest - newest, newest])
+
+
+def step_rows(equations):
+    """Root mean square at which a time step ends, the default of time.newton_tolerance, and round-off."""
+    return 1.001 * min(1e-5, 6e-5 * equations.derived["nijenbanning_venner_moes_h_central"] / equations.film)
 
 
 def steps_in_line(steps):
@@ -169,13 +174,13 @@ class RandomPairs(ProgramTest):
 
     def check_motion(self, steps, derived, equations):
         """dH_0/dT = V_0 and the equation of motion, by the differences of the time scheme."""
-        inertia = derived["I_n"] / equations.static_force
+        inertia, rows = derived["I_n"] / equations.static_force, step_rows(equations)
         for three in steps_in_line(steps):
             row = steps[three][-1]
             weights = derivative_weights(steps["T"][three])
-            self.assertAlmostEqual(weights @ steps["H0"][three], row["V0"], delta=STEP_ROWS)
+            self.assertAlmostEqual(weights @ steps["H0"][three], row["V0"], delta=rows)
             pull = row["force_total"] / derived["load"] - 1
-            self.assertAlmostEqual(inertia * (weights @ steps["V0"][three]), pull, delta=STEP_ROWS)
+            self.assertAlmostEqual(inertia * (weights @ steps["V0"][three]), pull, delta=rows)
 
     def check_films_in_time(self, folder, steps, contacts, derived, equations):
         """All films, and the mass of their oil: what stays at a wet node is what flows in less what flows out."""
@@ -189,7 +194,7 @@ class RandomPairs(ProgramTest):
         self.assertEqual(sorted(films), sorted((int(row["step"]), int(row["contact"])) for row in rows_with_film))
         for row in rows_with_film:
             film = films[int(row["step"]), int(row["contact"])]
-            self.assert_possible(film, steps["H0"][int(row["step"])], equations, STEP_ROWS)
+            self.assert_possible(film, steps["H0"][int(row["step"])], equations, step_rows(equations))
             force = derived["load"] * equations.force(film.pressure) / equations.static_force
             self.assertAlmostEqual(force, row["force"], delta=ROUND_OFF * contacts["force"].max())
         for three in steps_in_line(steps):
@@ -205,7 +210,7 @@ class RandomPairs(ProgramTest):
                        for weight, film in zip(weights, history))
             film = history[-1]
             rows.append(equations.rows(film.pressure, film.film, film.xi, rate, 1.5 / steps["dT"][last]))
-        self.assertLess(root_mean_square(rows), STEP_ROWS)
+        self.assertLess(root_mean_square(rows), step_rows(equations))
 
     def check_march_of_two_processes(self, steps, contacts, derived):
         folder = self.results_of("transient", 2)

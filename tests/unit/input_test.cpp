@@ -147,6 +147,18 @@ TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
   }
 }
 
+TEST(Defaults, time_steps_are_solved_the_further_the_thinner_films_are) {
+  const auto tolerance = [] { return read_input("barbieri2013.yaml").numerics.steps.newton.tolerance; };
+  // h = 2.7018 um, R_x = 11.468 mm and a = 0.56669 mm, as `info` prints them: H = 0.09648.
+  EXPECT_NEAR(tolerance(), 6e-5 * 0.09648, 1e-3 * tolerance());
+  {
+    const CommandLine thick{{"-lubricant_viscosity", "0.5"}};
+    EXPECT_EQ(tolerance(), 1e-5);
+  }
+  const CommandLine given{{"-time_newton_tolerance", "1e-4"}};
+  EXPECT_EQ(tolerance(), 1e-4);
+}
+
 TEST(CommandLine, is_checked_like_the_file) {
   const auto error_with = [](const std::string& option, const std::string& value) {
     const CommandLine options{{option, value}};

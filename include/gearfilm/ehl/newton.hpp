@@ -19,7 +19,7 @@ namespace gearfilm {
 struct NewtonOptions {
   double tolerance = 1e-8;  ///< on norm/weight: a root mean square of the scaled residual [-]
   int max_iterations = 60;
-  /// Relative, of each linear solve [-]: no solve goes on where a fifth of the tolerance above is left.
+  /// Relative, of each linear solve [-]: no solve goes on where three tenths of the tolerance above are left.
   double krylov_tolerance = 0.05;
   /// The same from the third solve on, where smaller: a norm led by the few nodes that the edge crosses tells little
   /// about all others.
