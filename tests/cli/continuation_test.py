@@ -172,7 +172,7 @@ class OtherVersions(RestartTest):
 class Failed(RestartTest):
     def test_march_goes_on_with_other_steps(self):
         """With so few Newton steps allowed it fails at the first leaving."""
-        brief = ["-time_newton_max_iterations", 2]
+        brief = ["-time_newton_max_iterations", 2, "-time_newton_tolerance", 1e-5]
         failures = [self.run_program(*MARCH, *brief, *restart, "-output_dir", "run")
                     for restart in ([], ["-restart"])]
         for failed in failures:
