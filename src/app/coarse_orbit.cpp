@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "gearfilm/ehl/domain.hpp"
-#include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -265,12 +264,6 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
   }
 }
 
-/// What depends on films, pressures or forces.
-bool has_error(const PeriodFigure& figure) {
-  const auto of = [&](const Unit& unit) { return figure.unit.name == unit.name && !figure.unit.whole; };
-  return of(units::metre) || of(units::pascal) || figure.unit.in_si == units::static_force.in_si || of(units::watt);
-}
-
 }  // namespace
 
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
@@ -335,31 +328,6 @@ void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitOb
   } catch (const SolveError& error) {
     observers.on_trouble(place_of(numerics) + error.what());
   }
-}
-
-std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
-  const OrbitRun& run = found.run;
-  const std::optional<OrbitRun>& coarse = found.coarse;
-  std::optional<double> largest;
-  const auto add = [&](const std::string& name, double fine, std::optional<double> half) {
-    Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
-    if (!half) return;  // null
-    const Estimate estimated = estimate(fine, *half, found.ratio);
-    error = estimated.error;
-    extrapolated = estimated.extrapolated;
-    largest = std::max(largest.value_or(0.0), estimated.relative_error());
-  };
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
-    const PeriodFigure& figure = period_figures[n];
-    const std::optional<double>& value = run.figures.values[n];
-    if (!value || !has_error(figure)) continue;
-    std::optional<double> half = coarse ? coarse->figures.values[n] : std::nullopt;
-    if (half) half = figure.unit.in_si(scales, *half);
-    add(std::string(figure.name), figure.unit.in_si(scales, *value), half);
-  }
-  const auto swing = [&](const OrbitRun& of) { return scales.thickness * of.transmission_error.peak_to_peak; };
-  add("transmission_error_peak_to_peak", swing(run), coarse ? std::optional(swing(*coarse)) : std::nullopt);
-  return largest;
 }
 
 }  // namespace gearfilm

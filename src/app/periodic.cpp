@@ -1,14 +1,13 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/coarse_orbit.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
+#include "gearfilm/app/orbit_errors.hpp"
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
@@ -78,7 +77,7 @@ std::string stability(const Summary& summary) {
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary, bool dry,
-                  const std::optional<double>& error, const std::string& advice) {
+                  const std::optional<LargestError>& error, const std::string& advice) {
   constexpr double tolerable = 0.05;
   ScreenTable(summary)
       .text("periodic state", stability(summary))
@@ -95,13 +94,11 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
   if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
-  if (dry || (error && *error <= tolerable)) return;
+  if (dry || (error && error->relative <= tolerable)) return;
   std::ostringstream warning;
-  warning.precision(3);
   if (error) {
-    const double percent = 100.0 * *error;
-    warning << "some figures have an error of about " << (percent < 10.0 ? percent : std::round(percent))
-            << " % (their names and _error in summary.json)";
+    warning << error->figure << " has an error of about " << std::fixed << std::setprecision(0)
+            << 100.0 * error->relative << " %, the largest of all (each figure's _error is in summary.json)";
   } else {
     warning << "the errors of the figures are not known, since no coarser grid has this state";
   }
@@ -154,7 +151,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
   summary.update(orbit_summary(mesh, found.run));
-  const std::optional<double> error = add_errors(mesh.scales, found, summary);
+  const std::optional<LargestError> error = add_errors(mesh.scales, found, summary);
   add_efficiency(mesh, summary);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, mesh);

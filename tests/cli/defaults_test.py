@@ -68,6 +68,8 @@ class Defaults(ProgramTest):
         self.assertRegex(run.stdout, r"on 65 x 17 nodes .* is not positive.*; the search goes on without")
         self.assertGreater(found["h_min_error"], 0.1 * found["h_min"])
         self.assertAlmostEqual(found["h_min_extrapolated"], 0.999e-6, delta=0.07e-6)
+        percent = 100 * found["h_min_error"] / found["h_min_extrapolated"]
+        self.assertRegex(run.of_errors, rf"\Agearfilm: warning: h_min has an error of about {percent:.0f} %, the largest")
         self.assertLess(found["force_ratio_max_error"], 0.01 * found["force_ratio_max"])
 
     def test_state_that_no_coarser_grid_carries_has_none(self):

@@ -10,7 +10,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 INPUT = SOURCE / "input"
 ERRORS_SAID = re.compile(
-    "gearfilm: warning: (the films have an error|the error of the films|some figures have an error|the errors of the figures)")
+    r"gearfilm: warning: (the films have an error|the error of the films|\w+ has an error of about|the errors of the figures)")
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))

@@ -32,8 +32,4 @@ void find_coarse_orbit(const Case& problem, const MeshModel& mesh, const OrbitOb
 OrbitRun find_orbit_near(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                          const OrbitGuess& neighbour, const OrbitObservers& observers);
 
-/// Adds error bars to the figures of an orbit's summary, and where they point to: `_error` and `_extrapolated`, null
-/// without a coarser orbit. Returns the largest relative one.
-std::optional<double> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary);
-
 }  // namespace gearfilm

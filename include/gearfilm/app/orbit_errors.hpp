@@ -1,0 +1,21 @@
+// Error bars of a periodic state's figures, from the state with longer steps in space and time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gearfilm/app/coarse_orbit.hpp"
+
+namespace gearfilm {
+
+/// The figure that is known worst.
+struct LargestError {
+  std::string figure;
+  double relative = 0.0;  ///< to its extrapolated value; of a force at least to the static one, since it may vanish
+};
+
+/// Adds errors to the figures of an orbit's summary, and where they point to: `_error` and `_extrapolated`, null
+/// without a coarser orbit; nothing is known then.
+std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary);
+
+}  // namespace gearfilm
