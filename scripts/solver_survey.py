@@ -9,8 +9,8 @@ finest grid, Krylov iterations a linear solve there. Marches: twelve pairs of sc
 rest at the pitch point: Newton and Krylov iterations a step, the shortest step that Newton's method forced over the
 nominal one. With --tight each march a second time with tight tolerances: the largest differences over all steps, of
 H_0 and V_0, and relative of the films. Tables are printed, and written to FOLDER/contacts.md, FOLDER/marches.md and
-FOLDER/accuracy.md, with what is worst under each. Case files and results stay in FOLDER. About eight minutes, and
-four for the tight marches.
+FOLDER/accuracy.md, with what is worst under each. Case files and results stay in FOLDER. Three to eight minutes, and
+one to four for the tight marches.
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
