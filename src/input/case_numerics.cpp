@@ -53,8 +53,8 @@ NewtonOptions read_newton_options(const ParameterValues& values) {
 /// What Newton's method leaves of a step's rows, oil that is there too much or not, goes with the film: relative errors
 /// of films come to it over H.
 double step_tolerance(const Scales& scales) {
-  constexpr double of_the_film = 6e-5;
-  return std::min(StepOptions().newton.tolerance, of_the_film * ExpectedFilm(scales).film);
+  constexpr double of_the_film = 6e-5, tightest = 1e-8, loosest = 1e-5;
+  return std::clamp(of_the_film * ExpectedFilm(scales).film, tightest, loosest);
 }
 
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {

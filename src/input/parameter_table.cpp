@@ -166,7 +166,7 @@ Records time_records() {
        optional("none", number("film_tolerance", "", "-", closed(1e-12, 0.1),
                                "the same on the root mean square of the pressures' errors, in units of p_h")),
        optional(
-           "6e-5 times the H that is expected at the pitch point, at most 1e-5",
+           "6e-5 times the H that is expected at the pitch point, from 1e-8 to 1e-5",
            number("newton_tolerance", "", "-", right_open(1e-15, 1),
                   "on the root mean square of a step's scaled residual; films are left with relative errors of about "
                   "as much over H")),
