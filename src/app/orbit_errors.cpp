@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/ehl/grid_error.hpp"
+#include "gearfilm/app/error_bar.hpp"
 
 namespace gearfilm {
 namespace {
@@ -21,12 +21,10 @@ bool has_error(const PeriodFigure& figure) {
 std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
   std::optional<LargestError> largest;
   const auto add = [&](const std::string& name, double fine, std::optional<double> coarse, double least) {
-    Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
-    if (!coarse) return;  // null
-    const Estimate estimated = estimate(fine, *coarse, found.ratio);
-    error = estimated.error;
-    extrapolated = estimated.extrapolated;
-    const double relative = estimated.error / std::max(std::abs(estimated.extrapolated), least);
+    if (!coarse) return add_error_bar(summary, name, {});
+    const Estimate bar = estimate(fine, *coarse, found.ratio);
+    add_error_bar(summary, name, bar);
+    const double relative = bar.error / std::max(std::abs(bar.extrapolated), least);
     if (!largest || relative > largest->relative) largest = LargestError{name, relative};
   };
   const auto of_coarse = [&](auto value) { return found.coarse ? std::optional(value(*found.coarse)) : std::nullopt; };

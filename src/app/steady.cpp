@@ -6,10 +6,10 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/error_bar.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
-#include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -54,10 +54,7 @@ Position steady_position(const Case& problem) {
 /// Values with their error and what they tend to; null where the grid cannot tell.
 void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, Summary& summary) {
   const auto add = [&](const std::string& name, double unit, Estimate GridErrors::*figure) {
-    Summary &error = summary[name + "_error"], &extrapolated = summary[name + "_extrapolated"];
-    if (!errors) return;
-    error = unit * ((*errors).*figure).error;
-    extrapolated = unit * ((*errors).*figure).extrapolated;
+    add_error_bar(summary, name, errors ? std::optional((*errors).*figure) : std::nullopt, unit);
   };
   add("h_central", scales.thickness, &GridErrors::central_film);
   add("h_min", scales.thickness, &GridErrors::smallest_film);

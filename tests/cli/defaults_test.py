@@ -72,6 +72,17 @@ class Defaults(ProgramTest):
         self.assertRegex(run.of_errors, rf"\Agearfilm: warning: h_min has an error of about {percent:.0f} %, the largest")
         self.assertLess(found["force_ratio_max_error"], 0.01 * found["force_ratio_max"])
 
+    def test_every_figure_that_leads_somewhere_has_an_error(self):
+        _, found = self.summary("periodic", BARBIERI, "-time_dt", 0.052, "-friction_law", "eyring",
+                                "-periodic_multipliers", "no")
+        figures = [name.removesuffix("_extrapolated") for name in found if name.endswith("_extrapolated")]
+        self.assertGreaterEqual(len(figures), 15)
+        for name in figures:
+            with self.subTest(figure=name):
+                off = abs(found[name + "_extrapolated"] - found[name])
+                self.assertIsNotNone(found[name + "_error"])
+                self.assertAlmostEqual(found[name + "_error"], off, delta=1e-6 * off)
+
     def test_state_that_no_coarser_grid_carries_has_none(self):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",
                                   "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
