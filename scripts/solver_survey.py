@@ -111,7 +111,8 @@ def accuracy_lines(folder, mesh_periods):
         place, tight = folder / case.stem, folder / f"{case.stem}_tight"
         run = attempt("transient", case, tight, "-mesh_periods", mesh_periods, *TIGHT, time_limit=TIME_LIMIT)
         if run.status != 0 or not (place / "results.h5").exists():
-            yield row(number, "", "", "", "", run.message or run.status)
+            message = run.message or run.status if run.status != 0 else "no march to compare with"
+            yield row(number, "", "", "", "", message)
             continue
         found = numpy.array(list(differences(place, tight)))
         worst = numpy.maximum(worst, found)

@@ -1,8 +1,5 @@
 #include "gearfilm/app/orbit_errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "gearfilm/app/error_bar.hpp"
 
 namespace gearfilm {
@@ -20,25 +17,29 @@ bool has_error(const PeriodFigure& figure) {
 
 std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
   std::optional<LargestError> largest;
-  const auto add = [&](const std::string& name, double fine, std::optional<double> coarse, double least) {
+  const auto add = [&](const std::string& name, auto value_of, double least) {
+    const std::optional<double> fine = value_of(found.run);
+    if (!fine) return;
+    const std::optional<double> coarse = found.coarse ? value_of(*found.coarse) : std::nullopt;
     if (!coarse) return add_error_bar(summary, name, {});
-    const Estimate bar = estimate(fine, *coarse, found.ratio);
+    const Estimate bar = estimate(*fine, *coarse, found.ratio);
     add_error_bar(summary, name, bar);
-    const double relative = bar.error / std::max(std::abs(bar.extrapolated), least);
+    const double relative = bar.relative_error(least);
     if (!largest || relative > largest->relative) largest = LargestError{name, relative};
   };
-  const auto of_coarse = [&](auto value) { return found.coarse ? std::optional(value(*found.coarse)) : std::nullopt; };
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
-    const std::optional<double>& fine = found.run.figures.values[n];
-    if (!fine || !has_error(figure)) continue;
-    const auto in_si = [&](double value) { return figure.unit.in_si(scales, value); };
-    std::optional<double> coarse = found.coarse ? found.coarse->figures.values[n] : std::nullopt;
-    if (coarse) coarse = in_si(*coarse);
-    add(std::string(figure.name), in_si(*fine), coarse, is_force(figure) ? 1.0 : 0.0);
+    if (!has_error(figure)) continue;
+    const auto in_si = [&](const OrbitRun& run) {
+      const std::optional<double>& value = run.figures.values[n];
+      return value ? std::optional(figure.unit.in_si(scales, *value)) : std::nullopt;
+    };
+    add(std::string(figure.name), in_si, is_force(figure) ? 1.0 : 0.0);
   }
-  const auto swing = [&](const OrbitRun& run) { return scales.thickness * run.transmission_error.peak_to_peak; };
-  add("transmission_error_peak_to_peak", swing(found.run), of_coarse(swing), 0.0);
+  const auto swing = [&](const OrbitRun& run) {
+    return std::optional(scales.thickness * run.transmission_error.peak_to_peak);
+  };
+  add("transmission_error_peak_to_peak", swing, 0.0);
   return largest;
 }
 

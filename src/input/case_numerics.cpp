@@ -43,28 +43,27 @@ RoomRule room_rule(const Case& result) {
   return rule;
 }
 
-NewtonOptions read_newton_options(const ParameterValues& values) {
-  return {.tolerance = values.real("solver.newton_tolerance"),
-          .max_iterations = values.integer("solver.newton_max_iterations"),
-          .krylov_tolerance = values.real("solver.krylov_tolerance"),
-          .krylov_max_iterations = values.integer("solver.krylov_max_iterations")};
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, double tolerance) {
+  return {.tolerance = tolerance,
+          .max_iterations = values.integer(section + ".newton_max_iterations"),
+          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
+          .krylov_max_iterations = values.integer(section + ".krylov_max_iterations")};
 }
 
 /// What Newton's method leaves of a step's rows, oil that is there too much or not, goes with the film: relative errors
-/// of films come to it over H.
+/// of films come to it over H. No tighter than that of stationary films.
 double step_tolerance(const Scales& scales) {
-  constexpr double of_the_film = 6e-5, tightest = 1e-8, loosest = 1e-5;
-  return std::clamp(of_the_film * ExpectedFilm(scales).film, tightest, loosest);
+  constexpr double of_the_film = 6e-5;
+  return std::clamp(of_the_film * ExpectedFilm(scales).film, NewtonOptions().tolerance, StepOptions().newton.tolerance);
 }
 
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
-  return {
-      .tolerance = values.has("time.newton_tolerance") ? values.real("time.newton_tolerance") : step_tolerance(scales),
-      .max_iterations = values.integer("time.newton_max_iterations"),
-      .krylov_tolerance = values.real("time.krylov_tolerance"),
-      .late_krylov_tolerance = values.real("time.late_krylov_tolerance"),
-      .krylov_max_iterations = values.integer("time.krylov_max_iterations"),
-      .limit_changes = true};
+  const bool given = values.has("time.newton_tolerance");
+  NewtonOptions options =
+      read_newton_options(values, "time", given ? values.real("time.newton_tolerance") : step_tolerance(scales));
+  options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
+  options.limit_changes = true;
+  return options;
 }
 
 MultigridOptions read_multigrid_options(const ParameterValues& values) {
@@ -138,7 +137,8 @@ void set_film_numerics(Case& result) {
   result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.room = room_rule(result);
   set_nodes(result);
-  result.numerics.solver = {read_newton_options(values), read_multigrid_options(values)};
+  result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance")),
+                            read_multigrid_options(values)};
 }
 
 void set_time_steps(Case& result) {

@@ -7,7 +7,7 @@ namespace {
 
 void expect_same_records(const StepRecord& record, const StepRecord& expected) {
   SCOPED_TRACE("T = " + std::to_string(expected.T));
-  // The iterations stop at slightly different states, by Newton's tolerance of 3e-6.
+  // The iterations stop at slightly different states: Newton's tolerance is 6e-6.
   constexpr double tolerance = 1e-5;
   const auto expect_near = [&](double value, double other) { EXPECT_NEAR(value, other, tolerance * std::abs(other)); };
   EXPECT_DOUBLE_EQ(record.T, expected.T);

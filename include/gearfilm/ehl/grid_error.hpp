@@ -20,7 +20,8 @@ struct Estimate {
   double error = 0.0;  ///< of the value, absolute
   double extrapolated = 0.0;
 
-  double relative_error() const { return error / std::abs(extrapolated); }
+  /// To the extrapolated value, or to `least` where that is larger.
+  double relative_error(double least = 0.0) const { return error / std::max(std::abs(extrapolated), least); }
 };
 
 /// Of a figure on a grid, and on one of `ratio` times the steps.
