@@ -14,9 +14,23 @@ namespace {
 /// An axis keeps a list of its fields in an attribute, which HDF5 bounds by 64 kB of 16 bytes a field.
 constexpr int most_fields_of_an_axis = 4000;
 
+/// Changed metadata [bytes] beyond which HDF5 has all processes meet to write them; the most that it accepts. It may
+/// notice not in the call of all that made the change, but in the next one: rows of a table are written by the first
+/// process alone, which would wait there for ever. Tables are flushed long before that.
+constexpr std::size_t most_changed_metadata = 32 << 20;
+
+void keep_metadata_until_flushed(hid_t access) {
+  H5AC_cache_config_t cache = {};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  hdf5_check(H5Pget_mdc_config(access, &cache), "tell how it keeps metadata");
+  cache.dirty_bytes_threshold = most_changed_metadata;
+  hdf5_check(H5Pset_mdc_config(access, &cache), "keep metadata");
+}
+
 hid_t create_file(MPI_Comm comm, const std::filesystem::path& path) {
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create a file");
   hdf5_check(H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL), "write by all processes");
+  keep_metadata_until_flushed(access);
   return hdf5_valid(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create it");
 }
 

@@ -130,6 +130,25 @@ TEST_F(ResultsTableTest, names_its_columns_and_their_units) {
   EXPECT_EQ(table.units, "step -\nforce N\nwall_time s\n");
 }
 
+// HDF5 by itself would have the first process wait in some of these rows for the others, for ever.
+TEST_F(ResultsTableTest, takes_rows_after_any_amount_of_metadata) {
+  constexpr int fewest_groups = 200, rounds = 100;
+  ResultsFile file(PETSC_COMM_WORLD, path_);
+  {
+    ResultsTable table(file, name_, columns_);
+    for (int round = 0; round < rounds; ++round) {
+      for (int n = 0; n < fewest_groups + round; ++n) {
+        file.attribute("/" + std::to_string(round) + "/" + std::to_string(n), "number", n);
+      }
+      table.append(rows(round, 1, rank_));
+      table.write();
+    }
+  }
+  file.finish();
+  if (rank_ != 0) return;
+  EXPECT_EQ(read_table(path_, name_).values, rows(0, rounds, 0));
+}
+
 // A run that is killed leaves them.
 TEST_F(ResultsTableTest, has_written_rows_before_its_file_is_finished) {
   bool copied = false;
