@@ -17,8 +17,7 @@ RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
 MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/mpiexec.sh")))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
-# Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start. Without a daemon
-# two such processes at a time need temporary folders of their own.
+# Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start.
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_btl": "self"}
 
 
@@ -27,7 +26,8 @@ def command_of(arguments, processes):
 
 
 def environment_of(processes, scratch):
-    return os.environ | (ALONE | {"TMPDIR": scratch} if processes == 1 else {})
+    """With a temporary folder that no other run has: where two of Open MPI begin at once, one may fail."""
+    return os.environ | {"TMPDIR": str(scratch)} | (ALONE if processes == 1 else {})
 
 
 class Outcome:
