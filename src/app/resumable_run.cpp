@@ -1,6 +1,7 @@
 #include "gearfilm/app/resumable_run.hpp"
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/output/run_identity.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -37,6 +38,7 @@ ResumableRun::ResumableRun(const Case& problem, const Grid& grid, const std::str
     require_same_identity(*before, identity, file);
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::where_it_stopped);
   } else {
+    require_removable(comm_, folder_);
     directory_.remove_earlier_results();
     forget();
     checkpoint_.emplace(grid, folder_, Checkpoint::Begin::anew);
@@ -59,8 +61,7 @@ void ResumableRun::refuse_restart() const {
 
 // Goes before the rest of the folder: a program killed meanwhile leaves nothing that looks as if it could go on.
 void ResumableRun::forget() const {
-  std::error_code ignored;
-  if (rank_in(comm_) == 0) std::filesystem::remove(identity_file(), ignored);
+  if (rank_in(comm_) == 0) remove_if_written_here(identity_file());
 }
 
 void ResumableRun::complete() {

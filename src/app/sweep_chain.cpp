@@ -10,6 +10,7 @@
 #include "gearfilm/app/marched_point.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -111,9 +112,8 @@ private:
   /// What only a point that is still to be computed needs.
   void remove_outdated(const SweepPoint& done) const {
     if (rank_in(group_) != 0) return;
-    std::error_code ignored;
-    std::filesystem::remove_all(points_.checkpoint(done), ignored);
-    if (before_point_) std::filesystem::remove(points_.films(*before_point_), ignored);
+    remove_all_written_here(points_.checkpoint(done));
+    if (before_point_) remove_if_written_here(points_.films(*before_point_));
   }
 
   Case case_of(double value) const {

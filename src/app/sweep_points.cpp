@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/output/run_identity.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
@@ -24,9 +25,11 @@ std::string name_of(const SweepPoint& point) {
 SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.run.directory) {
   const std::filesystem::path file = folder_ / "sweep.json";
   const Summary identity = identity_of(problem, "sweep", free_parameters);
+  require_replaceable(comm, {file});
   if (const std::optional<Summary> before = read_identity(comm, file)) {
     require_same_identity(*before, identity, file);
   } else {
+    require_removable(comm, folder_ / "points");
     keep_identity(comm, file, identity);
   }
   write_together(comm, folder_, [&] {
@@ -69,9 +72,18 @@ void SweepPoints::complete(MPI_Comm comm) const {
     if (rank_in(comm) != 0) return;
     std::vector<std::filesystem::path> superfluous;
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "points")) {
-      if (entry.path().extension() != ".json") superfluous.push_back(entry.path());
+      const std::filesystem::path extension = entry.path().extension();
+      if (extension == ".checkpoint" || extension == ".films" || extension == ".part") {
+        superfluous.push_back(entry.path());
+      }
     }
-    for (const std::filesystem::path& path : superfluous) std::filesystem::remove_all(path);
+    for (const std::filesystem::path& path : superfluous) {
+      if (std::filesystem::is_directory(path)) {
+        remove_all_written_here(path);
+      } else {
+        remove_if_written_here(path);
+      }
+    }
   });
 }
 

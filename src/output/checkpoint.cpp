@@ -7,6 +7,7 @@
 
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/output/own_file.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "gearfilm/parallel/agreement.hpp"
@@ -67,9 +68,10 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
 
 Checkpoint::Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin)
     : grid_(grid), folder_(std::move(folder)), begin_(begin), journal_(grid.comm(), folder_ / "steps") {
+  if (begin == Begin::anew) require_removable(grid_.comm(), folder_);
   write_together(grid_.comm(), folder_, [&] {
     if (grid_.rank() != 0) return;
-    if (begin == Begin::anew) std::filesystem::remove_all(folder_);
+    if (begin == Begin::anew) remove_all_written_here(folder_);
     std::filesystem::create_directories(folder_);
   });
   if (begin == Begin::where_it_stopped) find_states();
@@ -131,14 +133,12 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
 }
 
 void Checkpoint::remove_file(const KeptState& state) const {
-  std::error_code ignored;
-  std::filesystem::remove(own_file(state), ignored);
-  if (grid_.rank() == 0) std::filesystem::remove(file(state), ignored);
+  remove_if_written_here(own_file(state));
+  if (grid_.rank() == 0) remove_if_written_here(file(state));
 }
 
 void Checkpoint::remove() {
-  std::error_code ignored;
-  if (grid_.rank() == 0) std::filesystem::remove_all(folder_, ignored);
+  if (grid_.rank() == 0) remove_all_written_here(folder_);
 }
 
 void Checkpoint::forget_from(std::size_t first) {

@@ -4,15 +4,20 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
+
+constexpr std::array results = {"results.h5", "results.xmf", "summary.json", "run.json"};
 
 // Less room than this would end a run that has just removed earlier results.
 constexpr std::size_t least_room = 1 << 18;  // [bytes]
@@ -49,10 +54,18 @@ OutputDirectory::OutputDirectory(MPI_Comm comm, std::filesystem::path path) : co
     }
   }
   broadcast(comm_, reason);
-  if (reason.empty()) return;
-  if (claim_ >= 0) close(claim_);
-  throw InputError("cannot write results into '" + path_.string() + "': " + reason +
-                   "; choose another folder with -output_dir");
+  try {
+    if (!reason.empty()) {
+      throw InputError("cannot write results into '" + path_.string() + "': " + reason +
+                       "; choose another folder with -output_dir");
+    }
+    std::vector<std::filesystem::path> files;
+    for (const char* name : results) files.push_back(path_ / name);
+    require_replaceable(comm_, files);
+  } catch (const InputError&) {
+    if (claim_ >= 0) close(claim_);
+    throw;
+  }
 }
 
 OutputDirectory::~OutputDirectory() {
@@ -61,10 +74,7 @@ OutputDirectory::~OutputDirectory() {
 
 void OutputDirectory::remove_earlier_results() const {
   if (rank_in(comm_) == 0) {
-    std::error_code ignored;
-    for (const char* name : {"results.h5", "results.xmf", "summary.json", "run.json"}) {
-      std::filesystem::remove(path_ / name, ignored);
-    }
+    for (const char* name : results) remove_if_written_here(path_ / name);
   }
   MPI_Barrier(comm_);
 }

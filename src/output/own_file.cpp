@@ -4,6 +4,7 @@
 
 #include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/restart_mark.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -20,7 +21,8 @@ OwnFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
 
 OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
   write_together(comm, path, [&] {
-    write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)});
+    write_bytes(path, restart_mark);
+    write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)}, std::ios::app);
   });
   return mark_of(comm, values);
 }
@@ -30,10 +32,12 @@ std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem
   if (processes_in(comm) != mark.processes) return std::vector<double>();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
-  std::vector<double> values(missing ? 0 : size / sizeof(double));
+  const bool marked = !missing && size >= restart_mark.size();
+  std::vector<double> values(marked ? (size - restart_mark.size()) / sizeof(double) : 0);
   std::ifstream file(path, std::ios::binary);
+  file.seekg(restart_mark.size());
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
-  const bool whole = file && !missing && size % sizeof(double) == 0;
+  const bool whole = file && marked && size % sizeof(double) == 0;
   const bool all_whole = first_reason(comm, whole ? "" : "not whole").empty();
   if (mark_of(comm, values).checksum != mark.checksum || !all_whole) return {};
   return values;

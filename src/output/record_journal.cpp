@@ -6,6 +6,7 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/restart_mark.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -53,9 +54,12 @@ JournalMark RecordJournal::write(const JournalMark& before, const std::vector<St
   MPI_Bcast(&part, 1, MPI_UINT64_T, 0, comm_);
   write_together(comm_, path_, [&] {
     if (rank_in(comm_) != 0) return;
-    if (before.end > 0) std::filesystem::resize_file(path_, before.end);
-    write_bytes(path_, {reinterpret_cast<const char*>(values.data()), size},
-                before.end > 0 ? std::ios::app : std::ios::trunc);
+    if (before.end > 0) {
+      std::filesystem::resize_file(path_, restart_mark.size() + before.end);
+    } else {
+      write_bytes(path_, restart_mark);
+    }
+    write_bytes(path_, {reinterpret_cast<const char*>(values.data()), size}, std::ios::app);
   });
   return {before.end + size, before.checksum + part};
 }
@@ -71,7 +75,7 @@ JournalMark RecordJournal::mark_at(std::uint64_t end, const JournalMark& before)
 std::vector<double> RecordJournal::values_between(std::uint64_t begin, std::uint64_t end) const {
   std::vector<double> values((end - begin) / sizeof(double));
   std::ifstream file(path_, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(begin));
+  file.seekg(static_cast<std::streamoff>(restart_mark.size() + begin));
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(end - begin));
   return file ? values : std::vector<double>();
 }

@@ -1,5 +1,6 @@
 #include "gearfilm/output/state_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/format_version.hpp"
 #include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/restart_mark.hpp"
 #include "gearfilm/parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -51,7 +53,11 @@ private:
   MPI_Datatype own_field_ = MPI_DATATYPE_NULL;
 };
 
-using Head = std::array<std::uint64_t, 2>;  // length and checksum of the description
+struct Head {
+  std::array<char, restart_mark.size()> mark = {};
+  std::uint64_t length = 0;    ///< of the description
+  std::uint64_t checksum = 0;  ///< of the description
+};
 
 MPI_Offset fields_begin(std::size_t description) {
   return static_cast<MPI_Offset>(sizeof(Head)) + static_cast<MPI_Offset>(description);
@@ -84,12 +90,12 @@ std::string description_in(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  Head head = {};
-  file.read(reinterpret_cast<char*>(head.data()), sizeof head);
-  if (error || !file || head[0] > size) return {};
-  std::string text(head[0], ' ');
+  Head head;
+  file.read(reinterpret_cast<char*>(&head), sizeof head);
+  if (error || !file || !std::ranges::equal(head.mark, restart_mark) || head.length > size) return {};
+  std::string text(head.length, ' ');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file || checksum(text) != head[1]) return {};
+  if (!file || checksum(text) != head.checksum) return {};
   // A file of zeros has the checksum of no text.
   const Summary description = Summary::parse(text, nullptr, false);
   if (!description.is_object()) return {};
@@ -179,8 +185,9 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   const std::filesystem::path part = part_of(path);
   write_together(grid.comm(), path, [&] {
     if (grid.rank() != 0) return;
-    const Head head = {text.size(), checksum(text)};
-    write_bytes(part, {reinterpret_cast<const char*>(head.data()), sizeof head});
+    Head head{{}, text.size(), checksum(text)};
+    std::ranges::copy(restart_mark, head.mark.begin());
+    write_bytes(part, {reinterpret_cast<const char*>(&head), sizeof head});
     write_bytes(part, text, std::ios::app);
   });
   if (!fields.empty()) append_fields(grid, part, fields_begin(text.size()), fields);

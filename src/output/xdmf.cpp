@@ -61,7 +61,7 @@ void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::str
   for (const TimedFields& fields : series) blocks = std::max(blocks, fields.groups.size());
   std::ostringstream file;
   file.precision(12);
-  file << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
+  file << xdmf_head;
   for (std::size_t block = 0; block < blocks; ++block) {
     const std::string name = "pair" + std::to_string(block);
     file << "    <Grid Name=\"" << name << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";

@@ -6,10 +6,10 @@ import unittest
 import numpy
 
 from films import SAME, summary_in
-from restarts import EIGEN, HEAD, MARCH, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
+from restarts import EIGEN, HEAD, MARCH, MARK, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
 from vibration import SAME_ORBIT, table_in
 
-PRESENT = 6  # the format version of what a run goes on from
+PRESENT = 7  # the format version of what a run goes on from
 
 
 def flip(file, place):
@@ -155,11 +155,11 @@ class OtherVersions(RestartTest):
         self.run_well(*MARCH, "-mesh_periods", 0.5, "-keep_checkpoint", "-output_dir", "run")
         state = self.folder / "run/checkpoint" / states_in(self.folder / "run/checkpoint")[-1]
         data = state.read_bytes()
-        end = HEAD + int.from_bytes(data[:8], "little")
+        end = HEAD + int.from_bytes(data[len(MARK):len(MARK) + 8], "little")
         for version, words in self.VERSIONS:
             text = json.dumps(self.set_version(json.loads(data[HEAD:end]), version)).encode()
             head = len(text).to_bytes(8, "little") + checksum(text).to_bytes(8, "little")
-            state.write_bytes(head + text + data[end:])
+            state.write_bytes(MARK + head + text + data[end:])
             for processes in (1, 2):
                 self.assert_wrong([state.name, words, f"version {PRESENT}"], *MARCH, "-restart", "-output_dir", "run",
                                   processes=processes)

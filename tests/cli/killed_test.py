@@ -11,7 +11,7 @@ import unittest
 
 import h5py
 
-from restarts import HEAD, MARCH, SEARCH, RestartTest, results_in, tables_in
+from restarts import HEAD, MARCH, MARK, SEARCH, RestartTest, results_in, tables_in
 
 KILLS = int(os.environ.get("GEARFILM_KILLS", 200))
 SEED = 2013
@@ -24,7 +24,7 @@ END_SECONDS = 0.05
 def is_whole(state):
     """The size of a state file is what its description says."""
     data = state.read_bytes()
-    length = int.from_bytes(data[:8], "little")
+    length = int.from_bytes(data[len(MARK):len(MARK) + 8], "little")
     description = json.loads(data[HEAD:HEAD + length])
     nx, rows = description["nodes"]
     return len(data) == HEAD + length + 8 * description["fields"] * nx * rows

@@ -28,7 +28,8 @@ CONDUCT = {"restart", "keep_checkpoint", "time_limit", "output.dir"}
 TIMES = {"wall_time"}
 EFFORT = TIMES | {"newton", "krylov"}
 LONGEST_LINE = 4096  # and the size of the pipe
-HEAD = 16  # bytes of a state before its description: length and checksum of this
+MARK = b"gearfilm restart"  # the first bytes of every binary file that a run goes on from
+HEAD = 32  # bytes of a state before its description: the mark, length and checksum of the description
 
 
 def processes_of_session(session):

@@ -25,7 +25,8 @@ public:
   enum class Begin { anew, where_it_stopped };
 
   /// Creates the folder, or takes over what it holds, which must be of the grid or of one that was widened from it.
-  /// Throws OutputError. Collective.
+  /// Begun anew, what this program wrote in the folder goes. Throws OutputError, and InputError where the folder holds
+  /// anything else. Collective.
   Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
 
   std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
@@ -42,7 +43,7 @@ public:
   /// Of another march that the run makes on the way, on a grid of its own: a folder within, begun as this one was.
   Checkpoint within(const std::string& name, const Grid& grid) const { return {grid, folder_ / name, begin_}; }
 
-  /// The whole folder goes.
+  /// All that this program wrote in the folder goes, and the folder with it where nothing is left.
   void remove();
 
   /// T of the last state that was found; 0 without one.

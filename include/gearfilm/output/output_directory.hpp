@@ -13,7 +13,8 @@ namespace gearfilm {
 class OutputDirectory {
 public:
   /// Creates the folder where it is missing, makes sure that files can be written into it, and claims it until the
-  /// object goes: two runs in one folder would spoil each other's results. Throws InputError on all processes alike.
+  /// object goes: two runs in one folder would spoil each other's results. Throws InputError on all processes alike,
+  /// also where files of the names of results were not written by this program.
   OutputDirectory(MPI_Comm comm, std::filesystem::path path);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;

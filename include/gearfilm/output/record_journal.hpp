@@ -14,7 +14,7 @@ namespace gearfilm {
 
 /// How far the steps go, and what they are up to there.
 struct JournalMark {
-  std::uint64_t end = 0;       ///< offset behind the last step [bytes]
+  std::uint64_t end = 0;       ///< bytes of the steps up to the last one, without the file's mark
   std::uint64_t checksum = 0;  ///< of all values before it (checksum.hpp)
 };
 

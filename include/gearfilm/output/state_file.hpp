@@ -1,5 +1,6 @@
 // Fields of a grid with a description, in one file that is there whole or not at all.
 //
+//   16 bytes      restart_mark.hpp
 //   16 bytes      length of the description, and its checksum
 //   description   JSON; "format", "fields" (how many), "nodes" ([nx, rows]), "edges" ([X_min, X_max, Y_half]) and
 //                 "checksum" of the fields are added to it

@@ -9,11 +9,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearfilm/ehl/grid.hpp"
 
 namespace gearfilm {
+
+/// How every file begins.
+constexpr std::string_view xdmf_head = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n  <Domain>\n";
 
 /// A group of results.h5 with the fields of one contact.
 struct FieldGroup {
