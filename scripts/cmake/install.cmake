@@ -12,7 +12,7 @@ set(GEARFILM_PRIVATE_HEADERS
   traction/across_film.hpp traction/film_flow.hpp traction/film_lanes.hpp traction/film_line.hpp traction/moving_source.hpp
   traction/tridiagonal_lanes.hpp
   orbits/mode_solver.hpp
-  input/case_file.hpp input/case_numerics.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
+  input/case_checks.hpp input/case_file.hpp input/case_numerics.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
   input/case_lubricant.hpp input/case_teeth.hpp input/case_traction.hpp input/parameter_records.hpp input/point_table.hpp input/text_file.hpp)
 set(exclude "")
 foreach(header ${GEARFILM_PRIVATE_HEADERS})

@@ -6,6 +6,7 @@
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/dynamics/static_mesh.hpp"
+#include "gearfilm/gear/tooth_space.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/format_version.hpp"
@@ -23,6 +24,8 @@ void add_gear_geometry(const Case& problem, Summary& summary) {
   summary["xi_entry"] = line.entry();
   summary["xi_exit"] = line.exit();
   summary["contact_ratio"] = line.contact_ratio();
+  const ToothSpace space = tooth_space(*problem.pair.gears, line);
+  if (space.implied_backlash) summary["implied_backlash"] = *space.implied_backlash;
 }
 
 void add_mesh_motion(const Case& problem, Summary& summary) {
@@ -30,6 +33,8 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
   summary["f_m"] = f_m;
   summary["mesh_period"] = 1.0 / f_m;
   summary["mesh_period_dimensionless"] = mesh_period(problem);
+  // A point load that stands for a line contact is no force of the pair.
+  if (problem.parameters.text("gear.load_model") != "point") return;
   const MeshModel mesh = mesh_after_leaving(problem);
   if (const std::optional<double> met = entry_penetration(mesh, mesh.scales.static_force)) {
     summary["entry_penetration"] = *met * mesh.scales.thickness;
@@ -80,6 +85,7 @@ Summary derived_quantities(const Case& problem) {
   summary["R_y"] = scales.solids.radius_y;
   summary["E_prime"] = scales.solids.reduced_modulus;
   summary["load"] = scales.operation.load;
+  if (problem.pair.line) summary["tooth_force"] = problem.pair.tooth_force;
   summary["entrainment_velocity"] = scales.operation.entrainment_velocity;
   summary["kappa"] = scales.hertz.ellipticity;
   summary["a"] = scales.hertz.a;

@@ -1,17 +1,25 @@
 #include "gearfilm/app/friction_summary.hpp"
 
 #include <numbers>
-#include <sstream>
 
-#include "gearfilm/app/warning.hpp"
 #include "gearfilm/contact/friction_formulas.hpp"
 
 namespace gearfilm {
 
+namespace {
+
+/// The oil's heat data, with an assumed fall of its viscosity where none is given.
+ThermalOil heating_oil(const Case& problem) {
+  if (problem.thermal_oil) return *problem.thermal_oil;
+  return {.temperature_viscosity = assumed_temperature_viscosity,
+          .conductivity = problem.parameters.real("lubricant.conductivity")};
+}
+
+}  // namespace
+
 Summary heating_predictions(const Case& problem, const ContactSolids& solids, const ContactOperation& operation,
                             double slide_ratio) {
-  if (!problem.thermal_oil) return Summary::object();
-  const ThermalOil& oil = *problem.thermal_oil;
+  const ThermalOil oil = heating_oil(problem);
   const double loading = thermal_loading(oil.temperature_viscosity, problem.scales.oil.viscosity,
                                          operation.entrainment_velocity, oil.conductivity);
   const double relative = hertz_contact(solids, operation.load).pressure / solids.reduced_modulus;
@@ -47,39 +55,6 @@ Summary friction_predictions(const Case& problem, const ContactSolids& solids, c
                                                         line.radius_x(0.0), viscosity, roughness);
   }
   return summary;
-}
-
-void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating) {
-  constexpr double tolerable = 0.8;
-  if (problem.traction && problem.traction->heats_film()) return;
-  if (!heating.contains("murch_wilson_thermal_factor")) return;
-  const double factor = heating["murch_wilson_thermal_factor"].get<double>();
-  if (factor >= tolerable) return;
-  std::ostringstream text;
-  text.precision(2);
-  text << "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is "
-       << factor << ", so that it may be thinner by " << 100.0 * (1.0 - factor)
-       << " %; -thermal_model film computes it";
-  warn(comm, text.str());
-}
-
-void warn_of_missed_temperatures(MPI_Comm comm, const Summary& summary, const char* missed) {
-  constexpr double tolerable = 0.01;
-  if (!summary.contains(missed) || summary[missed].get<double>() <= tolerable) return;
-  std::ostringstream text;
-  text.precision(2);
-  text << "in " << 100.0 * summary[missed].get<double>()
-       << " % of a contact's nodes the temperature across the film did not settle; raise thermal.points";
-  warn(comm, text.str());
-}
-
-void warn_of_roughness(MPI_Comm comm, const Summary& summary, const char* film_ratio) {
-  if (!summary.contains(film_ratio) || summary[film_ratio].get<double>() >= 1.0) return;
-  std::ostringstream text;
-  text.precision(2);
-  text << "the smallest film is " << summary[film_ratio].get<double>()
-       << " of the roughness: asperities touch, which is not modelled";
-  warn(comm, text.str());
 }
 
 void add_efficiency(const MeshModel& mesh, Summary& summary) {

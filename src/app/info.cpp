@@ -5,6 +5,7 @@
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/derived_records.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/output/output_directory.hpp"
 
 namespace gearfilm {
@@ -26,6 +27,7 @@ void run_info(MPI_Comm comm, const Case& problem) {
     petsc_check(PetscPrintf(comm, "%s\n", line.str().c_str()));
   }
   write_summary(comm, problem.run.directory, summary);
+  warn_of_heating(comm, problem, summary);
 }
 
 }  // namespace gearfilm

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <new>
 #include <optional>
 
 #include "gearfilm/app/command_line.hpp"
@@ -31,11 +33,17 @@ ExitStatus end(const Session& session, const char* kind, const std::exception& e
 }  // namespace
 
 int main(int argc, char** argv) {
+  // MPI and PETSc would not start, and say something else.
+  if (std::error_code gone; std::filesystem::current_path(gone).empty()) {
+    std::fprintf(stderr, "gearfilm: wrong input: the working directory is gone; change to one that exists\n");
+    return wrong_input;
+  }
   const gearfilm::CommandLine command_line(argc, argv);
   Session session;  // outlives the messages, which only one process gives
   try {
     session.emplace(command_line.petsc_arguments());
     gearfilm::run(PETSC_COMM_WORLD, command_line);
+    gearfilm::require_standard_output(PETSC_COMM_WORLD);
     return done;
   } catch (const gearfilm::NothingLeft& reason) {
     (void)PetscPrintf(PETSC_COMM_WORLD, "%s\n", reason.what());
@@ -51,6 +59,11 @@ int main(int argc, char** argv) {
     std::_Exit(not_solved);
   } catch (const gearfilm::Stopped& reason) {
     return end(session, "stopped", reason, stopped);
+  } catch (const std::bad_alloc&) {
+    const gearfilm::SolveError error(
+        "there is no more memory for this process; lower grid.nx and grid.ny, raise its limit (ulimit -v, or that of "
+        "the batch system), or use more processes");
+    return end(session, "not solved", error, not_solved);
   } catch (const std::exception& error) {
     return end(session, "internal error", error, not_solved);
   }

@@ -9,6 +9,7 @@
 #include "gearfilm/app/march_output.hpp"
 #include "gearfilm/app/orbit_errors.hpp"
 #include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
@@ -161,8 +162,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   run.complete();
   print_result(comm, run.directory().path(), summary, problem.dry(), error, advice(problem, found.run));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
-  warn_of_roughness(comm, summary, "lambda_min");
-  warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
+  warn_of_validity(comm, summary);
 }
 
 }  // namespace gearfilm

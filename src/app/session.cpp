@@ -3,7 +3,10 @@
 #include <hdf5.h>
 #include <slepcsys.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <system_error>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/agreement.hpp"
@@ -24,6 +27,8 @@ Session::Session(std::vector<std::string> arguments) : arguments_(std::move(argu
   petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   // Nor HDF5.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  // A file that reaches the limit of its size is an error of the write, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   // A closed pipe ends the program quietly, as it ends others.
   petsc_check(PetscPopSignalHandler());
   register_events();
@@ -58,6 +63,16 @@ Session::~Session() {
   (void)PetscPopErrorHandler();
   leave_unused_options_to_us();
   (void)SlepcFinalize();
+}
+
+void require_standard_output(MPI_Comm comm) {
+  errno = 0;
+  std::string reason;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    reason = errno != 0 ? std::generic_category().message(errno) : "what was printed did not arrive";
+  }
+  reason = first_reason(comm, reason);
+  if (!reason.empty()) throw OutputError("cannot write to standard output: " + reason + "; results in files are whole");
 }
 
 void Session::end_together(const std::string& line, int status) const {

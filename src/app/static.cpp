@@ -151,6 +151,7 @@ void print_line(MPI_Comm comm, double ratio, const Summary& at) {
 
 void run_static(MPI_Comm comm, const Case& problem) {
   if (!problem.pair.line) throw InputError(problem.parameters.file() + ": a bare contact has no mesh to be turned");
+  require_tooth_force(problem, "static");
   const MeshModel mesh = mesh_after_leaving(problem);
   const OutputDirectory directory(comm, problem.run.directory);
   Summary summary = {{"case", problem.name}, {"static_force", problem.scales.operation.load}};

@@ -8,6 +8,7 @@
 #include "gearfilm/app/derived.hpp"
 #include "gearfilm/app/error_bar.hpp"
 #include "gearfilm/app/friction_summary.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/validity.hpp"
@@ -330,7 +331,9 @@ void run_steady(MPI_Comm comm, const Case& problem) {
     solved = solve_on(Grid(comm, refined(shape, factor)), problem, position);
   }
   const Traction friction = traction_of(problem, position, solved);
-  Summary summary = film_summary(problem, position, solved.film->grid(), solved.result, friction.figures);
+  const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
+  Summary summary = film_summary(problem, position, solved.film->grid(), solved.result,
+                                 with_powers_times(load_factor, friction.figures));
   add_errors(problem.scales, solved.errors, summary);
   add_coupling(problem, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
@@ -341,8 +344,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   warn_of_errors(comm, problem, solved.errors);
   warn_of_heating(comm, problem, summary["predictions"]);
   warn_of_unrest(comm, solved);
-  warn_of_roughness(comm, summary, "lambda");
-  warn_of_missed_temperatures(comm, summary, "temperatures_missed");
+  warn_of_validity(comm, summary);
 }
 
 }  // namespace gearfilm

@@ -5,6 +5,7 @@
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
@@ -103,8 +104,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
     if (!completed) return;
     print_recurrence(comm, summary);
     print_extremes(comm, run.directory().path(), summary);
-    warn_of_roughness(comm, summary, "lambda_min");
-    warn_of_missed_temperatures(comm, summary, "temperatures_missed_max");
+    warn_of_validity(comm, summary);
   };
   try {
     if (lubricated) {

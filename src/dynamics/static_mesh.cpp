@@ -42,6 +42,13 @@ std::optional<double> met_at_entry(const DryForce& force, const MeshModel& mesh,
 
 }  // namespace
 
+double pitch_stiffness(const Scales& scales, const LineOfAction& line, const Teeth& teeth) {
+  constexpr double any_speed = 1.0;  // [rad/s]
+  const MeshModel mesh{
+      .scales = scales, .path = ContactPath(line, scales, any_speed, 0.0), .teeth = teeth.without_pitch_errors()};
+  return balanced(DryForce(mesh), mesh, mesh.path.contacts_after(0.0), 0.0, scales.static_force).stiffness;
+}
+
 std::optional<double> entry_penetration(const MeshModel& mesh, double load) {
   return met_at_entry(DryForce(mesh), mesh, load);
 }

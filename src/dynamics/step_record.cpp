@@ -62,7 +62,10 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const MeshedContact contact = mesh.contact(contacts[k].number, T);
     ContactMoment at{mesh.scales, contact, figures[k], {}, mesh.roughness};
-    if (mesh.traction) at.traction = traction_of(mesh, contacts[k], velocities_of(mesh.scales, contact), dT);
+    if (mesh.traction) {
+      at.traction = with_powers_times(mesh.load_factor(),
+                                      traction_of(mesh, contacts[k], velocities_of(mesh.scales, contact), dT));
+    }
     records.push_back({contacts[k].number, contact.position, figures_of(at)});
   }
   return records;

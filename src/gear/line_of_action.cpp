@@ -37,9 +37,14 @@ void require_teeth(int teeth, const std::string& parameter) {
   throw InputError(message.str());
 }
 
-void require_crowning(double crowning, const std::string& parameter) {
-  if (crowning >= 0.0 && std::isfinite(crowning)) return;
+void require_crowning(double crowning, double face_width, const std::string& parameter) {
   std::ostringstream message;
+  if (crowning >= 0.0 && crowning < 0.5 * face_width) return;
+  if (crowning >= 0.5 * face_width && std::isfinite(crowning)) {
+    message << parameter << " = " << crowning << " m is half of gear_face_width = " << face_width
+            << " m or more, rounder than a half circle: give both in metres";
+    throw InputError(message.str());
+  }
   message << parameter << " = " << crowning
           << " m is not a lead crowning: give zero (straight flanks) or a positive length in metres";
   throw InputError(message.str());
@@ -53,8 +58,8 @@ void check_dimensions(const SpurGearPair& pair) {
   require_positive_length(pair.module_length, "gear_module");
   require_positive_length(pair.centre_distance, "gear_centre_distance");
   require_positive_length(pair.face_width, "gear_face_width");
-  require_crowning(pair.pinion.crowning, "pinion_crowning");
-  require_crowning(pair.wheel.crowning, "wheel_crowning");
+  require_crowning(pair.pinion.crowning, pair.face_width, "pinion_crowning");
+  require_crowning(pair.wheel.crowning, pair.face_width, "wheel_crowning");
   if (!(pair.pressure_angle > 0.0 && pair.pressure_angle < pi / 2.0)) {
     std::ostringstream message;
     message << "gear_pressure_angle_deg = " << pair.pressure_angle * 180.0 / pi
@@ -107,12 +112,21 @@ void check_tips(const SpurGearPair& pair, double working_pressure_angle) {
   throw InputError(message.str());
 }
 
-void check_path(double entry, double exit, double base_pitch) {
+void check_path(const SpurGearPair& pair, double entry, double exit, double base_pitch) {
   std::ostringstream message;
   const double contact_ratio = (exit - entry) / base_pitch;
+  const double tips = pair.pinion.outer_radius + pair.wheel.outer_radius;
+  const double reference = 0.5 * (pair.pinion.teeth + pair.wheel.teeth) * pair.module_length;
+  if (pair.centre_distance >= tips || contact_ratio <= 0.0) {
+    message << "gear_centre_distance = " << pair.centre_distance << " m keeps the teeth apart: the tip radii are "
+            << tips << " m together, and the reference circles touch at " << reference
+            << " m; check gear_centre_distance, gear_module and the numbers of teeth";
+    throw InputError(message.str());
+  }
   if (contact_ratio < 1.0) {
     message << "contact ratio " << contact_ratio << " is below 1: the pair cannot transmit motion; enlarge the tip "
-            << "circles or the face of action (pinion_outer_radius, wheel_outer_radius)";
+            << "circles (pinion_outer_radius, wheel_outer_radius), or check gear_centre_distance = "
+            << pair.centre_distance << " m, where the reference circles touch at " << reference << " m";
     throw InputError(message.str());
   }
   // The pitch point is the reference of every scale, so it has to lie on the path of contact.
@@ -151,7 +165,7 @@ LineOfAction::LineOfAction(const SpurGearPair& pair) {
   exit_ = tip_pinion - radius_pinion(0.0);
   check_flank(radius_pinion(entry_), "pinion", "wheel");
   check_flank(radius_wheel(exit_), "wheel", "pinion");
-  check_path(entry_, exit_, base_pitch_);
+  check_path(pair, entry_, exit_, base_pitch_);
   check_tips(pair, working_pressure_angle_);
 
   // R_iy = F_w^2/(8 mag_i); the curvatures 1/R_iy add, so one straight flank or two need no special case.

@@ -27,6 +27,34 @@ void check_errors(const std::vector<double>& errors, int teeth, const std::strin
                    std::to_string(teeth) + " teeth: give one a tooth");
 }
 
+void check_pitch_errors(const std::vector<double>& errors, double base_pitch, const std::string& name) {
+  for (const double error : errors) {
+    if (std::abs(error) < 0.5 * base_pitch) continue;
+    std::ostringstream message;
+    message << name << "_pitch_errors has " << error << " m, half a base pitch of " << base_pitch
+            << " m or more: such a tooth is its neighbour; give errors in metres";
+    throw InputError(message.str());
+  }
+}
+
+/// A modified flank must leave a tooth, whose other flank is modified alike: 2 E/cos(alpha_r) < s(r).
+void check_removed(const Flank& flank, const SpurGearPair& pair, int gear, const std::array<double, 2>& from_to) {
+  constexpr int places = 100;
+  const SpurGear& own = gear == 0 ? pair.pinion : pair.wheel;
+  const double base = 0.5 * own.teeth * pair.module_length * std::cos(pair.pressure_angle);
+  for (int n = 0; n <= places; ++n) {
+    const double rho = from_to[0] + (from_to[1] - from_to[0]) * n / places, radius = std::hypot(base, rho);
+    const double thickness = tooth_thickness_at(radius, own, pair, profile_shifts(pair)[gear]);
+    const double removed = std::abs(flank.removed(rho));
+    if (thickness <= 0.0 || 2.0 * removed * radius / base < thickness) continue;
+    std::ostringstream message;
+    message << "the flank of the " << names[gear] << " is modified by " << removed << " m at the radius " << radius
+            << " m, where the tooth is " << thickness << " m thick: check " << names[gear]
+            << "_tip_relief, root_relief, profile_slope, profile_crowning and profile_file, which are in metres";
+    throw InputError(message.str());
+  }
+}
+
 /// Linear between points, constant beyond.
 double interpolate(const std::vector<std::pair<double, double>>& points, double at) {
   if (at <= points.front().first) return points.front().second;
@@ -56,7 +84,9 @@ Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<Gear
     check_relief(modification.tip, tip[gear] - start[gear], std::string(names[gear]) + "_tip_relief");
     check_relief(modification.root, tip[gear] - start[gear], std::string(names[gear]) + "_root_relief");
     check_errors(flanks[gear].pitch_errors, teeth[gear], names[gear]);
+    check_pitch_errors(flanks[gear].pitch_errors, line.base_pitch(), names[gear]);
     own[gear] = Flank(modification, start[gear], tip[gear]);
+    check_removed(own[gear], pair, gear, {start[gear], tip[gear]});
     errors_[gear] = std::move(flanks[gear].pitch_errors);
     if (!errors_[gear].empty()) pattern_ = std::lcm(pattern_, static_cast<long>(teeth[gear]));
     perfect_ = perfect_ && own[gear].perfect() && errors_[gear].empty();
@@ -136,6 +166,13 @@ double Teeth::removed(double xi) const {
 LocalProfile Teeth::local(double xi) const {
   if (action_ == ProfileAction::offset || perfect_) return {};
   return {flanks_, {at_pitch_pinion_ + xi, at_pitch_wheel_ - xi}, base_radius_};
+}
+
+Teeth Teeth::without_pitch_errors() const {
+  Teeth nominal = *this;
+  nominal.errors_ = {};
+  nominal.pattern_ = 1;
+  return nominal;
 }
 
 double Teeth::gap(int contact, double xi) const {

@@ -33,8 +33,7 @@ ToothProfile::ToothProfile(const SpurGear& gear, const SpurGearPair& pair, doubl
   thickness_ = tooth_thickness(pair, profile_shift);
   reference_angle_ = involute(pair.pressure_angle) + 0.5 * thickness_ / reference_radius_;
   hob_tip_radius_ = gear.hob_tip_radius.value_or(0.38 * m);
-  const double standard = reference_radius_ - (1.25 - profile_shift) * m;
-  generate_fillet(pair, profile_shift, gear.root_radius.value_or(standard));
+  generate_fillet(pair, profile_shift, gear.root_radius.value_or(standard_root_radius(gear, pair, profile_shift)));
 }
 
 double ToothProfile::half_angle(double radius) const {
@@ -58,28 +57,53 @@ void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shif
     hob_tip_radius_ -= 2e-9;
     depth = dedendum - profile_shift * m - hob_tip_radius_;
   }
-  const double offset = top - hob_tip_radius_ * taken;  // e_c
+  rack_depth_ = depth;
+  rack_offset_ = top - hob_tip_radius_ * taken;
+  slack_ = 0.5 * thinning(pair) / r;
   root_radius_ = root_radius;
-  const double slack = 0.5 * thinning(pair) / r;
-  double angle = 0.0, radius = 0.0;
-  for (int n = 0; n <= points; ++n) {
-    const double u = depth / tan * n / points;
-    const double size = std::hypot(u, depth), sign = depth > 0.0 ? 1.0 : -1.0;
-    const double qx = u + hob_tip_radius_ * sign * u / size, qy = r - depth - hob_tip_radius_ * sign * depth / size;
-    const double turn = (u - offset) / r;
-    const double x = qx * std::cos(turn) - qy * std::sin(turn), y = qx * std::sin(turn) + qy * std::cos(turn);
-    angle = pi / teeth_ - std::atan2(x, y) - slack;
-    radius = std::hypot(x, y);
-    if (n == 0) root_half_angle_ = angle;
-    fillet_.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  const OutlinePoint root = fillet_point(0.0);
+  root_half_angle_ = std::atan2(root.x, root.y);
+  end_fillet_on_involute(depth / tan);
+}
+
+/// Of the fillet, where the rack is rolled by u [m] from where its tip stands lowest.
+OutlinePoint ToothProfile::fillet_point(double u) const {
+  const double size = std::hypot(u, rack_depth_), sign = rack_depth_ > 0.0 ? 1.0 : -1.0;
+  const double qx = u + hob_tip_radius_ * sign * u / size;
+  const double qy = reference_radius_ - rack_depth_ - hob_tip_radius_ * sign * rack_depth_ / size;
+  const double turn = (u - rack_offset_) / reference_radius_;
+  const double x = qx * std::cos(turn) - qy * std::sin(turn), y = qx * std::sin(turn) + qy * std::cos(turn);
+  const double angle = pi / teeth_ - std::atan2(x, y) - slack_, radius = std::hypot(x, y);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+// The fillet goes over into the involute at its last point. Where the rack undercuts the tooth its last point lies
+// beyond the involute's foot, and the tooth ends its fillet where this first meets the involute.
+void ToothProfile::end_fillet_on_involute(double last) {
+  const auto beyond = [&](double u) {
+    const OutlinePoint point = fillet_point(u);
+    const double radius = std::hypot(point.x, point.y);
+    return radius < base_radius_ ? -1.0 : std::atan2(point.x, point.y) - half_angle(radius);
+  };
+  double end = last;
+  const OutlinePoint joint = fillet_point(last);
+  if (std::hypot(joint.x, joint.y) < base_radius_ || std::abs(beyond(last)) > 1e-9) {
+    undercut_ = true;
+    int n = 0;
+    while (n <= points && beyond(last * n / points) < 0.0) ++n;
+    if (n == 0 || n > points) {
+      throw InputError(name_ + ": the rack cuts the whole involute away: raise " + name_ + "_root_radius or " + name_ +
+                       "_profile_shift");
+    }
+    double low = last * (n - 1) / points, high = last * n / points;
+    for (int bisection = 0; bisection < 60; ++bisection) {
+      const double middle = 0.5 * (low + high);
+      (beyond(middle) < 0.0 ? low : high) = middle;
+    }
+    end = high;
   }
-  form_radius_ = radius;
-  // A rack that cuts below the involute's foot takes some of the involute away.
-  if (form_radius_ < base_radius_ || std::abs(angle - half_angle(form_radius_)) > 1e-9) {
-    throw InputError(name_ + ": the rack undercuts the tooth (its fillet ends at the radius " +
-                     std::to_string(form_radius_) + " m, the base circle has " + std::to_string(base_radius_) +
-                     " m): raise " + name_ + "_root_radius or " + name_ + "_profile_shift");
-  }
+  for (int n = 0; n <= points; ++n) fillet_.push_back(fillet_point(end * n / points));
+  form_radius_ = std::hypot(fillet_.back().x, fillet_.back().y);
 }
 
 ToothLoad ToothProfile::load_at(double rho) const {
@@ -112,6 +136,17 @@ std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
 double tooth_thickness(const SpurGearPair& pair, double profile_shift) {
   const double m = pair.module_length;
   return 0.5 * pi * m + 2.0 * profile_shift * m * std::tan(pair.pressure_angle) - thinning(pair);
+}
+
+double tooth_thickness_at(double radius, const SpurGear& gear, const SpurGearPair& pair, double profile_shift) {
+  const double reference = 0.5 * gear.teeth * pair.module_length, base = reference * std::cos(pair.pressure_angle);
+  return 2.0 * radius *
+         (tooth_thickness(pair, profile_shift) / (2.0 * reference) + involute(pair.pressure_angle) -
+          involute(std::acos(base / radius)));
+}
+
+double standard_root_radius(const SpurGear& gear, const SpurGearPair& pair, double profile_shift) {
+  return (0.5 * gear.teeth - 1.25 + profile_shift) * pair.module_length;
 }
 
 double sum_of_profile_shifts(const SpurGearPair& pair) {

@@ -7,7 +7,10 @@
 #include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
+#include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/gear/tooth_space.hpp"
+#include "gearfilm/input/case_checks.hpp"
 #include "gearfilm/input/case_file.hpp"
 #include "gearfilm/input/case_lubricant.hpp"
 #include "gearfilm/input/case_numerics.hpp"
@@ -81,7 +84,7 @@ ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction&
 
 // w* = T_g1/R_b1, or its equivalent point load (27).
 double reference_load(const Case& gear_case, const ContactSolids& solids) {
-  const double tooth_force = gear_case.pair.torque / gear_case.pair.line->base_radius_pinion();
+  const double tooth_force = gear_case.pair.tooth_force;
   if (gear_case.parameters.text("gear.load_model") == "point") return tooth_force;
   const double face_width = gear_case.pair.gears->face_width;
   return equivalent_point_load(
@@ -98,9 +101,11 @@ ReferenceContact set_gear_pair(Case& result) {
   const ParameterValues& values = result.parameters;
   result.pair.gears = read_gear_pair(values);
   result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
+  in_file_of(values, [&] { check_tooth_space(*result.pair.gears, *result.pair.line); });
   result.pair.teeth = in_file_of(values, [&] { return read_teeth(values, *result.pair.gears, *result.pair.line); });
   result.pair.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
   result.pair.torque = values.real("pinion.torque");
+  result.pair.tooth_force = result.pair.torque / result.pair.line->base_radius_pinion();
   result.pair.equivalent_mass = read_equivalent_mass(values, *result.pair.line);
   if (values.has("pinion.inertia")) {
     result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
@@ -136,18 +141,6 @@ ReferenceContact read_bare_contact(const ParameterValues& values) {
                      .reduced_modulus = read_reduced_modulus(values)},
           .operation = {.load = values.real("contact.load"),
                         .entrainment_velocity = values.real("contact.entrainment_velocity")}};
-}
-
-// Hertz's theory is for small strains, which are of the order of p_h/E'.
-void check_strain(const Scales& scales) {
-  constexpr double largest = 0.1;
-  const double strain = scales.hertz.pressure / scales.solids.reduced_modulus;
-  if (strain <= largest) return;
-  std::ostringstream message;
-  message << "the Hertz pressure is " << scales.hertz.pressure * 1e-9 << " GPa, " << strain
-          << " of the reduced modulus: no elastic contact carries it; lower the load of " << scales.operation.load
-          << " N (torque in N m, forces in N, lengths in m), or raise the moduli or radii";
-  throw InputError(message.str());
 }
 
 // The folder of the results is named after the case.
@@ -290,6 +283,7 @@ std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values)
 
 void set_march(Case& result) {
   const ParameterValues& values = result.parameters;
+  result.pair.stiffness = pitch_stiffness(result.scales, *result.pair.line, result.pair.teeth);
   result.march.start_position = read_start_position(result);
   result.march.model = read_model(values.text("model"));
   result.march.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
@@ -338,7 +332,7 @@ Case make_case(const ParameterValues& values) {
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
-    check_strain(result.scales);
+    check_strain(result);
   });
   result.traction = read_traction(values);
   result.thermal_oil = read_thermal_oil(values);
@@ -352,6 +346,7 @@ Case make_case(const ParameterValues& values) {
     set_march(result);
   }
   result.run.directory = values.text("output.dir");
+  in_file_of(values, [&] { check_loads(result); });
   return result;
 }
 

@@ -115,9 +115,7 @@ SlightlyCoarser slightly_coarser(const NumericsCase& numerics) {
 }
 
 double natural_period(const Case& problem) {
-  const double stiffness = in_series(contact_stiffness(problem.scales.operation.load, problem.scales.hertz.approach),
-                                     problem.pair.teeth.compliance(0.0));
-  return 1.0 / (natural_frequency(stiffness, *problem.pair.equivalent_mass) * problem.scales.time);
+  return 1.0 / natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
 
 double largest_speed_ratio(const ParameterValues& values) {

@@ -17,8 +17,19 @@ SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
   return discretise(Grid(comm, case_grid(problem)), problem.scales);
 }
 
+void require_tooth_force(const Case& problem, const std::string& what) {
+  const std::string name = "gear.load_model";
+  if (!problem.pair.line || problem.parameters.text(name) == "point") return;
+  throw InputError(
+      problem.parameters.origin(name) + ": '" + name + "' is line_equivalent, with which the contact carries " +
+      format_value(problem.scales.operation.load) + " N in the place of the tooth's " +
+      format_value(problem.pair.tooth_force) + " N, but " + what + " needs the whole force; set it to point");
+}
+
 void require_inertia(const Case& problem) {
-  if (problem.pair.line && (problem.pair.equivalent_mass || problem.march.model == MarchModel::quasistatic)) return;
+  const bool quasi_static = problem.march.model == MarchModel::quasistatic;
+  if (!quasi_static) require_tooth_force(problem, "the motion of the pair");
+  if (problem.pair.line && (problem.pair.equivalent_mass || quasi_static)) return;
   throw InputError("the case '" + problem.name +
                    "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
                    "wheel.inertia, of a gear pair");
@@ -75,6 +86,8 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, c
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
           .load = problem.march.load,
           .teeth = problem.pair.teeth,
+          .stiffness = problem.pair.stiffness,
+          .tooth_force = problem.pair.tooth_force,
           .traction = problem.traction,
           .roughness = problem.roughness,
           .friction_in_motion = friction_in_motion(problem),

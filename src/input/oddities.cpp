@@ -1,12 +1,13 @@
 // What is usual: steel gears of machines under mineral and synthetic oils, and the grids that resolve their films.
 #include "gearfilm/input/oddities.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/gear/tooth_profile.hpp"
+#include "gearfilm/gear/tooth_space.hpp"
 #include "gearfilm/input/case_numerics.hpp"
 
 namespace gearfilm {
@@ -79,7 +80,7 @@ void compare_contact(const Scales& scales, Oddities& found) {
 void compare_gears(const Case& problem, Oddities& found) {
   const LineOfAction& line = *problem.pair.line;
   const double pitch_radius = line.base_radius_pinion() / std::cos(line.working_pressure_angle());
-  compare(problem.pair.pinion_speed * pitch_radius,
+  compare(problem.pair.pinion_speed * largest_speed_ratio(problem.parameters) * pitch_radius,
           {"the pitch-line velocity", "m/s", 0, 200, "", "faster than any gear runs"}, found);
   compare(sum_of_profile_shifts(*problem.pair.gears),
           {"the sum of the profile shifts", "modules", -1.5, 3, "is gear.centre_distance that of these teeth?",
@@ -92,19 +93,86 @@ void compare_gears(const Case& problem, Oddities& found) {
           found);
 }
 
-/// m_ge beside that of two steel discs of the face width on the base circles.
+/// m_ge, and inertias that are given, beside those of two steel discs of the face width on the base circles.
 void compare_mass(const Case& problem, Oddities& found) {
   constexpr double steel = 7850.0;  // [kg/m^3]
-  const double r1 = problem.pair.line->base_radius_pinion(), r2 = problem.pair.line->base_radius_wheel();
-  const auto inertia = [&](double r) {
+  const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
+  const auto disc = [&](double r) {
     return 0.5 * std::numbers::pi * steel * problem.pair.gears->face_width * r * r * r * r;
   };
-  const double discs = equivalent_mass(*problem.pair.line, inertia(r1), inertia(r2));
+  const std::array<const char*, 2> names = {"pinion.inertia", "wheel.inertia"};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!problem.parameters.has(names[k])) continue;
+    compare(problem.parameters.real(names[k]),
+            {std::string("'").append(names[k]).append("'"), "kg m^2", disc(radii[k]) / 50, disc(radii[k]) * 50,
+             "less than a fiftieth of that of a steel disc on the base circle",
+             "more than 50 times that of a steel disc on the base circle; is it in kg m^2?"},
+            found);
+  }
+  const double discs = equivalent_mass(*problem.pair.line, disc(radii[0]), disc(radii[1]));
   compare(*problem.pair.equivalent_mass,
           {"the equivalent mass", "kg", discs / 50, discs * 50,
            "less than a fiftieth of that of steel discs on the base circles",
            "more than 50 times that of steel discs on the base circles"},
           found);
+}
+
+void compare_teeth(const Case& problem, Oddities& found) {
+  const SpurGearPair& pair = *problem.pair.gears;
+  const double m = pair.module_length;
+  const auto in_modules = [&](const std::string& name, double largest, const std::string& question) {
+    if (!problem.parameters.has(name)) return;
+    compare(std::abs(problem.parameters.real(name)) / m, {"'" + name + "'", "modules", 0, largest, "", question},
+            found);
+  };
+  in_modules("gear.backlash", 0.2, "more than gears have; is it in m?");
+  for (const std::string gear : {"pinion.", "wheel."}) {
+    for (const char* key : {"crowning", "tip_relief", "root_relief", "profile_slope", "profile_crowning"}) {
+      in_modules(gear + key, 0.1, "more than flanks are modified by; is it in m?");
+    }
+  }
+  const ToothSpace space = tooth_space(pair, *problem.pair.line);
+  if (space.implied_backlash) {
+    compare(*space.implied_backlash / m,
+            {"the backlash that both profile shifts imply at gear.centre_distance", "modules", -0.02, 0.2,
+             "the teeth are thicker than the spaces of their mates", "is gear.centre_distance that of these teeth?"},
+            found);
+  }
+  for (int k = 0; k < 2; ++k) {
+    const std::string tips = k == 0 ? "pinion" : "wheel", roots = k == 0 ? "wheel" : "pinion";
+    compare(space.tip_clearance[k] / m,
+            {"the clearance between tips of the " + tips + " and assumed roots of the " + roots, "modules", 0, HUGE_VAL,
+             "tips would dig into a root that a standard rack has cut; give " + roots + ".root_radius", ""},
+            found);
+  }
+  compare(problem.pair.tooth_force * problem.pair.teeth.compliance(0.0) / m,
+          {"the deflection of the teeth under the static force", "modules", 0, 0.1, "",
+           "more than gears bear; are compliances in m/N?"},
+          found);
+}
+
+/// Teeth whose foot the rack has cut away are computed as long as their active flank is whole.
+void say_undercut(const Case& problem, Oddities& found) {
+  const std::string& kind = problem.parameters.text("gear.tooth_compliance");
+  if (kind != "weber" && kind != "sainsot") return;
+  const SpurGearPair& pair = *problem.pair.gears;
+  const std::array<double, 2> shifts = profile_shifts(pair);
+  for (int k = 0; k < 2; ++k) {
+    const std::string name = k == 0 ? "pinion" : "wheel";
+    const ToothProfile profile(k == 0 ? pair.pinion : pair.wheel, pair, shifts[k], name);
+    if (!profile.undercut()) continue;
+    found.push_back("the rack undercuts the teeth of the " + name + ": their involute begins " +
+                    in_words(1e6 * (profile.form_radius() - profile.base_radius()), "um") +
+                    " above the base circle, below the active flank, which is whole");
+  }
+}
+
+void say_load_model(const Case& problem, Oddities& found) {
+  if (problem.parameters.text("gear.load_model") == "point") return;
+  found.push_back("'gear.load_model' is line_equivalent: the contact carries " +
+                  in_words(problem.scales.operation.load, "N") + " in the place of the tooth's " +
+                  in_words(problem.pair.tooth_force, "N") +
+                  ", and its forces are of that; powers and heats are those of the whole tooth");
 }
 
 void compare_steps(const Case& problem, Oddities& found) {
@@ -143,7 +211,10 @@ std::vector<std::string> oddities(const Case& problem) {
   compare_parameters(problem.parameters, found);
   compare_contact(problem.scales, found);
   if (problem.kind == CaseKind::gear_pair) {
+    say_load_model(problem, found);
     compare_gears(problem, found);
+    compare_teeth(problem, found);
+    say_undercut(problem, found);
     if (problem.pair.equivalent_mass) compare_mass(problem, found);
     compare_steps(problem, found);
   }

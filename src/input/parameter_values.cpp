@@ -22,15 +22,15 @@ void ParameterValues::set(const std::string& name, const std::string& text, cons
 }
 
 void ParameterValues::complete() {
-  if (!has("case.kind")) set("case.kind", find_parameter("case.kind")->fallback, "default");
+  if (!has("case.kind")) set("case.kind", find_parameter("case.kind")->fallback, by_default);
   check_scope();
   for (const Parameter& parameter : parameter_table()) {
     if (parameter.presence == Presence::preset && !has(parameter.name) && in_scope(parameter))
-      set(parameter.name, parameter.fallback, "default");
+      set(parameter.name, parameter.fallback, by_default);
   }
   check_required();
   if (!has("case.name")) set("case.name", std::filesystem::path(file_).stem().string(), "name of the case file");
-  if (!has("output.dir")) set("output.dir", "output/" + text("case.name"), "default");
+  if (!has("output.dir")) set("output.dir", "output/" + text("case.name"), by_default);
 }
 
 Scope ParameterValues::scope() const { return text("case.kind") == "contact" ? Scope::contact : Scope::gear_pair; }

@@ -1,5 +1,8 @@
 #include "gearfilm/parallel/petsc.hpp"
 
+#include <sys/resource.h>
+
+#include <new>
 #include <string>
 
 namespace gearfilm {
@@ -23,6 +26,15 @@ std::string text_of(PetscErrorCode (*message_of)(PetscErrorCode, const char*[], 
   return message;
 }
 
+/// PETSc returns codes that it does not know itself where it cannot allocate (3.18): so, where a limit is set.
+bool lacks_memory(PetscErrorCode code) {
+  if (code == PETSC_ERR_MEM) return true;
+  const char* text = nullptr;
+  PetscErrorMessage(code, &text, nullptr);
+  rlimit limit{};
+  return !text && getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 }  // namespace
 
 PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
@@ -33,6 +45,7 @@ PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
 void petsc_check(PetscErrorCode code) {
   if (code == PETSC_SUCCESS) return;
   if (std::exception_ptr exception = std::exchange(kept_exception(), nullptr)) std::rethrow_exception(exception);
+  if (lacks_memory(code)) throw std::bad_alloc();
   throw PetscFailure("PETSc error " + std::to_string(static_cast<int>(code)) + text_of(PetscErrorMessage, code));
 }
 

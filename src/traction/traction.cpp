@@ -149,6 +149,14 @@ Traction summed(const TractionModel& model, const ContactFilm& film, const Surfa
 
 }  // namespace
 
+TractionFigures with_powers_times(double factor, TractionFigures figures) {
+  for (double* power :
+       {&figures.power_sliding, &figures.power_rolling, &figures.heat_pinion, &figures.heat_wheel, &figures.heat_oil}) {
+    *power *= factor;
+  }
+  return figures;
+}
+
 Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
   if (!model.heat) return summed(model, film, velocities, isothermal_film(model, film, velocities));
   return summed(model, film, velocities, agreed(film, [&] { return heated_film(model, film, velocities); }));

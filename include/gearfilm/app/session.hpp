@@ -31,4 +31,8 @@ private:
   MPI_Comm ending_ = MPI_COMM_NULL;  ///< of all processes, used by end_together() alone
 };
 
+/// Throws OutputError on all processes where what was printed did not reach standard output: a full disk behind it.
+/// Collective.
+void require_standard_output(MPI_Comm comm);
+
 }  // namespace gearfilm

@@ -35,8 +35,9 @@ public:
   /// most. figures: of the films at T0.
   void coast(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
-  /// Where the flanks of a guess at T1 have parted since the last state, at T0, so far that ellipses draw back by much of
-  /// a cell: pressures of the guess as those of Hertz contacts that shrink so. figures: of the films of the last state.
+  /// Where the flanks of a guess at T1 have parted since the last state, at T0, so far that ellipses draw back by much
+  /// of a cell: pressures of the guess as those of Hertz contacts that shrink so. figures: of the films of the last
+  /// state.
   void follow_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
   /// Puts every contact where it is at time T.

@@ -31,6 +31,8 @@ struct MeshModel {
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
+  double stiffness = 0.0;                             ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
+  double tooth_force = 0.0;                           ///< T_g1/R_b1, which the reference load stands for [N]
   std::optional<TractionModel> traction{};            ///< absent: no friction is computed
   std::optional<double> roughness{};                  ///< of both flanks together [m]
   std::optional<InertiaShares> friction_in_motion{};  ///< absent: friction does not act on the motion
@@ -53,17 +55,10 @@ struct MeshModel {
   double period() const { return periods() * path.mesh_period(); }
   double next_period(double T) const { return period() * std::ceil(T / period() - 1e-9); }
 
-  /// dF/d(-H_0) of the contact at the pitch point under the static force, teeth included [-].
-  double stiffness() const {
-    return in_series(contact_stiffness(scales.static_force, scales.approach),
-                     teeth.compliance(0.0) * compliance_scale());
-  }
-  /// The same, k_el [N/m].
-  double stiffness_si() const {
-    return in_series(contact_stiffness(scales.operation.load, scales.hertz.approach), teeth.compliance(0.0));
-  }
+  /// The stiffness of the dry mesh at the pitch point, k_el [N/m].
+  double stiffness_si() const { return scales.force(stiffness) / scales.thickness; }
   /// f_n of the pair on that stiffness [1/t*].
-  double frequency() const { return natural_frequency(stiffness(), inertia); }
+  double frequency() const { return natural_frequency(stiffness, inertia); }
   /// The same [Hz].
   double frequency_si() const { return frequency() / scales.time; }
   /// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
@@ -76,8 +71,10 @@ struct MeshModel {
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
 
-  /// By the static force [W].
-  double transmitted_power() const { return scales.operation.load * path.line().travel_velocity(path.pinion_speed()); }
+  /// By the tooth force [W].
+  double transmitted_power() const { return tooth_force * path.line().travel_velocity(path.pinion_speed()); }
+  /// Of the tooth force over the reference load: 1 but for a point load that stands for a line contact.
+  double load_factor() const { return tooth_force / scales.operation.load; }
 
   /// [N/m]: c[-] = c[m/N] p_h R_x*.
   double compliance_scale() const { return scales.pressure * scales.solids.radius_x; }

@@ -31,6 +31,10 @@ struct StaticMesh {
   double effective_contact_ratio = 0.0;  ///< contacts that carry, on the average
 };
 
+/// dF/d(-H_0) of the dry mesh where a contact is at the pitch point, under the static force: all contacts that there
+/// are, bending included, without pitch errors [-]. Throws SolveError where nothing carries the load.
+double pitch_stiffness(const Scales& scales, const LineOfAction& line, const Teeth& teeth);
+
 /// By which an entering contact meets its mate at once under a load, both [-]; negative: a gap. Absent where contacts
 /// enter as others leave.
 std::optional<double> entry_penetration(const MeshModel& mesh, double load);

@@ -1,4 +1,5 @@
-// Tooth stiffness by ISO 6336-1, method B, for comparison: of steel gears, line contact and standard bodies included.
+// Tooth stiffness by ISO 6336-1, method B, for comparison: line contact and standard bodies included. The constants of
+// q' are those of steel; other materials count by their modulus, E = 2 E_1 E_2/(E_1 + E_2) over 206 GPa.
 #pragma once
 
 #include "gearfilm/gear/tooth_profile.hpp"
@@ -10,7 +11,7 @@ struct IsoStiffness {
   double mesh = 0.0;    ///< c_gamma, the mean over the mesh, times the face width [N/m]
 };
 
-/// c' = 0.8/q', c_gamma = c' (0.75 eps + 0.25), q' by numbers of teeth and profile shifts.
+/// c' = 0.8/q' E/E_steel, c_gamma = c' (0.75 eps + 0.25), q' by numbers of teeth and profile shifts.
 IsoStiffness iso_stiffness(const SpurGearPair& pair, double contact_ratio);
 
 }  // namespace gearfilm

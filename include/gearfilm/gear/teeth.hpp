@@ -40,10 +40,13 @@ class Teeth {
 public:
   /// Rigid perfect involutes.
   Teeth() = default;
-  /// Throws InputError where reliefs are longer than the active flanks, errors are not one a tooth, or the bodies give
-  /// way to a neighbour's force more than to the tooth's own.
+  /// Throws InputError where reliefs are longer than the active flanks or leave no tooth, errors are not one a tooth or
+  /// as large as half a pitch, or the bodies give way to a neighbour's force more than to the tooth's own.
   Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<GearFlanks, 2> flanks,
         const ComplianceOptions& compliance, ProfileAction action = ProfileAction::offset);
+
+  /// The same without pitch errors.
+  Teeth without_pitch_errors() const;
 
   bool perfect() const { return perfect_; }
   bool rigid() const { return rigid_; }

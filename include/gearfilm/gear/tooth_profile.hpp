@@ -28,14 +28,16 @@ struct ToothLoad {
 
 class ToothProfile {
 public:
-  /// Of a gear of the pair, with the profile shift x. Throws InputError, naming the gear, where rack and root radius do
-  /// not go together or the tooth is undercut.
+  /// Of a gear of the pair, with the profile shift x. Where the rack undercuts the tooth, the fillet ends where it cuts
+  /// the involute. Throws InputError, naming the gear, where rack and root radius do not go together, or nothing of the
+  /// involute is left.
   ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, std::string name);
 
   double base_radius() const { return base_radius_; }          ///< R_b [m]
   double root_radius() const { return root_radius_; }          ///< r_f [m]
   double root_half_angle() const { return root_half_angle_; }  ///< theta_f [rad]
   double form_radius() const { return form_radius_; }          ///< where fillet and involute meet [m]
+  bool undercut() const { return undercut_; }                  ///< the rack took the foot of the involute away
   double hob_tip_radius() const {
     return hob_tip_radius_;
   }                                                ///< rho_f [m]; smaller than asked for, where that does not fit
@@ -49,6 +51,8 @@ public:
 private:
   double half_angle(double radius) const;
   void generate_fillet(const SpurGearPair& pair, double profile_shift, double root_radius);
+  OutlinePoint fillet_point(double u) const;
+  void end_fillet_on_involute(double last);
 
   std::string name_;
   int teeth_;
@@ -59,12 +63,24 @@ private:
   double root_radius_ = 0.0;
   double root_half_angle_ = 0.0;
   double form_radius_ = 0.0;
+  bool undercut_ = false;
   double hob_tip_radius_ = 0.0;
+  // Of the rack's tip: depth D of the centre of its rounding below the reference circle, its distance e_c from the
+  // middle of the tip, and what the backlash takes of the tooth's half angle.
+  double rack_depth_ = 0.0;
+  double rack_offset_ = 0.0;
+  double slack_ = 0.0;
   std::vector<OutlinePoint> fillet_;
 };
 
 /// s of a tooth on the reference circle with the profile shift x, less its half of the pair's backlash [m].
 double tooth_thickness(const SpurGearPair& pair, double profile_shift);
+
+/// s(r) of that tooth at a radius [m].
+double tooth_thickness_at(double radius, const SpurGear& gear, const SpurGearPair& pair, double profile_shift);
+
+/// r_f [m] of a gear that a rack with a dedendum of 1.25 m_n has cut with the profile shift x.
+double standard_root_radius(const SpurGear& gear, const SpurGearPair& pair, double profile_shift);
 
 /// x_1 + x_2 that leave no backlash at the centre distance.
 double sum_of_profile_shifts(const SpurGearPair& pair);

@@ -32,8 +32,10 @@ struct PairCase {
   std::optional<SpurGearPair> gears;  ///< absent for a bare contact
   std::optional<LineOfAction> line;
   Teeth teeth;
+  double stiffness = 0.0;                 ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
   double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
   double torque = 0.0;                    ///< T_g1 on the pinion [N m]
+  double tooth_force = 0.0;               ///< T_g1/R_b1 [N]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
   std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
 };

@@ -6,6 +6,9 @@
 
 namespace gearfilm {
 
+/// Throws InputError where the contact carries a point load that stands for a line contact, and not the tooth force.
+void require_tooth_force(const Case& problem, const std::string& what);
+
 /// The grid of a case.
 GridShape case_grid(const Case& problem);
 /// What all films of a case share. Collective.

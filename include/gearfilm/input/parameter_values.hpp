@@ -33,6 +33,8 @@ public:
 
   const std::string& file() const { return file_; }
   bool has(const std::string& name) const { return entries_.contains(name); }
+  /// Whether the case or the command line says it, if only what is the default.
+  bool given(const std::string& name) const { return has(name) && origin(name) != by_default; }
   /// The values, and where one came from. Only for parameters that have a value of that type.
   int integer(const std::string& name) const { return std::get<int>(entries_.at(name).value); }
   double real(const std::string& name) const { return std::get<double>(entries_.at(name).value); }
@@ -56,6 +58,8 @@ private:
   void check_required() const;
   Scope scope() const;
   bool in_scope(const Parameter& parameter) const;
+
+  static constexpr const char* by_default = "default";  ///< origin of a value that nobody gave
 
   std::string file_;
   std::map<std::string, Entry> entries_;

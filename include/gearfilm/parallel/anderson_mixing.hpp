@@ -14,8 +14,7 @@ namespace gearfilm {
 class AndersonMixing {
 public:
   /// At most `depth` differences are kept; relaxation: b.
-  AndersonMixing(MPI_Comm comm, int depth, double relaxation)
-      : comm_(comm), depth_(depth), relaxation_(relaxation) {}
+  AndersonMixing(MPI_Comm comm, int depth, double relaxation) : comm_(comm), depth_(depth), relaxation_(relaxation) {}
 
   /// The change x' - x from x and f, of which each process has its own entries; entries count by the squares of their
   /// size. Collective.

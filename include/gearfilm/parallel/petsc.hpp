@@ -34,7 +34,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws PetscFailure, or the exception that a callback left behind, unless code is PETSC_SUCCESS.
+/// Throws PetscFailure, std::bad_alloc where memory is short, or the exception that a callback left behind, unless code is
+/// PETSC_SUCCESS.
 void petsc_check(PetscErrorCode code);
 
 /// Keeps an exception until control is back on our side of PETSc.

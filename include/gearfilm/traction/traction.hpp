@@ -31,6 +31,9 @@ struct TractionFigures {
   double heat_balance = 0.0;  ///< what is generated and goes nowhere, over what is generated [-]
 };
 
+/// With powers and heats so many times as large: of a whole tooth whose contact carries a part of its force.
+TractionFigures with_powers_times(double factor, TractionFigures figures);
+
 struct Traction {
   TractionFigures figures;
   TractionFields fields;
