@@ -54,12 +54,20 @@ def _text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def _is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
 def _parameter(text):
     word, _, unit = text.partition(" ")
-    try:
+    # A list of numbers is text: no unit is a number.
+    if _is_number(word) and not any(map(_is_number, unit.split())):
         return Parameter(float(word), unit)
-    except ValueError:
-        return Parameter(text, "")
+    return Parameter(text, "")
 
 
 class RunFolder:
