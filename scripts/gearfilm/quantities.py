@@ -105,7 +105,7 @@ back_contact | | whether back flanks touch
 transmission_error_peak_to_peak | m | transmission error, largest less smallest
 transmission_error_rms | m | transmission error, root mean square of its deviation from the mean
 floquet_modulus | - | what a disturbance keeps over one mesh period
-stable | | whether that is below 1
+stable | | whether disturbances die away: floquet_modulus below 1
 free_frequency | Hz | free oscillation about the periodic state
 damping_ratio | - | damping ratio of the free oscillation
 efficiency | - | power that goes through over the power that goes in

@@ -176,7 +176,8 @@ TEST(CommandLine, is_checked_like_the_file) {
   expect_words(error_with("-grid_nz", "65"), {"unknown option '-grid_nz 65'", "did you mean '-grid_nx'"});
   expect_words(error_with("-nx", "65"), {"unknown option '-nx 65'", "did you mean '-grid_nx'"});
   expect_words(error_with("--grid_nx", "65"), {"unknown option", "did you mean '-grid_nx'"});
-  expect_words(error_with("-grid_nx=65", ""), {"unknown option '-grid_nx=65'", "did you mean '-grid_nx 65', with a blank"});
+  expect_words(error_with("-grid_nx=65", ""),
+               {"unknown option '-grid_nx=65'", "did you mean '-grid_nx 65', with a blank"});
   expect_words(error_with("-GRID_nz=65", "-grid_ny"), {"'-GRID_nz=65 -grid_ny'", "did you mean '-grid_nx 65'"});
   expect_words(error_with("-ksp_rtol=1e-3", ""), {"did you mean '-ksp_rtol 1e-3'"});
   expect_words(error_with("-sweep_values=1, 2", ""), {"did you mean '-sweep_values \"1, 2\"'"});
