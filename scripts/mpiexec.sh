@@ -10,8 +10,7 @@ processes=$1
 shift
 if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 
-# One processor of every core that this process may use. Open MPI by itself asks for none of them in particular, and
-# gives those of two runs the same.
+# One processor of every core that this process may use. Open MPI by itself heeds neither taskset nor other runs.
 usable_cores() {
   local allowed
   allowed=$(sed -n 's/^Cpus_allowed_list:[[:space:]]*//p' /proc/self/status)

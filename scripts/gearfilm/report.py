@@ -150,8 +150,8 @@ def convergence(run):
 
 def kinds(run):
     """The figures of a run: those of its command, and a film where a march has stored some."""
-    usual = usual_kinds(run.command)
-    return [*usual, "film"] if run.command == "transient" and run.films() else usual
+    usual = [kind for kind in usual_kinds(run.command) if kind != "film"]
+    return [*usual, "film"] if run.stores_films() else usual
 
 
 def figures(run):

@@ -169,6 +169,10 @@ class Report(ProgramTest):
         numpy.testing.assert_array_equal(elsewhere.axes[2].lines[0].get_ydata(), nearest.pressure[:, middle])
         self.assertNotEqual(nearest.xi, film.xi)
         self.assertEqual(page(run).count("<img "), 3)
+        with self.subTest("dry states have none"):
+            self.run_well("periodic", BARBIERI, *DRY, "-output_dir", "dry")
+            text = page(gearfilm.open(self.folder / "dry"))
+            self.assertEqual((text.count("<img "), text.count("stores no films")), (2, 0))
 
     @unittest.skipUnless(shutil.which("chromium"), "no chromium on this machine")
     def test_a_page_is_as_wide_as_a_telephone(self):

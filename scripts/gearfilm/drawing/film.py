@@ -38,10 +38,9 @@ def half_axes(x, y, domains):
 def read_marched(folder, place):
     """The stored film of a march that is nearest to a place on the line of action [mm]; None where it stores none."""
     run = RunFolder(folder)
-    films = [film for film in run.films() if numpy.isfinite(film.time)]
-    if not films:
+    if not run.stores_films():
         return None
-    film = min(films, key=lambda film: abs(film.xi - place))
+    film = run.film(place)
     names = ("x_min", "x_max", "y_half")
     domains = [[float(run.attributes[name]) for name in names]] if set(names) <= set(run.attributes) else []
     final = run.summary.get("final_grid")
