@@ -16,7 +16,11 @@ be made or a file not be written.
 import argparse
 import collections
 
-import h5py
+from gearfilm import packages
+
+packages.go_on_with(packages.TABLES, "catalogue_runs")
+# pylint: disable=wrong-import-position
+import h5py  # noqa: E402
 
 from catalogue import add_arguments, write_pair
 from runs import attempt, one_line_errors

@@ -2,12 +2,11 @@
 # Builds gearfilm where needed and computes the case study of Barbieri, Lubrecht, Pellicano 2013: the stationary film
 # at the pitch point, the first two mesh periods from there, their figures, and a table beside the paper's values.
 #   scripts/demo.sh [FOLDER]              results go to FOLDER; output/demo by default
-# PYTHON names the Python with h5py and matplotlib; Debian's own by default.
+# PYTHON names the Python with h5py and matplotlib; by default one that has them (scripts/python.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=${1:-output/demo}
 case_file=input/barbieri2013.yaml
-python=${PYTHON:-/usr/bin/python3}
 gearfilm=build/release/bin/gearfilm
 
 cores=$(nproc)
@@ -28,9 +27,9 @@ wide=(-grid_nx 145 -grid_ny 81 -grid_x_min -2.25 -grid_x_max 1.5 -grid_y_half 1.
 echo "demo: gearfilm info, steady and transient on $case_file, $processes process(es)"
 run info >/dev/null
 run steady
-"$python" scripts/plot_film.py "$folder/steady"
+scripts/python.sh scripts/plot_film.py "$folder/steady"
 run transient "${wide[@]}" -time_dt 0.026 -mesh_periods 2
-"$python" scripts/plot_march.py "$folder/transient"
+scripts/python.sh scripts/plot_march.py "$folder/transient"
 
 echo
-"$python" scripts/report.py "$folder"
+scripts/python.sh scripts/report.py "$folder"

@@ -12,5 +12,5 @@ export GEARFILM_RUNNER="valgrind --quiet --error-exitcode=99 --leak-check=full -
   --show-leak-kinds=definite,possible --num-callers=40 --suppressions=$PWD/tests/suppressions/valgrind.supp"
 export OMPI_MCA_mpi_yield_when_idle=1
 grep -o '\<test_\w*' tests/cli/short_test.py |
-  xargs -P "$(nproc)" -I{} /usr/bin/python3 -B tests/cli/short_test.py Short.{}
+  xargs -P "$(nproc)" -I{} scripts/python.sh -B tests/cli/short_test.py Short.{}
 echo "memcheck: no findings"

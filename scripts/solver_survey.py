@@ -20,8 +20,12 @@ import csv
 import itertools
 import pathlib
 
-import h5py
-import numpy
+from gearfilm import packages
+
+packages.go_on_with(packages.TABLES, "solver_survey")
+# pylint: disable=wrong-import-position
+import h5py  # noqa: E402
+import numpy  # noqa: E402
 
 from catalogue import SEED, write_pair
 from contacts import case_text

@@ -143,6 +143,7 @@ class Release(unittest.TestCase):
         for name, pattern, expected in (("CITATION.cff", r"^version: (\S+)$", version),
                                         ("CHANGELOG.md", r"^## (\S+)", version),
                                         ("docs/examples/CMakeLists.txt", r"^find_package\(gearfilm (\S+) ", minor),
+                                        ("docs/examples/README.md", r"`find_package\(gearfilm (\S+)\)`", minor),
                                         ("docs/user-guide.md", r"^find_package\(gearfilm (\S+) ", minor)):
             found = re.search(pattern, read(SOURCE / name), re.MULTILINE)
             self.assertEqual(found and found[1], expected, name)

@@ -12,12 +12,20 @@
     python3 -m gearfilm report FOLDER                   one HTML page
     python3 -m gearfilm plot KIND FOLDER                a figure, PNG and PDF
 """
-from .folder import Film, Parameter, ResultsError, RunFolder
-from .running import run
+import importlib
 
-__all__ = ["Film", "Parameter", "ResultsError", "RunFolder", "open", "run"]
+# Found when they are asked for: a Python that lacks a package can then say so (packages).
+_HOMES = {"Film": "folder", "Parameter": "folder", "ResultsError": "folder", "RunFolder": "folder", "run": "running"}
+
+__all__ = ["open", *_HOMES]  # pylint: disable=undefined-all-variable
+
+
+def __getattr__(name):
+    if name not in _HOMES:
+        raise AttributeError(f"module 'gearfilm' has no attribute '{name}'")
+    return getattr(importlib.import_module(f".{_HOMES[name]}", __name__), name)
 
 
 def open(folder):  # pylint: disable=redefined-builtin
     """The results in the folder of a run."""
-    return RunFolder(folder)
+    return __getattr__("RunFolder")(folder)

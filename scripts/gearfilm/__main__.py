@@ -6,10 +6,13 @@ import argparse
 import pathlib
 import sys
 
-from . import drawing
-from .export import export, list_tables
-from .folder import ResultsError, RunFolder
-from .report import write_report
+from . import packages
+
+packages.require(packages.TABLES, "gearfilm")
+# pylint: disable=wrong-import-position
+from . import drawing  # noqa: E402
+from .export import export, list_tables  # noqa: E402
+from .folder import ResultsError, RunFolder  # noqa: E402
 
 
 def export_command(arguments):
@@ -27,11 +30,14 @@ def export_command(arguments):
 
 def report_command(arguments):
     """Writes the page."""
+    packages.require(packages.FIGURES, "gearfilm")
+    from .report import write_report  # pylint: disable=import-outside-toplevel
     print(f"report: {write_report(RunFolder(arguments.folder), arguments.output)}")
 
 
 def plot_command(arguments):
     """Writes a figure; its own options come after the folder."""
+    packages.require(packages.FIGURES, "gearfilm")
     drawing.command(arguments.kind, arguments.words, program="gearfilm")
 
 

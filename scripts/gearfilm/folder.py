@@ -54,12 +54,25 @@ def _text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def _is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
 def _parameter(text):
     word, _, unit = text.partition(" ")
-    try:
+    # A list of numbers is text: no unit is a number.
+    if _is_number(word) and not any(map(_is_number, unit.split())):
         return Parameter(float(word), unit)
-    except ValueError:
-        return Parameter(text, "")
+    return Parameter(text, "")
+
+
+def _place_of(contact):
+    """Of the group of a contact: its place on the line of action [mm]."""
+    return 1e3 * float(contact.attrs.get("xi", 0.0))
 
 
 class RunFolder:
@@ -178,18 +191,22 @@ class RunFolder:
     def films(self):
         """All stored films: one of a steady run, or the contacts of all snapshots."""
         with self._open() as results:
-            if "snapshots" not in results:
-                return [self._film(results, name, results[name], float("nan")) for name in results
-                        if name.startswith("contact")]
-            return [self._film(results, name, group, float(moment.attrs["t"]), _text(moment.attrs["mesh"]))
-                    for moment in results["snapshots"].values() for name, group in moment.items()]
+            return [self._film(results, *place) for place in self._stored(results)]
+
+    def stores_films(self):
+        """Whether there is any film; nothing of them is read."""
+        if not self._results.exists():
+            return False
+        with self._open() as results:
+            return any(True for _ in self._stored(results))
 
     def film(self, xi=0.0):
-        """The stored film nearest to a place on the line of action [mm]."""
-        films = self.films()
-        if not films:
-            raise ResultsError(f"{self._results} stores no films; run with -output_snapshot_interval")
-        return min(films, key=lambda film: abs(film.xi - xi))
+        """The stored film nearest to a place on the line of action [mm]; the others are not read."""
+        with self._open() as results:
+            nearest = min(self._stored(results), key=lambda place: abs(_place_of(place[1]) - xi), default=None)
+            if nearest is None:
+                raise ResultsError(f"{self._results} stores no films; run with -output_snapshot_interval")
+            return self._film(results, *nearest)
 
     def fields(self):
         """Films and pressures of all stored films that share a grid, as one xarray.Dataset over (film, x, y) with the
@@ -220,11 +237,21 @@ class RunFolder:
         return drawing.draw(self.folder, kind or usual[0], **options)
 
     @staticmethod
-    def _film(results, name, group, time, mesh=None):
+    def _stored(results):
+        """Name and group of the contact, time and group of the mesh of every stored film."""
+        if "snapshots" not in results:
+            yield from ((name, group, float("nan"), None) for name, group in results.items() if name.startswith("contact"))
+            return
+        for moment in results["snapshots"].values():
+            time, mesh = float(moment.attrs["t"]), _text(moment.attrs["mesh"])
+            yield from ((name, group, time, mesh) for name, group in moment.items())
+
+    @staticmethod
+    def _film(results, name, group, time, mesh):
         place = group if mesh is None else results[mesh]
         thickness, pressure = (group[field] for field in ("H", "P"))
         scale = {"m": 1e6, "Pa": 1e-9}
-        return Film(int(name.removeprefix("contact")), 1e3 * float(group.attrs.get("xi", 0.0)), time,
+        return Film(int(name.removeprefix("contact")), _place_of(group), time,
                     1e3 * place["x"][...], 1e3 * place["y"][...],
                     scale[_text(thickness.attrs["unit"])] * thickness[...],
                     scale[_text(pressure.attrs["unit"])] * pressure[...])

@@ -1,106 +1,162 @@
-"""One HTML page of a run: main figures with errors beside formulas, figures, convergence, timing, how to repeat it.
+"""One HTML page of a run: main figures with errors, pictures, formulas, how to repeat it; the solver's figures below.
 
-The page stands alone: figures are inside it, nothing is fetched when it is opened.
+The page stands alone: pictures are inside it, nothing is fetched when it is opened. Names and units are the manual's.
 """
-import base64
 import html
 import io
 import shlex
 
 import numpy
 
+from . import defaults, markup
 from .drawing import draw, usual_kinds
 from .folder import ResultsError
+from .quantities import INTERNAL, quantity, shown
 
-UNITS = (("h_", 1e6, "µm"), ("transmission_error", 1e6, "µm"), ("te_", 1e6, "µm"), ("p_", 1e-9, "GPa"))
-BARE = {"case", "provenance", "predictions", "search", "points", "periods", "events", "loads", "branches", "stretches"}
-STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 62em; padding: 0 1em; color: #222; }
-h1 { font-size: 1.6em; margin-bottom: 0; } h2 { font-size: 1.15em; border-bottom: 1px solid #ccc; margin-top: 2em; }
-table { border-collapse: collapse; } td, th { padding: .2em .9em .2em 0; text-align: left; vertical-align: top; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; } tr:nth-child(even) { background: #f5f7f9; }
-img { max-width: 100%; } code { background: #f2f2f2; padding: .1em .3em; } .warning { color: #a33d00; }
-@media print { body { margin: 0; max-width: none; } h2 { break-after: avoid; } }
-"""
+BARE = {"case", "provenance", "predictions", "search", "completed", "points", "dry", "final_grid"}
+INPUTS = {"torque", "m_ge", "viscosity", "I_n", "f_n", "order"}     # left out of a list where all rows have the same
+REPEATED = {"value"}                                                # said by another column
+FIRST = ("load_ratio",)                                             # of the columns of a list
+SAME = 1e-9                                                         # relative, of two inputs
+LONGEST_LIST = 60
+DIGITS = 5
+TITLES = {"points": "Points", "periods": "Mesh periods", "events": "Contacts that enter and leave",
+          "contact_losses": "Losses of contact", "spectrum_peaks": "Largest lines of the spectrum of H_0",
+          "loads": "Under every load", "bifurcations": "Bifurcations", "branches": "Branches",
+          "stretches": "Stretches of one stability", "attractors": "Motions that starts lead to"}
+CAPTIONS = {"film": "Film: thickness over the contact, pressure and film along y = 0",
+            "march": "March: motion, forces, pressure and films",
+            "orbit": "Orbit: phase portrait, force over the line of action, spectrum",
+            "sweep": "Sweep: response over what is varied",
+            "branch": "Branches: stable ones full, unstable ones dashed",
+            "static": "Turned slowly: transmission error and its swing, load shares, mesh stiffness",
+            "friction": "Friction: coefficient, losses and temperatures"}
+NO_NUMBER = {True: "yes", False: "no", None: "none"}
 
 
-def _number(value):
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+def _is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def _scaled(name):
-    for beginning, factor, unit in UNITS:
-        if name.startswith(beginning) or f"_{beginning}" in name:
-            return factor, unit
-    return 1.0, ""
+def _text(value, factor=1.0, digits=DIGITS):
+    if isinstance(value, (bool, type(None))):
+        return NO_NUMBER[value]
+    if isinstance(value, int) and factor == 1.0:
+        return str(value)
+    return f"{factor * value:.{digits}g}" if _is_number(value) else str(value)
 
 
-def _rows(rows, headings):
-    lines = ["<table><tr>" + "".join(f"<th>{html.escape(heading)}</th>" for heading in headings) + "</tr>"]
-    for row in rows:
-        cells = "".join(f'<td class="{"text" if n == 0 else "number"}">{html.escape(str(cell))}</td>'
-                        for n, cell in enumerate(row))
-        lines.append(f"<tr>{cells}</tr>")
-    return "\n".join([*lines, "</table>"])
+def _row(name, value, **beside):
+    """Meaning with name, value, unit, other values in this unit by what their names end with."""
+    known = quantity(name)
+    meaning = known.meaning if known else ""
+    numbers = value if isinstance(value, list) else [value]
+    if not all(map(_is_number, numbers)):  # yes, no or a word
+        return [(meaning, name), _text(value), "", *([""] * len(beside))]
+    factor, unit = shown(known.unit if known else "", max(map(abs, numbers), default=0.0))
+    others = [_beside(other, factor, ending) for ending, other in beside.items()]
+    return [(meaning, name), ", ".join(_text(number, factor) for number in numbers), unit, *others]
+
+
+def _beside(value, factor, ending):
+    if value is None:
+        return ""
+    return _text(float(value), factor, 2 if ending == "_error" else DIGITS)
+
+
+def _is_row(summary, name, value):
+    derived = name.endswith(("_error", "_extrapolated")) and name.rpartition("_")[0] in summary
+    numbers = isinstance(value, list) and value and all(map(_is_number, value))
+    return name not in BARE and not derived and (numbers or not isinstance(value, (list, dict)))
 
 
 def main_figures(summary):
-    """Rows of name, value, error, towards finer grids, unit."""
-    rows = []
-    for name, value in summary.items():
-        derived = name.endswith("_error") or name.endswith("_extrapolated")
-        if name in BARE or isinstance(value, (list, dict)) or (derived and name.rpartition("_")[0] in summary):
-            continue
-        if isinstance(value, bool) or value is None or isinstance(value, str):
-            rows.append((name, {True: "yes", False: "no", None: "none"}.get(value, value), "", "", ""))
-            continue
-        factor, unit = _scaled(name)
-        beside = [summary.get(name + ending) for ending in ("_error", "_extrapolated")]
-        rows.append((name, _number(factor * value),
-                     *("" if other is None else _number(float(f"{factor * other:.4g}")) for other in beside), unit))
-    return rows
+    """Headings, and rows of name, value, unit, error, and value that finer grids lead to, as far as there are such."""
+    names = [name for name, value in summary.items() if _is_row(summary, name, value) and name not in INTERNAL]
+    endings = {"error": "_error", "finer grids": "_extrapolated"}
+    endings = {heading: ending for heading, ending in endings.items()
+               if any(summary.get(name + ending) is not None for name in names)}
+    rows = [_row(name, summary[name], **{ending: summary.get(name + ending) for ending in endings.values()})
+            for name in names]
+    return ["figure", "value", "unit", *endings], rows
+
+
+def internal_figures(summary):
+    """Rows of name, value, unit of what tells of the solver and its grid."""
+    return [_row(name, value) for name, value in summary.items()
+            if _is_row(summary, name, value) and name in INTERNAL]
 
 
 def formulas(summary):
     """Rows of the film formulas and the like."""
-    rows = []
-    for name, value in summary.get("predictions", {}).items():
-        if isinstance(value, (int, float)):
-            factor, unit = _scaled(name)
-            rows.append((name, _number(factor * value), unit))
-    return rows
+    return [_row(name, value) for name, value in summary.get("predictions", {}).items() if _is_number(value)]
 
 
-def lists(summary):
-    """The lists of a summary whose entries have names: one table each."""
-    for name, entries in summary.items():
+def _all_the_same(values):
+    return len(values) > 1 and all(_is_number(value) for value in values) and \
+        max(values) - min(values) <= SAME * max(map(abs, values))
+
+
+def _columns(entries):
+    """Names of what a table of these entries shows."""
+    of_spectrum = "frequency" in entries[0]
+    for name in sorted(entries[0], key=lambda name: name not in FIRST):
+        values = [entry.get(name) for entry in entries]
+        nested = any(isinstance(value, (list, dict)) for value in values)
+        internal = name in INTERNAL and not of_spectrum
+        hidden = nested or internal or name in REPEATED or (name in INPUTS and _all_the_same(values))
+        if not hidden and not name.endswith("_extrapolated"):
+            yield name
+
+
+def _unit_of_column(name, numbers, over):
+    known = quantity(name)
+    unit = known.unit if known else ""
+    varied = name in ("from", "to", "last_value", "born_at")
+    return shown(over if varied else unit, max(map(abs, numbers), default=0.0))
+
+
+def lists(summary, over=""):
+    """Title and table of the lists of a summary whose entries have names; `over` is the unit of what is varied."""
+    for title, entries in summary.items():
         if not isinstance(entries, list) or not entries or not isinstance(entries[0], dict):
             continue
-        columns = [key for key, value in entries[0].items() if not isinstance(value, (list, dict))][:12]
-        shown = entries[:60]
-        rows = [[_number(entry.get(key, "")) for key in columns] for entry in shown]
-        note = f" (the first {len(shown)} of {len(entries)})" if len(shown) < len(entries) else ""
-        yield f"{name}{note}", _rows(rows, columns)
+        headings, columns = [], []
+        for name in _columns(entries):
+            values = [entry.get(name) for entry in entries[:LONGEST_LIST]]
+            factor, unit = _unit_of_column(name, [value for value in values if _is_number(value)], over)
+            headings.append(f"{name} [{unit}]" if unit else name)
+            columns.append(["" if value is None else _text(value, factor) for value in values])
+        if columns:
+            note = f" (the first {LONGEST_LIST} of {len(entries)})" if len(entries) > LONGEST_LIST else ""
+            yield TITLES.get(title, title) + note, markup.table(list(zip(*columns)), headings)
 
 
 def convergence(run):
-    """What the solvers needed, from the table of time steps."""
+    """Rows of what the solvers needed, from the table of time steps."""
     if "history/steps" not in run.tables():
         return []
     steps = run.table("history/steps")
     steps = steps[steps["dT"] > 0]
     if not steps.size:
         return []
-    return [("time steps", steps.size), ("Newton iterations a step", _number(float(numpy.mean(steps["newton"])))),
-            ("most in a step", int(steps["newton"].max())),
-            ("Krylov iterations a step", _number(float(numpy.mean(steps["krylov"])))),
-            ("shortest step over the longest", _number(float(steps["dT"].min() / steps["dT"].max()))),
-            ("time of the steps [s]", _number(float(steps["wall_time"].sum())))]
+    return [("time steps", str(steps.size), "-"),
+            ("Newton iterations a step", _text(float(numpy.mean(steps["newton"]))), "-"),
+            ("most in a step", str(int(steps["newton"].max())), "-"),
+            ("Krylov iterations a step", _text(float(numpy.mean(steps["krylov"]))), "-"),
+            ("shortest step over the longest", _text(float(steps["dT"].min() / steps["dT"].max())), "-"),
+            ("time of the steps", _text(float(steps["wall_time"].sum())), "s")]
+
+
+def kinds(run):
+    """The figures of a run: those of its command, and a film where a march has stored some."""
+    usual = [kind for kind in usual_kinds(run.command) if kind != "film"]
+    return [*usual, "film"] if run.stores_films() else usual
 
 
 def figures(run):
-    """Name and PNG of every figure of the run; what is said where one cannot be drawn."""
-    for kind in usual_kinds(run.command):
+    """Kind and PNG of every figure of the run; what is said where one cannot be drawn."""
+    for kind in kinds(run):
         try:
             drawn = draw(run.folder, kind)
         except ResultsError as error:
@@ -113,53 +169,62 @@ def figures(run):
 
 def case_of(run):
     """Parameters that were given or chosen, as rows."""
-    return [(name, _number(parameter.value), parameter.unit) for name, parameter in sorted(run.parameters.items())]
+    return [(name, _text(parameter.value, digits=6), parameter.unit)
+            for name, parameter in sorted(run.parameters.items())]
 
 
 def how_to_repeat(run):
-    """A command line with every parameter, for a file with none."""
-    options = [f"-{name.replace('.', '_')} {shlex.quote(_number(parameter.value))}"
-               for name, parameter in sorted(run.parameters.items()) if name not in ("case.name", "case.kind")]
-    return f"gearfilm {run.command} CASE.yaml " + " ".join(options)
+    """A command, and the case file for it: what was given, by the file or by options."""
+    name = f"{shlex.quote(str(run.summary.get('case', 'case')))}.yaml"
+    return f"gearfilm {run.command} {name}", defaults.case_file(run.parameters)
+
+
+def _unit_of_varied(run):
+    varied = run.parameters.get(str(run.summary.get("over", "")))
+    return varied.unit if varied else ""
 
 
 def page(run):
     """The whole page."""
-    summary, attributes = run.summary, run.attributes
+    summary, attributes, parameters = run.summary, run.attributes, run.parameters
     if not summary:
         raise ResultsError(f"{run.folder} has no summary yet; the run must have ended")
-    name = html.escape(str(summary.get("case", run.folder.name)))
+    title = f"{summary.get('case', run.folder.name)}: {run.command}"
     text = io.StringIO()
 
-    def section(title, content):
+    def section(heading, content, level=2):
         if content:
-            text.write(f"<h2>{html.escape(title)}</h2>\n{content}\n")
+            text.write(f"<h{level}>{html.escape(heading)}</h{level}>\n{content}\n")
 
-    completed = summary.get("completed", True)
-    text.write(f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>gearfilm: {name}</title>'
-               f"<style>{STYLE}</style></head><body>\n<h1>{name}: {html.escape(run.command)}</h1>\n"
-               f"<p>gearfilm {html.escape(attributes.get('version', 'of unknown version'))}</p>\n")
-    if not completed:
-        text.write('<p class="warning">This run is not complete: figures are of what was computed until it ended.</p>\n')
+    def rows(content, headings=()):
+        return markup.table(content, headings) if content else ""
+
+    text.write(markup.head(f"gearfilm: {title}"))
+    version = html.escape(attributes.get("version", "of unknown version"))
+    text.write(f"<h1>{html.escape(title)}</h1>\n<p>gearfilm {version}</p>\n")
+    if not summary.get("completed", True):
+        text.write(markup.warning("This run is not complete: figures are of what was computed until it ended."))
     if summary.get("stable") is False:
-        text.write('<p class="warning">The periodic state is unstable: no march stays on it.</p>\n')
-    section("Main figures", _rows(main_figures(summary), ("figure", "value", "error", "towards finer grids", "unit")))
-    known = formulas(summary)
-    section("Formulas", _rows(known, ("formula", "value", "unit")) if known else "")
-    for kind, picture, trouble in figures(run):
-        image = "" if picture is None else \
-            f'<img alt="{kind}" src="data:image/png;base64,{base64.b64encode(picture).decode()}">'
-        section(f"Figure ({kind})", image or f'<p class="warning">{html.escape(trouble)}</p>')
-    needed = convergence(run)
-    section("Convergence and time", _rows(needed, ("", "")) if needed else "")
-    for title, table in lists(summary):
-        section(title, table)
+        text.write(markup.warning("The periodic state is unstable: no march stays on it."))
+    headings, main = main_figures(summary)
+    section("Main figures", rows(main, headings))
+    for kind, content, trouble in figures(run):
+        section(CAPTIONS.get(kind, kind), markup.picture(content, CAPTIONS.get(kind, kind)) if content else
+                markup.warning(trouble))
+    section("Formulas", rows(formulas(summary), ("formula", "value", "unit")))
+    for heading, content in lists(summary, _unit_of_varied(run)):
+        section(heading, content)
+    if parameters:
+        command, case = how_to_repeat(run)
+        section("How to repeat it",
+                f"<pre>{html.escape(command)}</pre>\n<p>with this case file, which has what was given in a file or by "
+                f"options, but for the program's defaults:</p>\n<pre>{html.escape(case)}</pre>")
+    section("Internals", "<p>Of the solver, its grid and the program.</p>")
+    section("Grid and solver", rows(internal_figures(summary), ("figure", "value", "unit")), 3)
+    section("Time steps", rows(convergence(run), ("figure", "value", "unit")), 3)
     made_with = [(key, value) for key, value in attributes.items() if key not in ("x_min", "x_max", "y_half")]
-    section("Made with", _rows(made_with, ("", "")))
-    used = case_of(run)
-    if used:
-        section("How to repeat it", f"<p><code>{html.escape(how_to_repeat(run))}</code></p>")
-        section("Parameters", _rows(used, ("parameter", "value", "unit")))
+    section("Made with", rows([(key, str(value)) for key, value in made_with]), 3)
+    section("All parameters", rows(case_of(run), ("parameter", "value", "unit")), 3)
     text.write("</body></html>\n")
     return text.getvalue()
 

@@ -71,6 +71,19 @@ std::string as_typed(const Option& option) {
   return option.value.empty() ? option.name : option.name + " " + option.value;
 }
 
+// What is unknown about an option, and what may be meant. PETSc takes "-grid_nx=65" as a whole for a name.
+std::string unknown_option(const Option& option) {
+  const std::string unknown = "unknown option '" + as_typed(option) + "'; did you mean '";
+  const std::size_t equals = option.name.find('=');
+  const std::string name = option.name.substr(0, equals);
+  const bool known = is_petsc_option(name) || is_parameter_option(name);
+  const std::string meant = known ? name : nearest_parameter_by_option(name).option();
+  if (equals == std::string::npos) return unknown + meant + "'?";
+  std::string value = option.name.substr(equals + 1);
+  if (value.find(' ') != std::string::npos) value = '"' + value + '"';
+  return unknown + meant + " " + value + "', with a blank in the place of '='?";
+}
+
 // The value in the database, empty if it was given without one; false where there is no such option.
 bool find_option(const std::string& option, std::string& value) {
   const char* text = nullptr;
@@ -113,9 +126,9 @@ void require_known_options(const std::vector<std::string>& arguments) {
   for (const Option& option : options_left()) {
     const std::string name = lower_case(option.name);
     if (!typed.contains(name) && !typed.contains(std::string("-").append(name))) continue;
-    if (is_petsc_option(option.name) || is_parameter_option(option.name)) continue;
-    throw InputError("command line: unknown option '" + as_typed(option) + "'; did you mean '" +
-                     nearest_parameter_by_option(option.name).option() + "'?");
+    const bool with_equals = option.name.find('=') != std::string::npos;
+    if (!with_equals && (is_petsc_option(option.name) || is_parameter_option(option.name))) continue;
+    throw InputError("command line: " + unknown_option(option));
   }
 }
 

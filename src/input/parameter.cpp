@@ -1,6 +1,7 @@
 #include "gearfilm/input/parameter.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -54,10 +55,19 @@ std::optional<ParameterValue> read_number(std::string_view text) {
   return number;
 }
 
-std::optional<ParameterValue> read_value(ParameterType type, const std::string& text) {
-  if (type == ParameterType::integer) return read_number<int>(text);
-  if (type == ParameterType::real) return read_number<double>(text);
+// Libraries that load and save YAML write "true" for "yes", in the spelling of their language.
+std::string yes_or_no(const std::string& text) {
+  std::string word = text;
+  std::ranges::transform(word, word.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  if (word == "yes" || word == "true") return "yes";
+  if (word == "no" || word == "false") return "no";
   return text;
+}
+
+std::optional<ParameterValue> read_value(const Parameter& parameter, const std::string& text) {
+  if (parameter.type == ParameterType::integer) return read_number<int>(text);
+  if (parameter.type == ParameterType::real) return read_number<double>(text);
+  return parameter.is_yes_or_no() ? yes_or_no(text) : text;
 }
 
 bool is_allowed(const Parameter& parameter, const ParameterValue& value) {
@@ -114,6 +124,10 @@ std::string Parameter::option() const {
   return option;
 }
 
+bool Parameter::is_yes_or_no() const {
+  return choices.size() == 2 && std::ranges::count(choices, "yes") == 1 && std::ranges::count(choices, "no") == 1;
+}
+
 const Parameter* find_parameter(std::string_view name) {
   const std::vector<Parameter>& table = parameter_table();
   const auto found = std::ranges::find(table, name, &Parameter::name);
@@ -134,7 +148,7 @@ ParameterValue parse_value(const Parameter& parameter, const std::string& text, 
   if (text.empty()) throw InputError(given + " has no value; give " + describe_allowed(parameter));
   require_readable(text, given);
   const std::string remedy = "; give " + describe_allowed(parameter) + " (" + parameter.meaning + ")";
-  const std::optional<ParameterValue> value = read_value(parameter.type, text);
+  const std::optional<ParameterValue> value = read_value(parameter, text);
   if (!value) throw InputError(given + " is '" + text + "', not " + describe_type(parameter) + remedy);
   if (!is_allowed(parameter, *value))
     throw InputError(given + " is " + with_unit(text, parameter) + ", " +

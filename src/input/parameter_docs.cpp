@@ -67,7 +67,8 @@ std::string parameter_markdown() {
          "This page is the output of `gearfilm parameters`.\n\n"
          "A key stands in the case file, nested (`pinion: {teeth: 28}`) or dotted (`pinion.teeth: 28`). The option on\n"
          "the command line has underscores for dots (`-pinion_teeth 28`) and overrides the case file. Values are SI\n"
-         "unless the key says otherwise (`_deg`, `_rpm`). Unknown keys and options are errors.\n";
+         "unless the key says otherwise (`_deg`, `_rpm`). `true` and `false` are read as `yes` and `no`. Unknown keys\n"
+         "and options are errors.\n";
   for_each_in_sections(
       [&](const Parameter& first) {
         text << "\n## " << heading(first) << "\n\n"

@@ -11,6 +11,7 @@ from program import SOURCE, ProgramTest
 from script import run_script
 
 sys.path.insert(0, str(SOURCE / "scripts"))
+from gearfilm.drawing import march as march_figure  # noqa: E402
 from gearfilm.drawing.orbit import read_orbit  # noqa: E402
 from gearfilm.drawing.static import read_static, shares_of_contact  # noqa: E402
 
@@ -186,6 +187,8 @@ class Figures(ProgramTest):
                 with self.subTest(command=command, script=name):
                     if command in own:
                         self.assert_drawn(name)
+                    elif name == "film" and command in ("transient", "periodic"):
+                        self.assert_refused(name, "it stores no films; run it with -output_snapshot_interval")
                     else:
                         self.assert_refused(name, "results.h5 is not a result of gearfilm", own[0])
 
@@ -225,6 +228,36 @@ class Figures(ProgramTest):
         self.write_results("sweep")
         (self.folder / "sweep.png").mkdir()
         self.assert_refused("sweep", "cannot write the figure")
+
+    def test_a_march_has_gaps_where_time_is_missing(self):
+        self.write_history("periodic")
+        before, after = 1.4 * MESH_PERIOD, 2.2 * MESH_PERIOD
+        with h5py.File(self.folder / "results.h5", "a") as results:
+            for name in ("history/steps", "history/contacts"):
+                rows = results[name][:]
+                del results[name]
+                results[name] = rows[(rows["T"] < before) | (rows["T"] > after)]
+            steps, contacts = results["history/steps"][:], results["history/contacts"][:]
+        figure = march_figure.draw(march_figure.read_march(self.folder / "results.h5"))
+        begin, end = (1e3 * steps["distance"][k] for k in (numpy.flatnonzero(steps["T"] < before)[-1],
+                                                           numpy.flatnonzero(steps["T"] > after)[0]))
+        drawn = {axes: [] for axes in figure.axes}
+        for axes in figure.axes:
+            for line in axes.lines:
+                x, y = map(numpy.asarray, line.get_data())
+                numpy.testing.assert_array_equal(numpy.isnan(x), numpy.isnan(y))
+                joined = (x[:-1] <= begin) & (x[1:] >= end)
+                self.assertFalse(joined.any(), "a line over the gap")
+                drawn[axes].append(x[numpy.isfinite(x)])
+        motion, _, pressure, films = figure.axes
+        numpy.testing.assert_allclose(drawn[motion][0], 1e3 * steps["distance"])
+        self.assertEqual(sum(map(len, drawn[pressure])), len(contacts))
+        self.assertEqual(sum(map(len, drawn[films])), 2 * len(contacts))
+
+    def test_a_march_without_missing_time_is_whole(self):
+        self.write_history("transient")
+        figure = march_figure.draw(march_figure.read_march(self.folder / "results.h5"))
+        self.assertFalse(any(numpy.isnan(line.get_xdata()).any() for axes in figure.axes for line in axes.lines))
 
     def test_orbit_with_spectrum_and_of_several_periods(self):
         for command in ("transient", "periodic"):

@@ -19,7 +19,7 @@ import numpy
 from PIL import Image
 
 from films import BARBIERI, summary_in
-from program import PROGRAM, SECONDS, SOURCE, ProgramTest
+from program import PROGRAM, SECONDS, SOURCE, ProgramTest, names_below
 from vibration import MARCH
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -141,7 +141,7 @@ class Package(ProgramTest):
                                   ("sweep", *dry, "-sweep_from", 14000, "-sweep_to", 15000, "-sweep_points", 3)):
             done = self.run_program(command, BARBIERI, *options, "-output_dir", command)   # may warn of the entering
             self.assertEqual(done.status, 0, done)
-        for name, figures in (("steady", 1), ("march", 1), ("periodic", 2), ("info", 0), ("static", 1),
+        for name, figures in (("steady", 1), ("march", 1), ("periodic", 3), ("info", 0), ("static", 1),
                               ("continuation", 1), ("eigen", 0), ("sweep", 1)):
             with self.subTest(name=name):
                 done = self.command("report", name)
@@ -210,6 +210,12 @@ class Package(ProgramTest):
         with self.assertRaisesRegex(gearfilm.ResultsError, "wrong input: .*grid.nx"):
             gearfilm.run(BARBIERI, "steady", self.folder / "wrong", grid_nx=1)
 
+    def test_options_are_named_as_in_a_case_file_too(self):
+        run = gearfilm.run(BARBIERI, "steady", self.folder / "steady", keep_checkpoint=True, grid_y_half=1.4,
+                           **{"grid.nx": 65, "grid.ny": 33, "periodic.multipliers": False})
+        self.assertEqual([run.parameters[name].value for name in ("grid.nx", "grid.ny", "grid.y_half", "keep_checkpoint",
+                                                                  "periodic.multipliers")], [65, 33, 1.4, "yes", "no"])
+
     def test_the_notebook_runs(self):
         cells = json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"]
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
@@ -221,6 +227,22 @@ class Package(ProgramTest):
             for cell in code:
                 exec(compile(cell, str(NOTEBOOK), "exec"), names)  # pylint: disable=exec-used
         self.assertIn("um", printed.getvalue())
+
+    def test_the_notebook_leaves_nothing_in_the_clone(self):
+        clone = self.folder / "clone"
+        for name in ("docs/examples", "scripts/gearfilm", "input"):
+            shutil.copytree(SOURCE / name, clone / name, ignore=shutil.ignore_patterns("__pycache__"))
+        before = names_below(clone)
+        cells = json.loads((clone / "docs/examples/first_look.ipynb").read_text(encoding="utf-8"))["cells"]
+        (self.folder / "cells.py").write_text("\n".join("".join(cell["source"]) for cell in cells
+                                                        if cell["cell_type"] == "code"), encoding="utf-8")
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("GEARFILM_SOURCE", "PYTHONDONTWRITEBYTECODE")}
+        done = subprocess.run([sys.executable, self.folder / "cells.py"], cwd=clone / "docs/examples", check=False,
+                              capture_output=True, text=True, timeout=SECONDS, env={**environment, "MPLBACKEND": "Agg"})
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done)
+        self.assertIn("largest force", done.stdout)
+        self.assertEqual(names_below(clone), before)
 
 
 if __name__ == "__main__":

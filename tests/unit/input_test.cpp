@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -175,6 +176,11 @@ TEST(CommandLine, is_checked_like_the_file) {
   expect_words(error_with("-grid_nz", "65"), {"unknown option '-grid_nz 65'", "did you mean '-grid_nx'"});
   expect_words(error_with("-nx", "65"), {"unknown option '-nx 65'", "did you mean '-grid_nx'"});
   expect_words(error_with("--grid_nx", "65"), {"unknown option", "did you mean '-grid_nx'"});
+  expect_words(error_with("-grid_nx=65", ""),
+               {"unknown option '-grid_nx=65'", "did you mean '-grid_nx 65', with a blank"});
+  expect_words(error_with("-GRID_nz=65", "-grid_ny"), {"'-GRID_nz=65 -grid_ny'", "did you mean '-grid_nx 65'"});
+  expect_words(error_with("-ksp_rtol=1e-3", ""), {"did you mean '-ksp_rtol 1e-3'"});
+  expect_words(error_with("-sweep_values=1, 2", ""), {"did you mean '-sweep_values \"1, 2\"'"});
   expect_words(error_with("-no_grid_nx", ""), {"unknown option '-no_grid_nx'"});
   expect_words(error_with("-contact_load", "10"), {"option -contact_load", "case.kind: contact", "gear_pair"});
   EXPECT_EQ(input_error([] { read_input("barbieri2013.yaml"); }), "(no InputError)");
@@ -259,6 +265,35 @@ TEST(Parameters, open_ends_exclude_and_closed_ends_include) {
   for (const std::string text : {"inf", "nan", "1e999", "3 mm", "3mm", "0x1", "1d-3", ".", "1,5"})
     EXPECT_THROW(parse_value(module, text, "x"), InputError) << text;
   EXPECT_EQ(std::get<double>(parse_value(module, "+5E-3", "x")), 5e-3);
+}
+
+TEST(Parameters, yes_and_no_may_be_written_as_yaml_libraries_write_them) {
+  int counted = 0;
+  for (const Parameter& parameter : parameter_table()) {
+    if (!parameter.is_yes_or_no()) continue;
+    ++counted;
+    for (const std::string yes : {"yes", "Yes", "true", "True", "TRUE"})
+      EXPECT_EQ(std::get<std::string>(parse_value(parameter, yes, "x")), "yes") << parameter.name << ": " << yes;
+    for (const std::string no : {"no", "No", "false", "False", "FALSE"})
+      EXPECT_EQ(std::get<std::string>(parse_value(parameter, no, "x")), "no") << parameter.name << ": " << no;
+    for (const std::string neither : {"on", "1", "y", "truely", "none"})
+      EXPECT_THROW(parse_value(parameter, neither, "x"), InputError) << parameter.name << ": " << neither;
+  }
+  EXPECT_GE(counted, 8);
+  const Parameter& name = *find_parameter("case.name");
+  EXPECT_EQ(std::get<std::string>(parse_value(name, "true", "x")), "true");
+  EXPECT_THROW(parse_value(*find_parameter("model"), "true", "x"), InputError);
+}
+
+TEST(Parameters, true_and_false_are_echoed_as_yes_and_no) {
+  const CommandLine options{{"-keep_checkpoint", "true"}, {"-periodic_multipliers", "false"}};
+  const Case given = read_input("barbieri2013.yaml");
+  EXPECT_TRUE(given.run.keep_checkpoint);
+  EXPECT_FALSE(given.search.with_multipliers);
+  std::map<std::string, std::string> echoed;
+  for (const EchoedValue& value : given.parameters.echo()) echoed[value.name] = value.value;
+  EXPECT_EQ(echoed.at("keep_checkpoint"), "yes");
+  EXPECT_EQ(echoed.at("periodic.multipliers"), "no");
 }
 
 TEST(Parameters, echo_reads_back_as_the_same_case) {

@@ -49,6 +49,8 @@ struct Parameter {
   std::string section() const;
   /// "-pinion_teeth" for "pinion.teeth".
   std::string option() const;
+  /// Whether the choices are yes and no, which may also be written true and false.
+  bool is_yes_or_no() const;
 };
 
 /// All parameters, grouped by section. A new parameter is one more record in src/input/parameter_table.cpp.

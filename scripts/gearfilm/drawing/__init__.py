@@ -12,10 +12,10 @@ import pathlib
 from ..folder import ResultsError
 
 # Commands whose results are drawn, the usual one first.
-KINDS = {"film": "steady", "march": "transient or periodic", "orbit": "periodic or transient",
+KINDS = {"film": "steady, or a march with films", "march": "transient or periodic", "orbit": "periodic or transient",
          "poincare": "transient", "sweep": "sweep", "branch": "continuation", "static": "static",
          "friction": "transient, periodic or steady"}
-USUAL = {"steady": ("film",), "transient": ("march",), "periodic": ("orbit", "march"), "sweep": ("sweep",),
+USUAL = {"steady": ("film",), "transient": ("march",), "periodic": ("orbit", "march", "film"), "sweep": ("sweep",),
          "continuation": ("branch",), "static": ("static",)}
 
 

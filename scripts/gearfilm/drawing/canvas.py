@@ -24,6 +24,7 @@ DARK = "#333333"
 GREY = "#999999"  # of marked lines
 PALE = "#DDDDDD"  # of grids
 COLOURS = 255     # of a PNG
+SAME_TIME = 1e-6  # of the longest time step: what rounding leaves of two equal times
 COLOUR_MAP = "cividis"  # of maps; distinguishable likewise
 
 
@@ -84,6 +85,18 @@ def read_summary(folder, command):
 
 def read_text(attribute):
     return attribute.decode() if isinstance(attribute, bytes) else str(attribute)
+
+
+def gaps(steps):
+    """Rows of a history before which a stretch of time is missing: a search leaves out what it takes from a coarser
+    grid."""
+    missing = steps["T"][1:] - steps["dT"][1:] - steps["T"][:-1]
+    return 1 + numpy.flatnonzero(missing > SAME_TIME * steps["dT"].max())
+
+
+def broken(values, rows):
+    """Values of a line that has a gap before each of these rows."""
+    return numpy.insert(numpy.asarray(values, dtype=float), rows, numpy.nan)
 
 
 def add_grid(*panels):

@@ -2,7 +2,7 @@
 import numpy
 from matplotlib import animation, pyplot
 
-from .canvas import BLUE, COLOUR_MAP, DARK, VERMILLION, PlotError, add_grid
+from .canvas import BLUE, COLOUR_MAP, DARK, VERMILLION, PlotError, add_grid, broken, gaps
 
 FRAMES_A_SECOND = 8
 
@@ -32,11 +32,14 @@ class Cycle:
         self.top = {"pressure": max(film.pressure.max() for film in films),
                     "thickness": 3 * numpy.median([numpy.median(film.thickness[film.pressure > 0.1])
                                                    for film in films if (film.pressure > 0.1).any()] or [1.0])}
-        self.line.plot(1e3 * own["xi"], 1e-3 * own["force"], color=BLUE)
+        missing = gaps(steps)
+        behind = numpy.searchsorted(own["step"], steps["step"][missing])
+        self.line.plot(broken(1e3 * own["xi"], behind), broken(1e-3 * own["force"], behind), color=BLUE)
         self.line.set(xlabel="position on the line of action [mm]", ylabel="force on the contact [kN]")
         seconds = numpy.array([times[step] for step in own["step"]])
         around = (steps["t"] >= seconds.min()) & (steps["t"] <= seconds.max())
-        self.motion.plot(1e3 * steps["t"][around], steps["H0"][around], color=DARK)
+        behind = numpy.searchsorted(steps["step"][around], steps["step"][missing])
+        self.motion.plot(broken(1e3 * steps["t"][around], behind), broken(steps["H0"][around], behind), color=DARK)
         self.motion.set(xlabel="time [ms]", ylabel="$H_0$ [-]")
         add_grid(self.line, self.motion)
         self.here = self.line.axvline(films[0].xi, color=VERMILLION)

@@ -1,13 +1,18 @@
-"""Figure of a stationary film: the film over the contact, and pressure and film along its centre line y = 0."""
-from typing import NamedTuple
+"""Figure of a film: the film over the contact, and pressure and film along its centre line y = 0.
+
+Of `gearfilm steady`, or of a march that stores films: then that which is nearest to a place on the line of action.
+"""
+from typing import NamedTuple, Optional
 
 import numpy
 from matplotlib import pyplot
 
+from ..folder import RunFolder
 from .canvas import BLUE, VERMILLION, Foreign, fill, open_results
 
 THICKEST_SHOWN = 1.5  # times the central film
 SLENDER = 0.15         # length of the domain over its width, below which its axes have unequal scales
+SAME_LENGTH = 1e-6     # relative, of a half-axis found at both ends of a domain
 
 
 class Film(NamedTuple):
@@ -16,12 +21,42 @@ class Film(NamedTuple):
     y: numpy.ndarray
     pressure: numpy.ndarray
     thickness: numpy.ndarray
-    half_axes: tuple
-    hertz_pressure: float
+    half_axes: Optional[tuple]          # None where they are not known
+    hertz_pressure: Optional[float]     # the same
+    place: str = ""                     # of the contact in a march, and the time
 
 
-def read_film(path):
-    with open_results(path, "steady", "contact0 with x, y, P, H is missing") as results:
+def half_axes(x, y, domains):
+    """Those of the reference contact, from a domain in units of them that is as wide as the fields; None of another."""
+    for x_min, x_max, y_half in domains:
+        a = x[0] / x_min
+        if abs(x[-1] / x_max - a) < SAME_LENGTH * a:
+            return a, y[-1] / y_half
+    return None
+
+
+def read_marched(folder, place):
+    """The stored film of a march that is nearest to a place on the line of action [mm]; None where it stores none."""
+    run = RunFolder(folder)
+    if not run.stores_films():
+        return None
+    film = run.film(place)
+    names = ("x_min", "x_max", "y_half")
+    domains = [[float(run.attributes[name]) for name in names]] if set(names) <= set(run.attributes) else []
+    final = run.summary.get("final_grid")
+    domains += [[final[name] for name in names]] if final else []
+    return Film(film.x, film.y, film.pressure, film.thickness, half_axes(film.x, film.y, domains), None,
+                rf"$\xi$ = {film.xi:.3g} mm, t = {1e3 * film.time:.4g} ms")
+
+
+def read_film(folder, place=0.0):
+    path = folder / "results.h5"
+    with open_results(path, "steady, or of a march with films", "contact0 with x, y, P, H is missing") as results:
+        if "history" in results:
+            marched = read_marched(folder, place)
+            if marched is None:
+                raise Foreign("it stores no films; run it with -output_snapshot_interval 0.1")
+            return marched
         contact = results["contact0"]
         film = Film(x=1e3 * contact["x"][:], y=1e3 * contact["y"][:], pressure=1e-9 * contact["P"][:],
                     thickness=1e6 * contact["H"][:],
@@ -36,9 +71,12 @@ def draw_map(figure, axes, film, centre):
     i, j = centre
     levels = numpy.linspace(film.thickness.min(), THICKEST_SHOWN * film.thickness[i, j], 25)
     filled = fill(axes, film.y, film.x, film.thickness, levels)
-    angle = numpy.linspace(0, 2 * numpy.pi, 200)
-    a, b = film.half_axes
-    axes.plot(b * numpy.cos(angle), a * numpy.sin(angle), color="white", linestyle="--", linewidth=1)
+    ellipse = ""
+    if film.half_axes:
+        angle = numpy.linspace(0, 2 * numpy.pi, 200)
+        a, b = film.half_axes
+        axes.plot(b * numpy.cos(angle), a * numpy.sin(angle), color="white", linestyle="--", linewidth=1)
+        ellipse = "dashed: Hertz ellipse of the reference contact"
     # As it is; a slender contact would be a sliver, and has unequal axes.
     slender = numpy.ptp(film.x) < SLENDER * numpy.ptp(film.y)
     axes.set_aspect("auto" if slender else "equal")
@@ -46,20 +84,21 @@ def draw_map(figure, axes, film, centre):
     axes.set_ylabel("x [mm]")
     # In two lines, since narrow domains leave little room beside the axes.
     unequal = "; axes of unequal scales" if slender else ""
-    axes.set_title(f"film thickness; oil enters from below{unequal};\ndashed: Hertz ellipse of the reference contact",
-                   fontsize=9)
+    below = "; ".join(words for words in (film.place, ellipse) if words)
+    axes.set_title(f"film thickness; oil enters from below{unequal}\n{below}", fontsize=9)
     figure.colorbar(filled, ax=axes, label="h [µm]", format="%.2f", shrink=0.9)
 
 
 def draw_sections(pressure_axes, film_axes, film, centre):
     i, j = centre
-    a = film.half_axes[0]
-    dry = film.hertz_pressure * numpy.sqrt(numpy.maximum(1 - (film.x / a) ** 2, 0))
     pressure_axes.plot(film.x, film.pressure[:, j], color=BLUE, label="lubricated")
-    pressure_axes.plot(film.x, dry, color="black", linestyle="--", linewidth=1, label="Hertz, reference")
+    if film.hertz_pressure:
+        dry = film.hertz_pressure * numpy.sqrt(numpy.maximum(1 - (film.x / film.half_axes[0]) ** 2, 0))
+        pressure_axes.plot(film.x, dry, color="black", linestyle="--", linewidth=1, label="Hertz, reference")
     pressure_axes.set_ylabel("p [GPa]")
     pressure_axes.set_title("pressure along y = 0", fontsize=9)
-    pressure_axes.legend(frameon=False, fontsize=8, loc="upper left")
+    if film.hertz_pressure:
+        pressure_axes.legend(frameon=False, fontsize=8, loc="upper left")
     film_axes.plot(film.x, film.thickness[:, j], color=VERMILLION)
     film_axes.set_ylim(0, 2.5 * film.thickness[i, j])
     film_axes.set_ylabel("h [µm]")
@@ -79,6 +118,11 @@ def draw(film):
     return figure
 
 
-def draw_folder(folder):
-    """Of `gearfilm steady`."""
-    return draw(read_film(folder / "results.h5"))
+def add_options(parser):
+    parser.add_argument("--at", type=float, default=0.0,
+                        help="position on the line of action of the stored film that is drawn of a march [mm]")
+
+
+def draw_folder(folder, at=0.0):
+    """Of `gearfilm steady`, or of a march the stored film that is nearest to a position [mm]."""
+    return draw(read_film(folder, at))

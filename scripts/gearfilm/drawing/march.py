@@ -4,7 +4,7 @@ from typing import NamedTuple
 import numpy
 from matplotlib import pyplot
 
-from .canvas import BLUE, DARK, GREEN, PALE, VERMILLION, add_grid, open_results, read_table
+from .canvas import BLUE, DARK, GREEN, PALE, VERMILLION, add_grid, broken, gaps, open_results, read_table
 
 TOOTH_COLOURS = [BLUE, VERMILLION, GREEN]  # teeth take turns
 WIDE_RANGE = 5  # of film thickness: beyond it, when contact is lost, the axis is logarithmic
@@ -28,16 +28,24 @@ def read_march(path):
     with open_results(path, "transient", "it has no history") as results:
         span = [results["history"].attrs[name] for name in ("periodic_from", "periodic_to")
                 if name in results["history"].attrs]
-        return March(read_table(results, "history/steps", ["T", "t", "distance", "H0", "force_total"]),
+        return March(read_table(results, "history/steps", ["step", "T", "t", "dT", "distance", "H0", "force_total"]),
                      read_table(results, "history/contacts", ["step", "contact", "force", "p_max"]), tuple(span))
 
 
+def draw_motion(axes, march, column, scale):
+    """One line, which ends where time is missing and begins anew behind it."""
+    rows = gaps(march.steps)
+    axes.plot(broken(march.over[0], rows), broken(scale * march.steps[column], rows), color=DARK, linewidth=1.2)
+
+
 def draw_teeth(axes, march, column, scale, **style):
-    """One line a tooth pair."""
+    """One line a tooth pair, with the gaps of the motion."""
     distance = dict(zip(march.steps["step"], march.over[0]))
+    behind = march.steps["step"][gaps(march.steps)]
     for tooth in numpy.unique(march.contacts["contact"]):
         rows = march.contacts[march.contacts["contact"] == tooth]
-        axes.plot([distance[step] for step in rows["step"]], scale * rows[column],
+        missing = numpy.searchsorted(rows["step"], behind)
+        axes.plot(broken([distance[step] for step in rows["step"]], missing), broken(scale * rows[column], missing),
                   color=TOOTH_COLOURS[tooth % len(TOOTH_COLOURS)], linewidth=1.2, **style)
 
 
@@ -46,9 +54,9 @@ def draw(march):
     figure, rows = pyplot.subplots(4 if lubricated else 3, 1, sharex=True, figsize=(8, 8 if lubricated else 6.5),
                                    constrained_layout=True)
     travelled, label = march.over
-    rows[0].plot(travelled, march.steps["H0"], color=DARK, linewidth=1.2)
+    draw_motion(rows[0], march, "H0", 1)
     rows[0].set_ylabel("$H_0$ [-]")
-    rows[1].plot(travelled, 1e-3 * march.steps["force_total"], color=DARK, linewidth=1.2)
+    draw_motion(rows[1], march, "force_total", 1e-3)
     draw_teeth(rows[1], march, "force", 1e-3, linestyle="--")
     rows[1].set_ylabel("force [kN]\n(dashed: each contact)")
     draw_teeth(rows[2], march, "p_max", 1e-9)

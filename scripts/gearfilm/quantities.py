@@ -1,0 +1,218 @@
+"""Units and meanings of the figures in summaries, as the manual has them, and the units in which a page shows them."""
+from typing import NamedTuple
+
+# Name, unit in the summary, meaning. The first part is that of `gearfilm figures`.
+TABLE = """
+H0 | - | rigid displacement at the end
+V0 | - | its velocity at the end
+power_sliding | W | power lost by sliding, mean in time
+power_rolling | W | power lost by rolling, mean in time
+power_loss | W | power lost by sliding and rolling, mean in time
+wall_time | s | time the steps took
+p_max | Pa | largest pressure
+h_min | m | smallest film thickness
+film_temperature_max | K | largest temperature in the film
+force_ratio_max | - | largest force on one contact over the static force
+pitch_h_central | m | central film at the step nearest to the pitch point
+entry_h_central | m | central film at the first step after a contact entered
+pitch_h_min | m | smallest film at the step nearest to the pitch point
+entry_h_min | m | smallest film at the first step after a contact entered
+p_hertz_max | Pa | largest Hertz pressure under the present force
+sliding_velocity_max | m/s | largest sliding velocity, of a contact behind the pitch point
+sliding_velocity_min | m/s | smallest sliding velocity, negative where a contact is before the pitch point
+lambda_min | - | smallest film over the roughness
+surface_temperature_pinion_max | K | largest temperature of the pinion's flank
+surface_temperature_wheel_max | K | largest temperature of the wheel's flank
+temperatures_missed_max | - | largest part of a contact's loaded nodes where temperatures across the film did not settle
+total_force_ratio_max | - | largest force on all contacts together over the static force
+total_force_ratio_min | - | smallest force on all contacts together over the static force
+back_force_ratio_max | - | largest force on back flanks over the static force
+steps | - | time steps
+contact_steps | - | time steps of contacts, each counted by itself
+newton_iterations | - | iterations of Newton's method
+krylov_iterations | - | iterations of the linear solver
+t | s | the same
+xi | m | position on the line of action, from the pitch point
+force | N | force on the contact
+p_central | Pa | pressure at x = y = 0
+h_central | m | film thickness at x = y = 0
+p_hertz | Pa | Hertz pressure under the present force, zero without force
+sliding_velocity | m/s | surface velocity of the pinion less that of the wheel
+lambda | - | smallest film over the roughness of both flanks together
+friction_force | N | force of sliding friction, with the sign of the sliding velocity
+rolling_force | N | force of rolling friction on either flank
+friction_coefficient | - | friction_force over the force on the contact
+flash_temperature | K | largest rise of the surfaces if both were equally warm and took all heat of sliding
+surface_temperature_pinion | K | largest temperature of the pinion's flank
+surface_temperature_wheel | K | largest temperature of the wheel's flank
+film_temperature_mean_max | K | largest temperature of the film, each place's mean across it
+heat_pinion | W | heat from the film into the pinion
+heat_wheel | W | heat from the film into the wheel
+heat_oil | W | heat that the oil takes away
+temperatures_missed | - | part of the loaded nodes where temperatures across the film did not settle
+heat_balance | - | heat that is made in the film and goes nowhere, over all that is made
+working_pressure_angle_deg | deg | working pressure angle
+base_radius_pinion | m | base radius of the pinion
+base_radius_wheel | m | base radius of the wheel
+base_pitch | m | distance of two contacts on the line of action
+xi_entry | m | where a contact enters, from the pitch point
+xi_exit | m | where a contact leaves, from the pitch point
+contact_ratio | - | contacts at a time, on the average
+R_x | m | reduced radius in the direction of rolling, at the pitch point or of the bare contact
+R_y | m | reduced radius along the face
+E_prime | Pa | reduced modulus
+load | N | static force along the line of action
+entrainment_velocity | m/s | mean of the velocities of both flanks
+kappa | - | ratio of the half axes a/b of the Hertz ellipse
+a | m | half axis of the ellipse in the direction of rolling
+b | m | half axis along the face
+hertz_approach | m | approach of the dry bodies
+M | - | Moes' group of the load
+L | - | Moes' group of the lubricant
+D | - | R_x/R_y
+f_m | Hz | mesh frequency
+mesh_period | s | time from one contact's entering to the next, 1/f_m
+mesh_period_dimensionless | - | mesh period over a/u_m
+entry_penetration | m | by which an entering tooth meets its mate under the static force; negative: they part
+corner_contact_distance | m | how far before the path of contact real tips would touch
+m_ge | kg | equivalent mass of the pair
+I_n | - | dimensionless inertia
+k_el | N/m | stiffness of the dry contacts under the static force, just after a contact has left
+f_n | Hz | natural frequency of the dry pair with it
+hamrock_dowson_h_central | m | central film, formula of Hamrock and Dowson
+hamrock_dowson_h_min | m | smallest film, formula of Hamrock and Dowson
+nijenbanning_venner_moes_h_central | m | central film, formula of Nijenbanning, Venner and Moes
+thermal_loading | - | thermal loading parameter of the inlet
+murch_wilson_thermal_factor | - | factor of the film by heat in the inlet, Murch and Wilson
+gupta_thermal_factor | - | factor of the film by heat in the inlet, Gupta and others
+nx | - | nodes in X
+ny | - | nodes in Y
+x_min | a | inlet end of the domain
+x_max | a | outlet end of the domain
+y_half | b | half width of the domain
+expected_error_h_central | - | relative error of the central film that such a grid leads to expect
+expected_error_h_min | - | relative error of the smallest film
+steps_in_mesh_period | - | time steps in a mesh period
+steps_in_free_oscillation | - | time steps in a free oscillation
+distance | m | way along the line of action since the start
+force_total | N | force on all contacts together
+contacts | - | number of contacts
+static_force | N | static force on the pair
+H0_after_leaving | - | H_0 just after a contact has left
+V0_after_leaving | - | V_0 just after a contact has left
+contact_lost | | whether the total force falls below 0.02 of the static force
+back_contact | | whether back flanks touch
+transmission_error_peak_to_peak | m | transmission error, largest less smallest
+transmission_error_rms | m | transmission error, root mean square of its deviation from the mean
+floquet_modulus | - | what a disturbance keeps over one mesh period
+stable | | whether disturbances die away: floquet_modulus below 1
+free_frequency | Hz | free oscillation about the periodic state
+damping_ratio | - | damping ratio of the free oscillation
+efficiency | - | power that goes through over the power that goes in
+mean_friction_coefficient | - | mean friction coefficient
+defect | - | change of the motion over the periodic period
+film_defect | - | largest change of any pressure over the periodic period, in units of p_h
+periods_used | - | mesh periods marched to find the state
+order | - | mesh periods after which the state repeats
+dT | - | time step over a/u_m
+completed | | whether the run has come to its end
+te_mean | m | transmission error, mean over the mesh period
+te_peak_to_peak | m | transmission error, largest less smallest
+te_pitch | m | transmission error with a contact at the pitch point
+te_harmonics | m | amplitudes at the first multiples of the mesh frequency
+mesh_stiffness_pitch | N/m | mesh stiffness with a contact at the pitch point
+mesh_stiffness_mean | N/m | mesh stiffness, mean over the mesh period
+effective_contact_ratio | - | contacts that carry more than a thousandth of the load, on the average
+p_max_dry | Pa | largest Hertz pressure
+iso_stiffness_single | N/m | c' of ISO 6336-1, method B, times the face width
+iso_stiffness_mesh | N/m | c_gamma of ISO 6336-1, method B, times the face width
+load_ratio | - | load over the static force
+position | m | position on the line of action, from the pitch point
+H_central | - | central film in units of a^2/R_x
+H_min | - | smallest film in units of a^2/R_x
+residual | - | last residual
+convolutions | - | convolutions
+newton_iterations_all_grids | - | iterations of Newton's method, on all grids of the start
+krylov_iterations_all_grids | - | iterations of the linear solver, on all grids of the start
+convolutions_all_grids | - | convolutions, on all grids of the start
+h_central_isothermal | m | central film without heat
+h_min_isothermal | m | smallest film without heat
+thermal_factor | - | central film with heat over that without
+thermal_factor_min | - | smallest film with heat over that without
+thermal_change | - | change of the film in the last turn
+thermal_turns | - | turns of film and heat
+inertia_pinion | kg m^2 | moment of inertia of the pinion
+inertia_wheel | kg m^2 | moment of inertia of the wheel
+rigid_frequency | Hz | frequency of the rigid rotation: zero but for round-off
+damped_frequency | Hz | frequency of the damped dry pair
+film_frequency | Hz | frequency of the pair on its films
+film_damping_ratio | - | damping ratio of the pair on its films
+over | | what is varied
+points_found | - | points found
+points_failed | - | points where none was found
+points | - | points
+speed_rpm | rpm | speed of the pinion
+torque | N m | torque of the pinion
+viscosity | Pa s | viscosity of the oil
+direction | | way of the sweep
+start | | where the search began
+branch | - | number of the branch
+kind | | kind of the bifurcation
+number | - | number of the branch
+end | | where the branch ends
+born_on | - | branch on which it was born
+model | | model
+repeats_every | - | mesh periods after which the motion repeats
+repeats_within | - | how far it is from repeating
+settles_on | - | mesh periods after which the motion repeats
+attractor | - | number of the motion
+share | - | part of the starts
+event | | what happens
+from | | begin
+to | | end
+distance_end | m | way along the line of action at the end
+largest_h_central | m | largest central film meanwhile
+frequency | Hz | frequency
+"""
+# What tells of the solver and its grid, not of the gears.
+INTERNAL = {"steps", "contact_steps", "newton_iterations", "krylov_iterations", "wall_time", "H0", "V0", "nx", "ny",
+            "x_min", "x_max", "y_half", "dT", "expected_error_h_central", "expected_error_h_min",
+            "steps_in_mesh_period", "steps_in_free_oscillation", "temperatures_missed", "temperatures_missed_max",
+            "heat_balance", "mesh_period_dimensionless", "defect", "film_defect", "periods_used", "H_central", "H_min",
+            "residual", "convolutions", "newton_iterations_all_grids", "krylov_iterations_all_grids",
+            "convolutions_all_grids", "thermal_change", "thermal_turns", "T", "last_H0", "last_V0", "rigid_frequency", "completed",
+            "neighbour_error", "coarse_error"}
+# From the unit of the summary: factor, unit, and from which size on, largest first.
+SHOWN = {"m": ((0.9999e-4, 1e3, "mm"), (0.0, 1e6, "µm")), "Pa": ((1e7, 1e-9, "GPa"), (0.0, 1e-6, "MPa")),
+         "s": ((1.0, 1.0, "s"), (1e-3, 1e3, "ms"), (0.0, 1e6, "µs")), "N/m": ((0.0, 1e-6, "N/µm"),)}
+
+
+class Quantity(NamedTuple):
+    """A figure of a summary; the unit is empty for what is no number."""
+    unit: str
+    meaning: str
+
+
+def _read(text):
+    for line in text.strip().splitlines():
+        name, unit, meaning = (cell.strip() for cell in line.split("|"))
+        yield name, Quantity(unit, meaning)
+
+
+KNOWN = dict(_read(TABLE))
+
+
+def quantity(name):
+    """By its name; of errors and extrapolated values as of what they belong to. None of an unknown one."""
+    for ending in ("_error", "_extrapolated"):
+        if name not in KNOWN and name.endswith(ending):
+            name = name.removesuffix(ending)
+    return KNOWN.get(name)
+
+
+def shown(unit, size):
+    """Factor and unit in which numbers up to this size are read most easily."""
+    for least, factor, other in SHOWN.get(unit, ()):
+        if size >= least or size == 0:
+            return factor, other
+    return 1.0, unit
