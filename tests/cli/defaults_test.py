@@ -37,7 +37,7 @@ class Defaults(ProgramTest):
         for text in (SLENDER, THICK):
             case = self.write_case(text)
             run, chosen = self.summary("steady", case)
-            self.assertEqual(run.of_errors, "")
+            self.assertEqual(run.of_case, "")
             _, fine = self.summary("steady", case, "-grid_nx", 2 * chosen["nx"] - 1, "-grid_ny", 2 * chosen["ny"] - 1)
             for film in ("h_central", "h_min"):
                 with self.subTest(case=chosen["case"], film=film):
@@ -55,10 +55,10 @@ class Defaults(ProgramTest):
 
     def test_coarse_grid_says_its_error_or_that_it_has_none(self):
         run, summary = self.summary("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33)
-        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")
+        self.assertRegex(run.of_case, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")
         self.assertGreater(summary["h_min_error"], 0.05 * summary["h_min"])
         run, summary = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 129, "-grid_ny", 65)
-        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
+        self.assertRegex(run.of_case, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
         self.assertIsNone(summary["h_central_error"])
 
     # Half the nodes, 65 x 17, have no film that is positive; 257 x 65 have a smallest one of 0.999 um.
@@ -69,7 +69,7 @@ class Defaults(ProgramTest):
         self.assertGreater(found["h_min_error"], 0.1 * found["h_min"])
         self.assertAlmostEqual(found["h_min_extrapolated"], 0.999e-6, delta=0.07e-6)
         percent = 100 * found["h_min_error"] / found["h_min_extrapolated"]
-        self.assertRegex(run.of_errors, rf"\Agearfilm: warning: h_min has an error of about {percent:.0f} %, the largest")
+        self.assertRegex(run.of_case, rf"\Agearfilm: warning: h_min has an error of about {percent:.0f} %, the largest")
         self.assertLess(found["force_ratio_max_error"], 0.01 * found["force_ratio_max"])
 
     def test_every_figure_that_leads_somewhere_has_an_error(self):
@@ -86,7 +86,7 @@ class Defaults(ProgramTest):
     def test_state_that_no_coarser_grid_carries_has_none(self):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",
                                   "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
-        self.assertRegex(run.of_errors, r"\Agearfilm: warning: the errors of the figures are not known.*\n\Z")
+        self.assertRegex(run.of_case, r"\Agearfilm: warning: the errors of the figures are not known.*\n\Z")
         self.assertIsNone(found["h_min_error"])
 
     def test_two_processes_choose_and_find_the_same(self):

@@ -122,6 +122,44 @@ class Disk(FaultTest):
         self.assertGreater(readable(self.output), 0)
 
 
+class Limits(FaultTest):
+    """Limits of the system that batch systems set: one line each, and no internal error."""
+
+    def limited(self, limit, *arguments):
+        command = " ".join(["ulimit", *limit, "&&", "exec", PROGRAM, *map(str, arguments)])
+        return subprocess.run(["bash", "-c", command], cwd=self.folder, capture_output=True, text=True, timeout=SECONDS,
+                              check=False)
+
+    def test_memory(self):
+        for kilobytes in (250_000, 350_000):
+            done = self.limited(["-v", str(kilobytes)], "steady", BARBIERI, "-grid_nx", 1025, "-grid_ny", 513)
+            self.assertEqual(done.returncode, 2, done)
+            self.assertRegex(done.stderr, r"\Agearfilm: not solved: there is no more memory .* -v.*\n\Z")
+
+    def test_size_of_files(self):
+        done = self.limited(["-f", "600"], *ENDLESS, "-output_dir", self.output)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertRegex(done.stderr, r"gearfilm: not written: cannot write '.*\n\Z")
+
+    def test_standard_output_that_is_full(self):
+        for processes in (1, 2):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([*(MPIEXEC + [str(processes)] if processes > 1 else []), PROGRAM, "info", BARBIERI,
+                                       "-thermal_model", "none", "-output_dir", self.output], cwd=self.folder,
+                                      stdout=full, stderr=subprocess.PIPE, text=True, timeout=SECONDS, check=False)
+            if processes == 1:  # mpiexec passes on what its processes print, and says itself what becomes of it
+                self.assertEqual(done.returncode, 2, done)
+                self.assertRegex(done.stderr, r"\Agearfilm: not written: cannot write to standard output.*\n\Z")
+            self.assertTrue((self.output / "summary.json").exists())
+
+    def test_working_directory_that_is_gone(self):
+        done = subprocess.run(["bash", "-c", f"mkdir gone && cd gone && rmdir ../gone && {PROGRAM} info {BARBIERI}"],
+                              cwd=self.folder, capture_output=True, text=True, timeout=SECONDS, check=False)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertEqual(done.stderr.count("\n"), 1, done)
+        self.assertIn("gearfilm: wrong input: the working directory is gone", done.stderr)
+
+
 class Solver(FaultTest):
     """Each fault is caught where it happens, and its place is said."""
 

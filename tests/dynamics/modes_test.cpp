@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/dynamics/static_mesh.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/dynamic_stiffness.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
@@ -36,6 +38,26 @@ TEST(DryModes, bending_teeth_are_in_series_with_the_contact) {
   const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
   const auto [rigid, swinging] = dry_modes(k, radii, disc_inertias(radii, *problem.pair.equivalent_mass));
   EXPECT_NEAR(swinging.frequency, 3727.2, 0.002 * 3727.2);
+}
+
+// Three contacts at the pitch point swing together.
+TEST(DryModes, stiffness_is_that_of_all_contacts_at_the_pitch_point) {
+  const Case problem = input_case("high_contact_ratio.yaml");
+  const MeshModel mesh = mesh_of(problem);
+  const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 50);
+  ASSERT_EQ(turned.at_pitch.contacts.size(), 3u);
+  EXPECT_NEAR(mesh.stiffness / turned.at_pitch.stiffness, 1.0, 1e-9);
+  const double alone = contact_stiffness(mesh.scales.static_force, mesh.scales.approach);
+  EXPECT_GT(mesh.stiffness, 1.9 * alone);  // with three alike 3^(2/3) = 2.08
+  EXPECT_NEAR(1.0 / natural_period(problem), natural_frequency(mesh.stiffness, mesh.inertia), 1e-12);
+}
+
+TEST(DryModes, pitch_errors_do_not_change_the_stiffness) {
+  std::string errors;
+  for (int tooth = 0; tooth < 40; ++tooth) errors += tooth % 2 ? " 2e-5" : " 0";
+  const Case plain = input_case("high_contact_ratio.yaml");
+  const Case rough = input_case("high_contact_ratio.yaml", {{"pinion.pitch_errors", errors}});
+  EXPECT_EQ(plain.pair.stiffness, rough.pair.stiffness);
 }
 
 TEST(DryModes, very_different_inertias) {

@@ -62,6 +62,16 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
   EXPECT_NEAR(std::abs(multipliers(orbit.monodromy)[0]), 1.0, 1e-5);
 }
 
+// The damper alone contracts the plane of motion: det = exp(-2 zeta omega_n T_m order), whatever the orbit.
+TEST(DryOrbit, product_of_both_multipliers_is_the_dampers) {
+  for (const auto& [order, product] : {std::pair{1, 0.92885}, std::pair{2, 0.86277}, std::pair{4, 0.74437}}) {
+    MeshModel mesh = mesh_of(table3_case(after_leaving_place()));
+    mesh.order = order;
+    const auto mu = multipliers(find_dry_orbit(mesh, 0.008).monodromy);
+    EXPECT_NEAR((mu[0] * mu[1]).real(), product, 2e-5) << order;
+  }
+}
+
 TEST(DryOrbit, damping_leads_over_the_end_of_a_branch) {
   // At 10500 rpm the orbit of the strongly damped pair ends in a fold; the lightly damped one loses contact.
   const Case problem = table3_case(with(after_leaving_place(), {{"pinion.speed_rpm", "10500"}}));
