@@ -10,6 +10,7 @@
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
+#include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -60,6 +61,7 @@ void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, S
   add("h_min", scales.thickness, &GridErrors::smallest_film);
   add("p_central", scales.pressure, &GridErrors::central_pressure);
   add("p_max", scales.pressure, &GridErrors::largest_pressure);
+  add_error_bar(summary, "p_spike", errors ? errors->spike_pressure : std::nullopt, scales.pressure);
 }
 
 bool chosen_by_program(const Case& problem) {
@@ -211,6 +213,8 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Posi
       .add("  towards finer grids", "h_min_extrapolated", 1e6, "um")
       .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_min", 1e6, "um")
       .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("  in the centre", "p_central", 1e-9, "GPa")
+      .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
       .add("force", "force", 1.0, "N")
       .text("work", work.str())
       .print(comm, folder);

@@ -4,16 +4,16 @@
 #include <optional>
 #include <string>
 
-#include "gearfilm/ehl/grid_error.hpp"
+#include "gearfilm/ehl/estimate.hpp"
 #include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 
-/// Both null where nothing is known of it. `unit`: of the estimate, in SI.
+/// Both null where nothing is known of it, the latter also where no limit is in sight. `unit`: of the estimate, in SI.
 inline void add_error_bar(Summary& summary, const std::string& name, const std::optional<Estimate>& estimate,
                           double unit = 1.0) {
   summary[name + "_error"] = estimate ? Summary(unit * estimate->error) : Summary();
-  summary[name + "_extrapolated"] = estimate ? Summary(unit * estimate->extrapolated) : Summary();
+  summary[name + "_extrapolated"] = estimate && estimate->extrapolated ? Summary(unit * *estimate->extrapolated) : Summary();
 }
 
 }  // namespace gearfilm
