@@ -50,7 +50,7 @@ std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& f
   std::optional<LargestError> largest;
   const auto add = [&](const std::string& name, const std::optional<Estimate>& bar, const Unit& unit, double least) {
     add_error_bar(summary, name, bar, unit.in_si(scales, 1.0));
-    if (!bar) return;
+    if (!bar || !bar->extrapolated) return;  // a spike's is no fault of this grid alone
     const Estimate in_si{unit.in_si(scales, bar->value), unit.in_si(scales, bar->error)};
     const double relative = in_si.relative_error(least);
     if (!largest || relative > largest->relative) largest = LargestError{name, relative, std::abs(in_si.value) < least};

@@ -4,6 +4,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/dry_run.hpp"
+#include "gearfilm/app/error_bar.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
@@ -94,6 +95,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("mean friction coefficient", "mean_friction_coefficient")
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
+  note_spike(comm, summary);
   if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
   if (dry || (error && error->relative <= tolerable)) return;
   std::ostringstream warning;

@@ -339,6 +339,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   add_coupling(problem, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
   print_result(comm, directory.path(), position, summary);
+  note_spike(comm, summary);
   print_shear(comm, summary);
   print_heating(comm, summary);
   print_friction(comm, summary);

@@ -8,7 +8,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double slow_convergence = 1.5;  // error of a smallest film, in that of second order
-constexpr double least_growth = 0.11;     // of an unresolved spike in one doubling of the nodes, of its height
+constexpr double least_growth = 0.13;     // of an unresolved spike in one doubling of the nodes, of its height
 constexpr double sudden_growth = 0.25;    // of one that the coarser grid has not
 constexpr double doublings = 2.0;         // that the bar of a spike is for
 constexpr double missed_part = 0.08;      // of step times height: change of the pressures beside a spike

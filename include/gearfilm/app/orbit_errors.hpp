@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// The figure that is known worst.
+/// The figure that is known worst, of those that have a limit in sight.
 struct LargestError {
   std::string figure;
   double relative = 0.0;         ///< to its value; to the static force where a force is smaller, since it may vanish

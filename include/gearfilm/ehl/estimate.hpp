@@ -3,12 +3,11 @@
 // Errors are of second order: with steps r times as long they are r^2 times as large, so that
 //   e = (f(h) - f(r h))/(r^2 - 1)
 // is the estimate of the error and f(h) + e the extrapolated value. Two kinds of figures converge more slowly, and have
-// bars of their own; their factors are measured (docs/verification.md, section 13):
-// - The smallest film lies between nodes, in a place that moves with the spike: orders of 1.3 to 2, so 3 e/2.
-// - The outlet's spike (Petrusevich) is narrower than the steps of usual grids. A node can be no closer to its top than
-//   a step, and its height grows by 6 to 9 % whenever nodes are doubled, for four to five doublings. Its bar is what
-//   two doublings add, which is not the limit: that remains unknown. Where the spike is, or within two doublings may
-//   become, the largest pressure, that has its bar.
+// bars of their own, with measured factors (docs/verification.md, section 13):
+// - Smallest films converge with orders of 1.3 to 2: 3 e/2.
+// - The outlet's spike (Petrusevich) is thinner than the steps of usual grids: its height grows by 3 to 13 % whenever
+//   nodes are doubled, for four doublings and more. Its bar is what two doublings add, which is not the limit: that
+//   remains unknown. Where the spike is, or within two doublings may become, the largest pressure, that has its bar.
 // A spike carries a force that a grid without its top has wrong by a part of the step times its height. The rest of the
 // pressures makes up for that: at least that much they are uncertain.
 #pragma once
