@@ -73,7 +73,7 @@ void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<Grid
   constexpr double tolerable = 0.05;
   const bool chosen = chosen_by_program(problem);
   const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable;
-  if (errors && errors->worst() <= aim) return;
+  if (errors && errors->left() <= aim) return;
   std::ostringstream text;
   text.precision(2);
   if (errors) {
@@ -309,7 +309,7 @@ double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
   constexpr double most = 2.0;
   if (!chosen_by_program(problem)) return 1.0;
   if (!errors) return most;
-  const double excess = errors->worst() / problem.parameters.real("grid.accuracy");
+  const double excess = errors->left() / problem.parameters.real("grid.accuracy");
   return excess > 1.0 ? std::min(most, 1.1 * std::sqrt(excess)) : 1.0;
 }
 

@@ -4,7 +4,7 @@
 //   e = (f(h) - f(r h))/(r^2 - 1)
 // is the estimate of the error and f(h) + e the extrapolated value. Two kinds of figures converge more slowly, and have
 // bars of their own, with measured factors (docs/verification.md, section 13):
-// - Smallest films converge with orders of 1.3 to 2: 3 e/2.
+// - Smallest films, and pressures beside a spike, converge with orders of 1.3 to 2: 3 e/2.
 // - The outlet's spike (Petrusevich) is thinner than the steps of usual grids: its height grows by 3 to 13 % whenever
 //   nodes are doubled, for four doublings and more. Its bar is what two doublings add, which is not the limit: that
 //   remains unknown. Where the spike is, or within two doublings may become, the largest pressure, that has its bar.
@@ -24,6 +24,8 @@ struct Estimate {
 
   /// To the value, or to `least` where that is larger.
   double relative_error(double least = 0.0) const;
+  /// From the value to the extrapolated one, over the value; of those that have one.
+  double relative_rest() const;
 };
 
 /// Of a figure on a grid, and on one of `ratio` times the steps.

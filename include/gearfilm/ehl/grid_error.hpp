@@ -20,8 +20,10 @@ struct GridErrors {
   Estimate largest_pressure;
   std::optional<Estimate> spike_pressure;  ///< nothing without a spike
 
-  /// Relative, of the two films.
+  /// Relative bars of the two films, the larger one.
   double worst() const { return std::max(central_film.relative_error(), smallest_film.relative_error()); }
+  /// The same of what is left to their extrapolated values: what the choice of grids aims at.
+  double left() const { return std::max(central_film.relative_rest(), smallest_film.relative_rest()); }
 };
 
 /// What a film on the coarser grid becomes with what else acts on it, such as its heat. May throw SolveError.
