@@ -1,9 +1,16 @@
 #include "gearfilm/app/orbit_errors.hpp"
 
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
 #include "gearfilm/app/error_bar.hpp"
 
 namespace gearfilm {
 namespace {
+
+constexpr PeriodFigureName largest_pressure = "p_max", spike_pressure = "p_spike_max";
+constexpr ContactFigureName smallest_film = "h_min";
 
 bool is_force(const PeriodFigure& figure) { return figure.unit.in_si == units::static_force.in_si; }
 
@@ -13,33 +20,52 @@ bool has_error(const PeriodFigure& figure) {
   return of(units::metre) || of(units::pascal) || is_force(figure) || of(units::watt);
 }
 
+/// Dimensionless, of the figure at that place; nothing where an orbit has no value, or no spike.
+std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
+  const PeriodFigures &fine = found.run.figures, &coarse = found.coarse->figures;
+  const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
+  if (!own || !other) return {};
+  const auto with_spike = [](double pressure, const PeriodFigures& figures) {
+    return PeakPressures{pressure, figures[spike_pressure].value_or(0.0)};
+  };
+  const PeriodFigure& figure = period_figures[place];
+  if (place == spike_pressure.place) return estimate_spike(*own, *other, found.ratio);
+  if (place == largest_pressure.place)
+    return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.run.orbit.end.shape.h_x(),
+                            found.ratio);
+  if (figure.of_contact && figure.source == smallest_film.place) return estimate_smallest(*own, *other, found.ratio);
+  return estimate(*own, *other, found.ratio);
+}
+
 }  // namespace
+
+std::string LargestError::text() const {
+  std::ostringstream text;
+  text << figure << " has an error of about " << std::fixed << std::setprecision(0) << 100.0 * relative << " %"
+       << (of_static_force ? " of the static force" : "");
+  return text.str();
+}
 
 std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
   std::optional<LargestError> largest;
-  const auto add = [&](const std::string& name, auto value_of, double least) {
-    const std::optional<double> fine = value_of(found.run);
-    if (!fine) return;
-    const std::optional<double> coarse = found.coarse ? value_of(*found.coarse) : std::nullopt;
-    if (!coarse) return add_error_bar(summary, name, {});
-    const Estimate bar = estimate(*fine, *coarse, found.ratio);
-    add_error_bar(summary, name, bar);
-    const double relative = bar.relative_error(least);
-    if (!largest || relative > largest->relative) largest = LargestError{name, relative};
+  const auto add = [&](const std::string& name, const std::optional<Estimate>& bar, const Unit& unit, double least) {
+    add_error_bar(summary, name, bar, unit.in_si(scales, 1.0));
+    if (!bar || !bar->extrapolated) return;  // a spike's is no fault of this grid alone
+    const Estimate in_si{unit.in_si(scales, bar->value), unit.in_si(scales, bar->error)};
+    const double relative = in_si.relative_error(least);
+    if (!largest || relative > largest->relative) largest = LargestError{name, relative, std::abs(in_si.value) < least};
   };
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
-    if (!has_error(figure)) continue;
-    const auto in_si = [&](const OrbitRun& run) {
-      const std::optional<double>& value = run.figures.values[n];
-      return value ? std::optional(figure.unit.in_si(scales, *value)) : std::nullopt;
-    };
-    add(std::string(figure.name), in_si, is_force(figure) ? 1.0 : 0.0);
+    if (!has_error(figure) || !found.run.figures.values[n]) continue;
+    const std::optional<Estimate> bar = found.coarse ? error_of(n, found) : std::nullopt;
+    add(std::string(figure.name), bar, figure.unit, is_force(figure) ? 1.0 : 0.0);
   }
-  const auto swing = [&](const OrbitRun& run) {
-    return std::optional(scales.thickness * run.transmission_error.peak_to_peak);
-  };
-  add("transmission_error_peak_to_peak", swing, 0.0);
+  const double swing = found.run.transmission_error.peak_to_peak;
+  add("transmission_error_peak_to_peak",
+      found.coarse ? std::optional(estimate(swing, found.coarse->transmission_error.peak_to_peak, found.ratio))
+                   : std::nullopt,
+      units::metre, 0.0);
   return largest;
 }
 

@@ -4,6 +4,7 @@
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/dry_run.hpp"
+#include "gearfilm/app/error_bar.hpp"
 #include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/march_output.hpp"
@@ -86,6 +87,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("total force, largest", "total_force_ratio_max", 1.0, "static forces")
       .add("total force, smallest", "total_force_ratio_min", 1.0, "static forces")
       .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("  of the outlet's spike", "p_spike_max", 1e-9, "GPa")
       .add("smallest film", "h_min", 1e6, "um")
       .add("central film at the pitch point", "pitch_h_central", 1e6, "um")
       .add("transmission error, peak to peak", "transmission_error_peak_to_peak", 1e6, "um")
@@ -94,12 +96,12 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("mean friction coefficient", "mean_friction_coefficient")
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
+  note_spike(comm, summary);
   if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
   if (dry || (error && error->relative <= tolerable)) return;
   std::ostringstream warning;
   if (error) {
-    warning << error->figure << " has an error of about " << std::fixed << std::setprecision(0)
-            << 100.0 * error->relative << " %, the largest of all (each figure's _error is in summary.json)";
+    warning << error->text() << ", the largest of all (each figure's _error is in summary.json)";
   } else {
     warning << "the errors of the figures are not known, since no coarser grid has this state";
   }

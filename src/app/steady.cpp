@@ -11,6 +11,7 @@
 #include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
+#include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -61,6 +62,7 @@ void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, S
   add("h_min", scales.thickness, &GridErrors::smallest_film);
   add("p_central", scales.pressure, &GridErrors::central_pressure);
   add("p_max", scales.pressure, &GridErrors::largest_pressure);
+  add_error_bar(summary, "p_spike", errors ? errors->spike_pressure : std::nullopt, scales.pressure);
 }
 
 bool chosen_by_program(const Case& problem) {
@@ -72,7 +74,7 @@ void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<Grid
   constexpr double tolerable = 0.05;
   const bool chosen = chosen_by_program(problem);
   const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable;
-  if (errors && errors->worst() <= aim) return;
+  if (errors && errors->left() <= aim) return;
   std::ostringstream text;
   text.precision(2);
   if (errors) {
@@ -212,6 +214,8 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Posi
       .add("  towards finer grids", "h_min_extrapolated", 1e6, "um")
       .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_min", 1e6, "um")
       .add("largest pressure", "p_max", 1e-9, "GPa")
+      .add("  in the centre", "p_central", 1e-9, "GPa")
+      .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
       .add("force", "force", 1.0, "N")
       .text("work", work.str())
       .print(comm, folder);
@@ -306,7 +310,7 @@ double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
   constexpr double most = 2.0;
   if (!chosen_by_program(problem)) return 1.0;
   if (!errors) return most;
-  const double excess = errors->worst() / problem.parameters.real("grid.accuracy");
+  const double excess = errors->left() / problem.parameters.real("grid.accuracy");
   return excess > 1.0 ? std::min(most, 1.1 * std::sqrt(excess)) : 1.0;
 }
 
@@ -338,6 +342,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   add_coupling(problem, solved, summary);
   write_results(comm, problem, position, *solved.film, friction.fields, summary);
   print_result(comm, directory.path(), position, summary);
+  note_spike(comm, summary);
   print_shear(comm, summary);
   print_heating(comm, summary);
   print_friction(comm, summary);

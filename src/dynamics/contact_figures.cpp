@@ -35,6 +35,7 @@ FilmFigures film_figures(const ContactFigures& figures) {
   film.smallest_film = figures["h_min"];
   film.central_pressure = figures["p_central"];
   film.largest_pressure = figures["p_max"];
+  film.spike_pressure = figures["p_spike"];
   film.finite = std::ranges::all_of(figures.values, [](double value) { return std::isfinite(value); });
   return film;
 }

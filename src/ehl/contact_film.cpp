@@ -8,6 +8,7 @@
 #include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/overshoot.hpp"
+#include "gearfilm/ehl/pressure_spike.hpp"
 #include "gearfilm/parallel/events.hpp"
 
 namespace gearfilm {
@@ -205,8 +206,8 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
   evaluate(pressure, H0);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
-  enum { largest_pressure, negative_film, central_pressure, central_film, count };
-  double maxima[count] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
+  enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
+  double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.pressure), -INFINITY, -INFINITY, -INFINITY};
   if (grid_.rank() == 0) {
     const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
     maxima[central_pressure] = state_.pressure.row(i_centre)[0];
@@ -222,7 +223,12 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
   // A maximum may pass over what is not a number; the integral does not.
   bool finite = std::isfinite(carried);
   for (const double maximum : maxima) finite = finite && std::isfinite(maximum);
-  return {carried, maxima[central_film], -maxima[negative_film], maxima[central_pressure], maxima[largest_pressure],
+  return {carried,
+          maxima[central_film],
+          -maxima[negative_film],
+          maxima[central_pressure],
+          maxima[largest_pressure],
+          maxima[spike],
           finite};
 }
 

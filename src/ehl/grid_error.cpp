@@ -16,11 +16,15 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
-std::optional<GridErrors> errors_between(const FilmFigures& fine, const FilmFigures& half) {
+/// `step`: of the finer grid along X.
+std::optional<GridErrors> errors_between(const FilmFigures& fine, const FilmFigures& half, double step) {
   if (!half.finite || half.smallest_film <= 0.0) return {};
-  return GridErrors{estimate(fine.central_film, half.central_film), estimate(fine.smallest_film, half.smallest_film),
-                    estimate(fine.central_pressure, half.central_pressure),
-                    estimate(fine.largest_pressure, half.largest_pressure)};
+  const double spike = fine.spike_pressure, half_spike = half.spike_pressure;
+  return GridErrors{estimate(fine.central_film, half.central_film),
+                    estimate_smallest(fine.smallest_film, half.smallest_film),
+                    estimate_beside_spike({fine.central_pressure, spike}, {half.central_pressure, half_spike}, step),
+                    estimate_largest({fine.largest_pressure, spike}, {half.largest_pressure, half_spike}, step),
+                    estimate_spike(spike, half_spike)};
 }
 
 /// From nothing, grid by grid; where a step of that way fails, from the finer film. That alone would take far longer:
@@ -41,12 +45,13 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   const ScopedStage stage("Error of the grid");
   const Discretisation &fine = *film.discretisation(), *coarser = fine.coarser();
   if (!coarser) return {};
-  if (!couple && result.before && fine.before() == coarser) return errors_between(result.figures, *result.before);
+  const double step = film.grid().h_x();
+  if (!couple && result.before && fine.before() == coarser) return errors_between(result.figures, *result.before, step);
   ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
   coarse.set_conditions(film.conditions());
   try {
     const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
-    return errors_between(result.figures, couple ? couple(coarse, alone).figures : alone.figures);
+    return errors_between(result.figures, couple ? couple(coarse, alone).figures : alone.figures, step);
   } catch (const SolveError&) {
     return {};
   }

@@ -68,7 +68,7 @@ class Defaults(ProgramTest):
         self.assertRegex(run.stdout, r"on 65 x 17 nodes .* is not positive.*; the search goes on without")
         self.assertGreater(found["h_min_error"], 0.1 * found["h_min"])
         self.assertAlmostEqual(found["h_min_extrapolated"], 0.999e-6, delta=0.07e-6)
-        percent = 100 * found["h_min_error"] / found["h_min_extrapolated"]
+        percent = 100 * found["h_min_error"] / found["h_min"]  # of the figure that is printed, as its bar
         self.assertRegex(run.of_case, rf"\Agearfilm: warning: h_min has an error of about {percent:.0f} %, the largest")
         self.assertLess(found["force_ratio_max_error"], 0.01 * found["force_ratio_max"])
 
@@ -79,9 +79,16 @@ class Defaults(ProgramTest):
         self.assertGreaterEqual(len(figures), 15)
         for name in figures:
             with self.subTest(figure=name):
-                off = abs(found[name + "_extrapolated"] - found[name])
                 self.assertIsNotNone(found[name + "_error"])
-                self.assertAlmostEqual(found[name + "_error"], off, delta=1e-6 * off)
+                if found[name + "_extrapolated"] is None:
+                    self.assertIn(name, {"p_max", "p_spike_max"})
+                    continue
+                off = abs(found[name + "_extrapolated"] - found[name])
+                if name == "p_max":
+                    self.assertGreaterEqual(found[name + "_error"], off)
+                    continue
+                factor = 1.5 if name in {"h_min", "pitch_h_min", "entry_h_min"} else 1  # slower than second order
+                self.assertAlmostEqual(found[name + "_error"], factor * off, delta=1e-6 * off)
 
     def test_state_that_no_coarser_grid_carries_has_none(self):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",

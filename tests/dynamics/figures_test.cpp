@@ -37,7 +37,7 @@ TEST(ContactFigures, sliding_is_negative_before_the_pitch_point_and_positive_beh
 }
 
 TEST(ContactFigures, film_comes_back_out_of_the_figures) {
-  const FilmFigures film{5.0, 0.3, 0.2, 1.1, 1.2, true};
+  const FilmFigures film{5.0, 0.3, 0.2, 1.1, 1.2, 1.15, true};
   const Case problem = table3_case();
   const FilmFigures again = film_figures(contact_record(mesh_of(problem), 0, 0.0, film).figures);
   EXPECT_EQ(again.pressure_integral, film.pressure_integral);
@@ -45,6 +45,7 @@ TEST(ContactFigures, film_comes_back_out_of_the_figures) {
   EXPECT_EQ(again.smallest_film, film.smallest_film);
   EXPECT_EQ(again.central_pressure, film.central_pressure);
   EXPECT_EQ(again.largest_pressure, film.largest_pressure);
+  EXPECT_EQ(again.spike_pressure, film.spike_pressure);
   EXPECT_TRUE(again.finite);
 }
 

@@ -4,16 +4,27 @@
 #include <optional>
 #include <string>
 
-#include "gearfilm/ehl/grid_error.hpp"
+#include "gearfilm/ehl/estimate.hpp"
 #include "gearfilm/output/summary.hpp"
+#include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 
-/// Both null where nothing is known of it. `unit`: of the estimate, in SI.
+/// Both null where nothing is known of it, the latter also where no limit is in sight. `unit`: of the estimate, in SI.
 inline void add_error_bar(Summary& summary, const std::string& name, const std::optional<Estimate>& estimate,
                           double unit = 1.0) {
   summary[name + "_error"] = estimate ? Summary(unit * estimate->error) : Summary();
-  summary[name + "_extrapolated"] = estimate ? Summary(unit * estimate->extrapolated) : Summary();
+  summary[name + "_extrapolated"] =
+      estimate && estimate->extrapolated ? Summary(unit * *estimate->extrapolated) : Summary();
+}
+
+/// Says that the bar of the largest pressure is that of a spike, where it is.
+inline void note_spike(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("p_max_error") || summary["p_max_error"].is_null()) return;
+  if (!summary["p_max_extrapolated"].is_null()) return;
+  petsc_check(PetscPrintf(comm,
+                          "the largest pressure is, or may become on finer grids, that of the outlet's spike, whose "
+                          "limit is not known: its error is what doubling the nodes twice may add\n"));
 }
 
 }  // namespace gearfilm

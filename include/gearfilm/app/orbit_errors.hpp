@@ -8,10 +8,14 @@
 
 namespace gearfilm {
 
-/// The figure that is known worst.
+/// The figure that is known worst, of those that have a limit in sight.
 struct LargestError {
   std::string figure;
-  double relative = 0.0;  ///< to its extrapolated value; of a force at least to the static one, since it may vanish
+  double relative = 0.0;         ///< to its value; to the static force where a force is smaller, since it may vanish
+  bool of_static_force = false;  ///< the latter
+
+  /// "h_min has an error of about 12 %".
+  std::string text() const;
 };
 
 /// Adds errors to the figures of an orbit's summary, and where they point to: `_error` and `_extrapolated`, null

@@ -25,7 +25,8 @@ struct FilmFigures {
   double smallest_film = 0.0;
   double central_pressure = 0.0;
   double largest_pressure = 0.0;
-  bool finite = true;  ///< false where any pressure or film is not a number
+  double spike_pressure = 0.0;  ///< of the outlet's spike (pressure_spike.hpp); zero where there is none
+  bool finite = true;           ///< false where any pressure or film is not a number
 };
 
 class ContactFilm {

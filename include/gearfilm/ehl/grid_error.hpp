@@ -1,43 +1,29 @@
 // How far a stationary film may be from that of an infinitely fine grid.
 //
-// The same film on every second node of the grid differs from it by three times as much, since errors are of second
-// order: e = (h(h) - h(2h))/3 is the estimate of the error, h(h) + e the extrapolated value. A film that was found from
-// every second node has been there; else the estimate costs another solution there.
+// The same film on every second node of the grid tells that (estimate.hpp). A film that was found from every second
+// node has been there; else the estimate costs another solution there.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 
+#include "gearfilm/ehl/estimate.hpp"
 #include "gearfilm/ehl/stationary.hpp"
 
 namespace gearfilm {
-
-/// A figure with its bar.
-struct Estimate {
-  double value = 0.0;
-  double error = 0.0;  ///< of the value, absolute
-  double extrapolated = 0.0;
-
-  /// To the extrapolated value, or to `least` where that is larger.
-  double relative_error(double least = 0.0) const { return error / std::max(std::abs(extrapolated), least); }
-};
-
-/// Of a figure on a grid, and on one of `ratio` times the steps.
-inline Estimate estimate(double fine, double coarse, double ratio = 2.0) {
-  const double difference = (fine - coarse) / (ratio * ratio - 1.0);
-  return {fine, std::abs(difference), fine + difference};
-}
 
 struct GridErrors {
   Estimate central_film;
   Estimate smallest_film;
   Estimate central_pressure;
   Estimate largest_pressure;
+  std::optional<Estimate> spike_pressure;  ///< nothing without a spike
 
-  /// Relative, of the two films.
+  /// Relative bars of the two films, the larger one.
   double worst() const { return std::max(central_film.relative_error(), smallest_film.relative_error()); }
+  /// The same of what is left to their extrapolated values: what the choice of grids aims at.
+  double left() const { return std::max(central_film.relative_rest(), smallest_film.relative_rest()); }
 };
 
 /// What a film on the coarser grid becomes with what else acts on it, such as its heat. May throw SolveError.

@@ -1,0 +1,52 @@
+// What a figure on one grid and on a coarser one says of finer ones.
+//
+// Errors are of second order: with steps r times as long they are r^2 times as large, so that
+//   e = (f(h) - f(r h))/(r^2 - 1)
+// is the estimate of the error and f(h) + e the extrapolated value. Two kinds of figures converge more slowly, and have
+// bars of their own, with measured factors (docs/verification.md, section 13):
+// - Smallest films, and pressures beside a spike, converge with orders of 1.3 to 2: 3 e/2.
+// - The outlet's spike (Petrusevich) is thinner than the steps of usual grids: its height grows by 3 to 13 % whenever
+//   nodes are doubled, for four doublings and more. Its bar is what two doublings add, which is not the limit: that
+//   remains unknown. Where the spike is, or within two doublings may become, the largest pressure, that has its bar.
+// A spike carries a force that a grid without its top has wrong by a part of the step times its height. The rest of the
+// pressures makes up for that: at least that much they are uncertain.
+#pragma once
+
+#include <optional>
+
+namespace gearfilm {
+
+/// A figure with its bar.
+struct Estimate {
+  double value = 0.0;
+  double error = 0.0;                    ///< of the value, absolute
+  std::optional<double> extrapolated{};  ///< nothing where no limit is in sight
+
+  /// To the value, or to `least` where that is larger.
+  double relative_error(double least = 0.0) const;
+  /// From the value to the extrapolated one, over the value; of those that have one.
+  double relative_rest() const;
+};
+
+/// Of a figure on a grid, and on one of `ratio` times the steps.
+Estimate estimate(double fine, double coarse, double ratio = 2.0);
+
+/// Of a smallest film.
+Estimate estimate_smallest(double fine, double coarse, double ratio = 2.0);
+
+/// Pressures on one grid, all in one unit.
+struct PeakPressures {
+  double pressure = 0.0;  ///< the one whose bar is asked for
+  double spike = 0.0;     ///< height of the outlet's spike, zero where there is none
+};
+
+/// Of the spike's height; nothing where there is none on the finer grid.
+std::optional<Estimate> estimate_spike(double fine, double coarse, double ratio = 2.0);
+
+/// Of a pressure beside a spike, such as that in the centre. `step`: of the finer grid along X, in units of a.
+Estimate estimate_beside_spike(const PeakPressures& fine, const PeakPressures& coarse, double step, double ratio = 2.0);
+
+/// Of the largest pressure, be it the centre's or the spike's.
+Estimate estimate_largest(const PeakPressures& fine, const PeakPressures& coarse, double step, double ratio = 2.0);
+
+}  // namespace gearfilm
