@@ -79,6 +79,37 @@ TEST(StaticMesh, has_the_natural_frequencies_of_the_reference) {
               tolerance);
 }
 
+// The loss of FZG C under 200 N m at 1500 rpm with a coefficient of friction of 0.0449, as GEARpie prints it: its teeth
+// share the load by their stiffness, in bending and foundation of another model. Equal shares lose 280.2 W.
+TEST(StaticMesh, loss_by_a_constant_coefficient_of_friction) {
+  const Case problem = input_case("fzg_c.yaml", {{"pinion.outer_radius", "41.318e-3"},
+                                                 {"wheel.outer_radius", "59.272e-3"},
+                                                 {"pinion.tip_relief", "0"},
+                                                 {"wheel.tip_relief", "0"},
+                                                 {"pinion.torque", "200"},
+                                                 {"pinion.speed_rpm", "1500"}});
+  const MeshModel mesh = mesh_after_leaving(problem);
+  const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 2000);
+  const double friction = 0.0449;
+  double energy = 0.0;
+  for (std::size_t n = 1; n < turned.positions.size(); ++n) {
+    const auto power = [&](const StaticPosition& at) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < at.forces.size(); ++k) {
+        const double xi = mesh.path.position(at.contacts[k], at.T);
+        const double sliding = mesh.path.line().sliding_velocity(xi, mesh.path.pinion_speed());
+        sum += friction * mesh.scales.force(at.forces[k]) * std::abs(sliding);
+      }
+      return sum;
+    };
+    const StaticPosition &before = turned.positions[n - 1], &now = turned.positions[n];
+    energy += 0.5 * (power(before) + power(now)) * (now.T - before.T);
+  }
+  EXPECT_NEAR(energy / mesh.path.mesh_period(), 274.4, 0.01 * 274.4);
+  const double transmitted = 200.0 * problem.pair.pinion_speed;
+  EXPECT_NEAR(friction * mesh.path.line().loss_factor() * transmitted, 280.19, 0.01);
+}
+
 // All teeth lack the same: the gears turn that much further, and nothing else changes.
 TEST(StaticMesh, a_common_gap_shifts_h0_alone) {
   const Case perfect = table3_case(with(bending(), just_after_leaving));

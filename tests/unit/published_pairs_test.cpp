@@ -37,7 +37,9 @@ SpurGearPair pair_of(const SpurGear& pinion, const SpurGear& wheel, double modul
 }
 
 /// FZG C as in the examples of GEARpie.
-SpurGearPair fzg_c() { return pair_of(gear(16, 41.318e-3, 0.1817), gear(24, 59.272e-3, 0.1715), 4.5e-3, 91.5e-3, 14e-3); }
+SpurGearPair fzg_c() {
+  return pair_of(gear(16, 41.318e-3, 0.1817), gear(24, 59.272e-3, 0.1715), 4.5e-3, 91.5e-3, 14e-3);
+}
 
 /// FZG A: a wheel with a large negative shift.
 SpurGearPair fzg_a() { return pair_of(gear(16, 44.385e-3, 0.8635), gear(24, 56.25e-3, -0.5), 4.5e-3, 91.5e-3, 20e-3); }
@@ -49,10 +51,10 @@ double line_pressure(double force, double width, double radius, double reduced_m
   return 2.0 * force / (pi * half_width * width);
 }
 
-// Printed to the digits that are asked for here.
+// Printed to the digits that are asked for here. Its loss rests on bending teeth: static_mesh_test.cpp.
 TEST(PublishedPairs, fzg_c_by_gearpie) {
   const LineOfAction line(fzg_c());
-  const double torque = 200.0, speed = 1500.0 * pi / 30.0, force = torque / line.base_radius_pinion();
+  const double force = 200.0 / line.base_radius_pinion();
   EXPECT_NEAR(force, 5912.1, 0.05);
   EXPECT_NEAR(1e-6 * line_pressure(force, 14e-3, line.radius_x(0.0), reduced_modulus(206e9, 0.3, 206e9, 0.3)), 1347.3,
               2.0);
@@ -61,7 +63,6 @@ TEST(PublishedPairs, fzg_c_by_gearpie) {
   EXPECT_NEAR(1e3 * (AE - line.base_pitch()), 6.14, 0.01);
   EXPECT_NEAR(1e3 * -line.entry(), 9.68, 0.005);
   EXPECT_NEAR(1e3 * line.base_pitch(), 13.28, 0.006);
-  EXPECT_NEAR(0.0449 * line.loss_factor() * torque * speed, 274.4, 0.5);
 }
 
 TEST(PublishedPairs, twelve_and_twenty_four_teeth) {
