@@ -8,9 +8,10 @@ namespace {
 
 constexpr double smallest_step = 1.0 / 128;  // parts of the way
 constexpr double largest_turn = 0.3;         // of the tangent in a step [rad]
-constexpr double farthest = 0.2;      // from prediction to motion, of a step: half of what such a turn makes and more
-constexpr double same_motion = 1e-3;  // in (H_0, V_0)
-constexpr double tolerance = 2e-8;    // of |P(x) - x|, as for branches of the dry pair
+constexpr double farthest = 0.2;             // from prediction to motion, of a step's length along the branch
+constexpr double other_branch = 0.3;         // in (H_0, V_0) from the prediction, however long the step
+constexpr double same_motion = 1e-3;         // in (H_0, V_0)
+constexpr double tolerance = 2e-8;           // of |P(x) - x|, as for branches of the dry pair
 
 /// Signed parts of the way are the unit of the parameter, so that a tangent's last component is positive.
 Motion ahead(const BranchPoint& from, double parts) {
@@ -20,7 +21,8 @@ Motion ahead(const BranchPoint& from, double parts) {
 
 bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const Motion& predicted, double step) {
   const double turn = std::acos(std::clamp(dot(here.tangent, there.tangent), -1.0, 1.0));
-  return turn < largest_turn && length(difference(there.state.motion, predicted)) < farthest * step;
+  const double away = length(difference(there.state.motion, predicted));
+  return turn < largest_turn && away < std::min(other_branch, farthest * step / here.tangent[2]);
 }
 
 }  // namespace
