@@ -42,7 +42,7 @@ MeshModel case_study(const std::string& speed) {
 Motion rest(const MeshModel& mesh) { return DryMarch::balance(mesh, DryForce(mesh), 0.0); }
 
 TEST(DrySearch, state_of_bending_teeth_is_that_of_a_long_march) {
-  for (const char* speed : {"15150", "19000", "21900"}) {
+  for (const char* speed : {"15150", "19000"}) {
     const MeshModel mesh = mesh_of(table3_case(tutorial_pair(speed)));
     const DryOrbit orbit = find_dry_orbit(mesh, typical_film_damping);
     ASSERT_LT(largest_modulus(multipliers(orbit.monodromy)), 1.0);
