@@ -21,8 +21,7 @@ Case pair_at(const Case& problem, double value) {
 
 BranchMap dry_map(const Case& problem) {
   return dry_branch_map([&problem](double value) { return mesh_after_leaving(pair_at(problem, value)); },
-                        problem.march.dry_damping_ratio.value_or(typical_film_damping),
-                        problem.continuation.options.corrector.unit);
+                        dry_damping_ratio(problem), problem.continuation.options.corrector.unit);
 }
 
 /// Ends the run where it is to stop, but not for what is done again.
@@ -44,12 +43,17 @@ PeriodicOrbit orbit_at(const Case& problem, const SharedDiscretisation& films, c
 
 }  // namespace
 
-BranchBeginning dry_beginning(const Case& problem) {
+BranchBeginning dry_beginning(const Case& problem, const DryWatch& watch) {
   const double from = problem.continuation.from.value();
-  const double damping = problem.march.dry_damping_ratio.value_or(typical_film_damping);
   const std::optional<Motion>& given = problem.march.start_motion;
-  const Motion start = given ? *given : find_dry_orbit(mesh_after_leaving(pair_at(problem, from)), damping).start;
-  return {dry_map(problem), {start, from}, nullptr};
+  const auto found = [&] {
+    return find_dry_orbit(mesh_after_leaving(pair_at(problem, from)), dry_damping_ratio(problem), watch).start;
+  };
+  const BranchMap map = [watch, dry = dry_map(problem)](const BranchState& at, int order) {
+    watch(order);
+    return dry(at, order);
+  };
+  return {map, {given ? *given : found(), from}, nullptr};
 }
 
 BranchBeginning film_beginning(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {

@@ -52,7 +52,15 @@ std::string place(const BranchState& state, const std::string& unit) {
 }  // namespace
 
 void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& point, const Summary& at) {
-  if (every_point_ || kind != PointKind::regular) print(branch, kind, point);
+  if (every_point_ || kind != PointKind::regular) {
+    print(branch, kind, point);
+  } else {
+    std::ostringstream text;
+    text << name_of(branch) << ": " << branch.points << " points, at " << std::setprecision(digits)
+         << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
+         << point.value.largest_force;
+    progress_.report(text.str());
+  }
   if (kind == PointKind::regular) return extend(branch, point);
   Summary found = {{"branch", branch.number}, {"order", branch.order}, {"kind", gearfilm::name_of(kind)}};
   found.update(at);
@@ -78,7 +86,7 @@ void BranchReport::extend(const Branch& branch, const BranchPoint& point) {
   turned_ = false;
 }
 
-void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) const {
+void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) {
   std::ostringstream text;
   text << name_of(branch) << ": ";
   if (kind != PointKind::regular) text << gearfilm::name_of(kind) << " at ";
@@ -89,10 +97,10 @@ void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint
   } else {
     text << meaning(kind);
   }
-  petsc_check(PetscPrintf(comm_, "%s\n", text.str().c_str()));
+  progress_.note(text.str());
 }
 
-void BranchReport::finish(const std::vector<Branch>& branches) const {
+void BranchReport::finish(const std::vector<Branch>& branches) {
   std::ostringstream table;
   table << "branch  order" << std::setw(14) << "from" << std::setw(14) << "to"
         << "  [" << unit_ << "]\n"
@@ -101,7 +109,9 @@ void BranchReport::finish(const std::vector<Branch>& branches) const {
     table << std::setw(6) << stretch.branch << std::setw(7) << stretch.order << std::setw(14) << stretch.from
           << std::setw(14) << stretch.to << (stretch.stable ? "  stable" : "  unstable") << "\n";
   }
-  petsc_check(PetscPrintf(comm_, "%s", table.str().c_str()));
+  std::string lines = table.str();
+  lines.pop_back();
+  progress_.note(lines);
   for (const Branch& branch : branches) {
     if (branch.end == BranchEnd::lost) {
       warn(comm_, name_of(branch) + " is lost at " + place(branch.last, unit_) +

@@ -122,14 +122,14 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
   const ContinuationCase& given = problem.continuation;
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "continuation");
-  const BranchBeginning begin = problem.dry() ? dry_beginning(problem) : film_beginning(problem, films, run);
+  const BranchBeginning begin =
+      problem.dry() ? dry_beginning(problem, stopping(comm, run.stop())) : film_beginning(problem, films, run);
   PointTable table(comm, problem);
   BranchReport report(comm, given.unit, !problem.dry());
   int points = 0;
   const auto observer = [&](const Branch& branch, PointKind kind, const BranchPoint& point) {
     ++points;
     report.add(branch, kind, point, table.add(branch, kind, point));
-    if (problem.dry()) run.stop().check(comm, points);
   };
   std::vector<Branch> branches;
   const auto write = [&](bool completed) {
@@ -142,10 +142,18 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
     summary["completed"] = completed;
     write_summary(comm, run.directory().path(), summary);
   };
+  const auto again = [&](const Stopped& stopped) {
+    return Stopped(std::string(stopped.what()) +
+                   " (branches of the dry pair are then followed from the beginning: "
+                   "give more time)");
+  };
   try {
     branches = follow_branches(begin.map, problem.search.order, begin.start, given.upwards(), given.options, observer);
-  } catch (const Unfinished&) {
+  } catch (const Stopped& stopped) {
     write(false);  // what was found until then
+    throw problem.dry() ? again(stopped) : stopped;
+  } catch (const Unfinished&) {
+    write(false);
     throw;
   }
   write(true);

@@ -1,9 +1,6 @@
 #include "gearfilm/app/dry_run.hpp"
 
 #include <cmath>
-
-#include "gearfilm/orbits/dry_orbit.hpp"
-
 namespace gearfilm {
 namespace {
 
@@ -17,10 +14,25 @@ double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit
 
 }  // namespace
 
+double dry_damping_ratio(const Case& problem) { return problem.march.dry_damping_ratio.value_or(typical_film_damping); }
+
+DryWatch stopping(MPI_Comm comm, const StopRequest& stop) {
+  return [comm, &stop, done = 0](int mesh_periods) mutable {
+    done += mesh_periods;
+    stop.check(comm, done);
+  };
+}
+
 OrbitRun run_dry_orbit(const Case& problem, const MeshModel& mesh, const std::optional<Motion>& near,
-                       const StepObserver& observer) {
-  const double damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping);
-  const DryOrbit orbit = near ? dry_orbit_from(mesh, damping_ratio, *near) : find_dry_orbit(mesh, damping_ratio);
+                       const StepObserver& observer, const DryWatch& watch) {
+  const double zeta = dry_damping_ratio(problem);
+  const DryOrbit orbit = near ? dry_orbit_from(mesh, zeta, *near, watch) : find_dry_orbit(mesh, zeta, watch);
+  return describe_dry_orbit(problem, mesh, orbit, observer);
+}
+
+OrbitRun describe_dry_orbit(const Case& problem, const MeshModel& mesh, const DryOrbit& orbit,
+                            const StepObserver& observer) {
+  const double damping_ratio = dry_damping_ratio(problem);
   MarchStatistics statistics(mesh.period(), mesh.scales.static_force);
   MotionSignal signal;
   OrbitRun run;

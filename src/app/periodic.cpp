@@ -131,7 +131,8 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   FoundOrbit found;
   try {
     if (problem.dry()) {
-      found.run = run_dry_orbit(problem, mesh, problem.march.start_motion, observers.on_step);
+      found.run =
+          run_dry_orbit(problem, mesh, problem.march.start_motion, observers.on_step, stopping(comm, run.stop()));
     } else {
       found = find_orbit(problem, films, mesh, dry_start(mesh), observers);
       find_coarse_orbit(problem, mesh, observers, comm, found);

@@ -10,6 +10,7 @@
 #include "gearfilm/app/hard_entry.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
+#include "gearfilm/app/sweep_mending.hpp"
 #include "gearfilm/app/sweep_tables.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
@@ -131,7 +132,9 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));
   const SweepPoints points(comm, problem);
   directory.remove_earlier_results();
-  run_chains(comm, problem, points, groups, StopRequest(problem.run.time_limit));
+  const StopRequest stop(problem.run.time_limit);
+  run_chains(comm, problem, points, groups, stop);
+  if (problem.dry() && !problem.sweep.marched()) mend_sweep(comm, problem, points, points_of(problem.sweep), stop);
 
   Summary results = Summary::array();
   int failures = 0;

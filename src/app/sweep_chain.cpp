@@ -6,7 +6,7 @@
 
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/coarse_orbit.hpp"
-#include "gearfilm/app/dry_run.hpp"
+#include "gearfilm/app/dry_point.hpp"
 #include "gearfilm/app/marched_point.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -65,7 +65,7 @@ public:
       std::optional<Summary> result = points_.read(group_, point);
       if (result) {
         if (result->contains("error")) {
-          keep({});
+          forget();
         } else {
           keep(read_neighbour(*result));
         }
@@ -76,7 +76,7 @@ public:
         remove_outdated(point);
       }
       before_point_ = point;
-      report(*result);
+      print_point(group_, problem_, *result);
     }
   }
 
@@ -93,6 +93,11 @@ private:
     if (found && found->dry) film_shift_ = found->guess.motion.H0 - found->dry->start.H0;
     before_ = found ? std::move(last_) : std::nullopt;
     last_ = std::move(found);
+  }
+
+  /// A point has failed. The dry pair's branch may go on beyond it, and is followed from where it was found last.
+  void forget() {
+    if (!problem_.dry() || problem_.sweep.marched()) keep({});
   }
 
   void read_films(const SweepPoint& point) {
@@ -141,7 +146,7 @@ private:
       }
     } catch (const SolveError& error) {
       result["error"] = error.what();
-      keep({});
+      forget();
     }
     return result;
   }
@@ -180,12 +185,10 @@ private:
 
   void find_dry(const Case& here, const MeshModel& mesh, double value, Summary& result) {
     stop_.check(group_, value);
-    result["start"] = last_ ? "neighbour" : "rest";
-    const std::optional<Motion> near = last_ ? std::optional(extrapolated(value)) : here.march.start_motion;
-    const OrbitRun run = run_dry_orbit(here, mesh, near, [](const StepRecord&, const std::vector<LiveContact>&) {});
-    result.update(orbit_summary(mesh, run));
-    result["monodromy"] = run.orbit.monodromy;
-    keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, {}}, {}});
+    const auto neighbour = last_ ? std::optional(BranchState{last_->guess.motion, last_->value}) : std::nullopt;
+    const DryPointFound found = find_dry_point(problem_, value, neighbour, stopping(group_, stop_));
+    add_dry_orbit(here, mesh, found, result);
+    keep(Neighbour{value, {found.orbit.start, found.orbit.monodromy, {}}, {}});
   }
 
   void find_lubricated(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point,
@@ -268,28 +271,6 @@ private:
     return {last.H0 + step.H0, last.V0 + step.V0};
   }
 
-  void report(const Summary& point) const {
-    std::ostringstream text;
-    text << point["direction"].get<std::string>() << " " << point["value"].get<double>() << " " << problem_.sweep.unit
-         << ": ";
-    if (point.contains("error")) {
-      text << "failed: " << point["error"].get<std::string>();
-    } else {
-      text << "force ratio " << point["force_ratio_max"].get<double>();
-      if (problem_.sweep.marched()) {
-        const Summary& period = point["settles_on"];
-        const char* how = point["repeats_every"].is_null() ? ", settles on " : ", repeats every ";
-        text << (period.is_null() ? ", does not settle" : how + period.dump() + " mesh period(s)");
-      } else if (!problem_.dry()) {
-        text << ", smallest film " << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>()
-             << " mesh periods";
-      }
-      if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
-      if (point["contact_lost"].get<bool>()) text << ", contact is lost";
-    }
-    petsc_check(PetscPrintf(group_, "%s\n", text.str().c_str()));
-  }
-
   MPI_Comm group_;
   const Case& problem_;
   const SweepPoints& points_;
@@ -300,6 +281,36 @@ private:
 };
 
 }  // namespace
+
+void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result) {
+  const auto unseen = [](const StepRecord&, const std::vector<LiveContact>&) {};
+  const OrbitRun run = describe_dry_orbit(here, mesh, found.orbit, unseen);
+  result["start"] = found.start;
+  result.update(orbit_summary(mesh, run));
+  result["monodromy"] = run.orbit.monodromy;
+}
+
+void print_point(MPI_Comm group, const Case& problem, const Summary& point) {
+  std::ostringstream text;
+  text << point["direction"].get<std::string>() << " " << point["value"].get<double>() << " " << problem.sweep.unit
+       << ": ";
+  if (point.contains("error")) {
+    text << "failed: " << point["error"].get<std::string>();
+  } else {
+    text << "force ratio " << point["force_ratio_max"].get<double>();
+    if (problem.sweep.marched()) {
+      const Summary& period = point["settles_on"];
+      const char* how = point["repeats_every"].is_null() ? ", settles on " : ", repeats every ";
+      text << (period.is_null() ? ", does not settle" : how + period.dump() + " mesh period(s)");
+    } else if (!problem.dry()) {
+      text << ", smallest film " << 1e6 * point["h_min"].get<double>() << " um, " << point["periods_used"].get<int>()
+           << " mesh periods";
+    }
+    if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
+    if (point["contact_lost"].get<bool>()) text << ", contact is lost";
+  }
+  petsc_check(PetscPrintf(group, "%s\n", text.str().c_str()));
+}
 
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop) {

@@ -56,7 +56,8 @@ public:
     petsc_check(TSSetType(ts_, TSRK));
     petsc_check(TSRKSetType(ts_, TSRK8VR));
     petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
-    petsc_check(TSSetTolerances(ts_, integration_tolerance, nullptr, integration_tolerance, nullptr));
+    const double tolerance = derivatives ? map_tolerance : integration_tolerance;
+    petsc_check(TSSetTolerances(ts_, tolerance, nullptr, tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
     petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));

@@ -5,9 +5,30 @@
 #include <numeric>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// x with matrix x = right, by elimination: I + S C is similar to a symmetric positive definite matrix and needs no
+/// pivots. Two or three unknowns, and asked for at every stage of a time step.
+std::vector<double> solved(std::vector<double> matrix, std::vector<double> right) {
+  const std::size_t n = right.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t row = k + 1; row < n; ++row) {
+      const double factor = matrix[row * n + k] / matrix[k * n + k];
+      for (std::size_t column = k; column < n; ++column) matrix[row * n + column] -= factor * matrix[k * n + column];
+      right[row] -= factor * right[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t column = k + 1; column < n; ++column) right[k] -= matrix[k * n + column] * right[column];
+    right[k] /= matrix[k * n + k];
+  }
+  return right;
+}
+
+}  // namespace
+
 DryForce::DryForce(const MeshModel& mesh) {
   // R_x is a parabola over the path, largest midway between the base circles: its ends have the smallest.
   const LineOfAction& line = mesh.path.line();
@@ -89,9 +110,7 @@ double DryContacts::stiffness(const std::vector<double>& forces) const {
     for (std::size_t k = 0; k < own.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
     return sum;
   }
-  DenseFactors factors;
-  factors.factor(compliance_.settling_matrix(own));
-  const std::vector<double> settled = factors.solve(own);
+  const std::vector<double> settled = solved(compliance_.settling_matrix(own), own);
   return std::accumulate(settled.begin(), settled.end(), 0.0);
 }
 

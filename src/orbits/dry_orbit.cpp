@@ -3,134 +3,57 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/orbits/dry_settling.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double shooting_tolerance = 1e-9;  // a free oscillation in the mesh period
 constexpr double strong_damping = 0.3;
 constexpr double weak_damping = 0.002;  // from here to none at once
 constexpr double widest_ratio = 0.5;    // of one damping to the last
 constexpr double narrowest_ratio = 0.97;
 // Of H_0, off an orbit of first order: the way to where the pair settles may be a long one without order.
 constexpr std::array pushes = {0.05, -0.05, 0.2, -0.2, 0.02, -0.02};
+// Off the balance, of marches: as large as motions that lose contact.
+constexpr std::array<Motion, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {0.0, 2.0}}};
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
 constexpr double forgetful = 0.1;
-
-/// The map of the motion over one of its periods.
-class DryMap {
-public:
-  explicit DryMap(const MeshModel& mesh) : mesh_(mesh) {}
-
-  const MeshModel& mesh() const { return mesh_; }
-  void set_damping_ratio(double zeta) { damping_ratio_ = zeta; }
-  /// Free oscillations in a period, but no less than one.
-  double oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
-
-  DryFlowEnd operator()(const Motion& start) const {
-    return DryFlow(mesh_, mesh_, 1.0, damping_ratio_)(start, mesh_.periods());
-  }
-
-private:
-  const MeshModel& mesh_;
-  double damping_ratio_ = 0.0;
-};
-
-/// Solves map(motion) = motion by SNES from a guess. False where it does not converge.
-bool shoot(const DryMap& map, Motion& motion) {
-  OwnedVec state, defect;
-  OwnedMat jacobian;
-  OwnedSNES snes;
-  petsc_check(VecCreateSeq(PETSC_COMM_SELF, 2, state.put()));
-  petsc_check(VecDuplicate(state, defect.put()));
-  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, 2, 2, nullptr, jacobian.put()));
-  petsc_check(SNESCreate(PETSC_COMM_SELF, snes.put()));
-  petsc_check(SNESSetOptionsPrefix(snes, "dry_"));
-  petsc_check(SNESSetFunction(
-      snes, defect,
-      [](SNES, Vec in, Vec out, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          const VecReading x(in);
-          const VecWriting r(out);
-          const Motion end = (*static_cast<const DryMap*>(context))({x[0], x[1]}).states.back();
-          r[0] = end.H0 - x[0];
-          r[1] = end.V0 - x[1];
-        });
-      },
-      const_cast<DryMap*>(&map)));
-  petsc_check(SNESSetJacobian(
-      snes, jacobian, jacobian,
-      [](SNES, Vec in, Mat, Mat out, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          const VecReading x(in);
-          const Monodromy slope = (*static_cast<const DryMap*>(context))({x[0], x[1]}).by_start;
-          for (int row = 0; row < 2; ++row) {
-            for (int column = 0; column < 2; ++column) {
-              petsc_check(MatSetValue(out, row, column, slope[row][column] - (row == column), INSERT_VALUES));
-            }
-          }
-          petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
-          petsc_check(MatAssemblyEnd(out, MAT_FINAL_ASSEMBLY));
-        });
-      },
-      const_cast<DryMap*>(&map)));
-  // A pair in free flight comes back from where it is pushed: no factors, which there are none of then.
-  KSP ksp = nullptr;
-  PC pc = nullptr;
-  petsc_check(SNESGetKSP(snes, &ksp));
-  petsc_check(KSPSetType(ksp, KSPGMRES));
-  petsc_check(KSPSetTolerances(ksp, 1e-12, 1e-30, PETSC_DEFAULT, 10));
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCNONE));
-  petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
-  petsc_check(SNESSetFromOptions(snes));
-  {
-    const VecWriting x(state);
-    x[0] = motion.H0;
-    x[1] = motion.V0;
-  }
-  petsc_check(SNESSolve(snes, nullptr, state));
-  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
-  petsc_check(SNESGetConvergedReason(snes, &reason));
-  if (reason <= 0) return false;
-  const VecReading x(state);
-  motion = {x[0], x[1]};
-  return true;
-}
 
 DryOrbit describe(const DryMap& map, const Motion& start) {
   const DryFlowEnd end = map(start);
   return {start, end.by_start, end.extremes.largest_force};
 }
 
-/// What the pair comes to from there, or from rest, when it is left to itself.
-Motion settle(DryMap& map, double damping_ratio, const std::optional<Motion>& from) {
-  map.set_damping_ratio(damping_ratio);
-  const double periods = std::ceil(10.0 + 2.0 / (damping_ratio * map.oscillations()));
+Motion at_rest(const MeshModel& mesh) { return DryMarch::balance(mesh, DryForce(mesh), 0.0); }
+
+/// What the pair comes to from there within a few mesh periods.
+Motion settle(const DryMap& map, const Motion& from) {
   const MeshModel& mesh = map.mesh();
-  Motion end = from ? *from : DryMarch::balance(mesh, DryForce(mesh), 0.0);
-  DryFlow::march(mesh, damping_ratio, end, static_cast<int>(periods) * mesh.periods(),
-                 [&](const DryPeriod& period) { end = period.motion; });
+  const double damping_ratio = std::max(map.damping_ratio(), weak_damping);
+  const double periods = std::ceil(10.0 + 2.0 / (damping_ratio * map.oscillations()));
+  Motion end = from;
+  DryFlow::march(mesh, damping_ratio, from, static_cast<int>(periods) * mesh.periods(), [&](const DryPeriod& period) {
+    if (map.watch()) map.watch()(1);
+    end = period.motion;
+  });
   return end;
 }
 
-/// The orbit of a strongly damped pair, followed to less damping. Returns the damping reached.
-double follow_from_strong_damping(DryMap& map, double damping_ratio, Motion& start) {
-  double damping = std::max(strong_damping, damping_ratio), ratio = widest_ratio;
-  start = settle(map, damping, {});
-  if (!shoot(map, start)) return HUGE_VAL;
-  while (damping > damping_ratio) {
-    const double next = ratio * damping < std::max(weak_damping, damping_ratio) ? damping_ratio : ratio * damping;
-    Motion trial = start;
-    map.set_damping_ratio(next);
-    if (shoot(map, trial)) {
+/// The orbit of a strongly damped pair, followed to less damping.
+std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
+  const double least = map.damping_ratio(), weak = std::max(weak_damping, least);
+  double damping = std::max(strong_damping, least), ratio = widest_ratio;
+  const DryMap strong = map.at_damping(damping);
+  std::optional<Motion> start = shoot(strong, settle(strong, at_rest(map.mesh())));
+  while (start && damping > least) {
+    const double next = ratio * damping < weak ? least : ratio * damping;
+    if (const std::optional<Motion> trial = shoot(map.at_damping(next), *start)) {
       start = trial;
       damping = next;
       ratio = std::max(widest_ratio, ratio * ratio);
@@ -139,82 +62,103 @@ double follow_from_strong_damping(DryMap& map, double damping_ratio, Motion& sta
     ratio = std::sqrt(ratio);
     if (ratio <= narrowest_ratio) continue;
     // The branch ends: what the pair settles on with less damping is another one.
-    const double less = std::max(widest_ratio * damping, std::max(weak_damping, damping_ratio));
-    if (less >= damping) return damping;
-    start = settle(map, less, start);
-    if (!shoot(map, start)) return damping;
+    const double less = std::max(widest_ratio * damping, weak);
+    if (less >= damping) return {};
+    const DryMap beyond = map.at_damping(less);
+    start = shoot(beyond, settle(beyond, *start));
     damping = less;
     ratio = widest_ratio;
   }
-  return damping;
+  return start;
 }
 
 /// What the pair settles on when it is pushed off the orbit of first order: that one itself, where it is stable.
-DryOrbit find_beside_first_order(DryMap& map, double damping_ratio) {
+std::optional<Motion> find_beside_first_order(const DryMap& map) {
   MeshModel simple = map.mesh();
   simple.order = 1;
-  const Motion first_order = find_dry_orbit(simple, damping_ratio).start;
-  for (const double push : pushes) {
-    Motion start = settle(map, std::max(damping_ratio, weak_damping), Motion{first_order.H0 + push, first_order.V0});
-    map.set_damping_ratio(damping_ratio);
-    if (shoot(map, start)) return describe(map, start);
+  try {
+    const Motion first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch()).start;
+    for (const double push : pushes) {
+      if (auto start = shoot(map, settle(map, {first_order.H0 + push, first_order.V0}))) return start;
+    }
+  } catch (const SolveError&) {  // there is none of first order
   }
-  throw SolveError("no periodic orbit of the dry pair found that repeats after " +
-                   std::to_string(map.mesh().periods()) + " mesh periods");
+  return {};
+}
+
+/// By the ways that take least.
+std::optional<Motion> find_soon(const DryMap& map) {
+  if (map.mesh().order > 1) return find_beside_first_order(map);
+  if (map.damping_ratio() * map.oscillations() > forgetful) return shoot(map, settle(map, at_rest(map.mesh())));
+  return follow_from_strong_damping(map);
+}
+
+std::string none_found(const DryMap& map, const std::string& why) {
+  std::ostringstream message;
+  message << "no periodic orbit of the dry pair found that repeats after " << map.mesh().periods()
+          << " mesh period(s), at damping ratio " << map.damping_ratio() << ": " << why;
+  return message.str();
+}
+
+/// By long marches from a motion and from others beside it; at last the unstable orbits that they pass. Throws
+/// SolveError, which says what the first march comes to.
+Motion find_by_marches(const DryMap& map, const Motion& from) {
+  const int order = map.mesh().order;
+  std::vector<DrySettling> marches;
+  std::string trouble;
+  for (const Motion& push : far_pushes) {
+    try {
+      marches.push_back(settle_for_long(map, {from.H0 + push.H0, from.V0 + push.V0}));
+    } catch (const SolveError& error) {
+      trouble = error.what();
+      continue;
+    }
+    if (!marches.back().leads_to(order)) continue;
+    if (auto start = shoot(map, marches.back().limit)) return *start;
+  }
+  if (marches.empty()) throw SolveError(none_found(map, trouble));
+  for (const DrySettling& march : marches) {
+    for (const Motion& guess : near_unstable(march, order)) {
+      if (auto start = shoot(map, guess)) return *start;
+    }
+  }
+  throw SolveError(none_found(map, what_it_does(marches.front(), map.mesh())));
 }
 
 }  // namespace
 
-DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio) {
-  DryMap map(mesh);
-  if (mesh.order > 1) return find_beside_first_order(map, damping_ratio);
-  Motion start;
-  if (damping_ratio * map.oscillations() > forgetful) {
-    start = settle(map, damping_ratio, {});
-    if (shoot(map, start)) return describe(map, start);
-    throw SolveError("the dry pair does not settle on a periodic orbit at damping ratio " +
-                     std::to_string(damping_ratio));
-  }
-  const double reached = follow_from_strong_damping(map, damping_ratio, start);
-  if (reached > damping_ratio) {
-    throw SolveError("no periodic orbit of the dry pair found at damping ratio " + std::to_string(damping_ratio) +
-                     ": continued from higher damping down to " + std::to_string(reached));
-  }
-  return describe(map, start);
+DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWatch& watch) {
+  const DryMap map(mesh, damping_ratio, watch);
+  if (const auto start = find_soon(map)) return describe(map, *start);
+  return describe(map, find_by_marches(map, at_rest(mesh)));
 }
 
 DryOrbit dry_start(const MeshModel& mesh) {
-  DryMap map(mesh);
   // A slow pair swings often in a mesh period, on thin films that damp it more.
+  const DryWatch none;
+  const DryMap map(mesh, typical_film_damping, none);
   const bool slow = typical_film_damping * map.oscillations() > forgetful;
-  const double damping = slow ? slow_film_damping : typical_film_damping;
-  try {
-    return find_dry_orbit(mesh, damping);
-  } catch (const SolveError&) {
-    return {.start = settle(map, damping, {})};
-  }
+  const DryMap damped = slow ? map.at_damping(slow_film_damping) : map;
+  if (const auto start = find_soon(damped)) return describe(damped, *start);
+  return {.start = settle(damped, at_rest(mesh))};
 }
 
-DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near) {
-  if (auto orbit = follow_dry_orbit(mesh, damping_ratio, near)) return *orbit;
-  DryMap map(mesh);
-  Motion start = settle(map, std::max(damping_ratio, weak_damping), near);
-  map.set_damping_ratio(damping_ratio);
-  if (shoot(map, start)) return describe(map, start);
-  std::ostringstream message;
-  message << "no periodic orbit of the dry pair found from H0 = " << near.H0 << ", V0 = " << near.V0
-          << " (start.H0, start.V0): at damping ratio " << damping_ratio << " it comes to (" << start.H0 << ", "
-          << start.V0 << "), which does not repeat after " << mesh.periods()
-          << " mesh period(s); try another periodic.order, or begin at another place";
-  throw SolveError(message.str());
+DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near, const DryWatch& watch) {
+  const DryMap map(mesh, damping_ratio, watch);
+  if (const auto start = shoot(map, near)) return describe(map, *start);
+  return dry_orbit_after(mesh, damping_ratio, near, watch);
+}
+
+DryOrbit dry_orbit_after(const MeshModel& mesh, double damping_ratio, const Motion& from, const DryWatch& watch) {
+  const DryMap map(mesh, damping_ratio, watch);
+  return describe(map, find_by_marches(map, from));
 }
 
 std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {
-  DryMap map(mesh);
-  map.set_damping_ratio(damping_ratio);
-  Motion start = near;
-  if (!shoot(map, start)) return {};
-  return describe(map, start);
+  const DryWatch none;
+  const DryMap map(mesh, damping_ratio, none);
+  if (const auto start = shoot(map, near)) return describe(map, *start);
+  return {};
 }
 
 }  // namespace gearfilm

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double seconds_between_updates = 0.2;
 constexpr int plain_lines = 20;
+constexpr double seconds_to_first_line = 1.0, seconds_between_lines = 5.0;  // of work without a known end, plain
 
 std::string duration(double seconds) {
   const long whole = std::lround(seconds);
@@ -39,10 +41,11 @@ Progress::~Progress() {
   if (line_open_) std::printf("\n");
 }
 
-void Progress::note(const std::string& text) const {
+void Progress::note(const std::string& text) {
   if (!prints_) return;
   std::printf(terminal_ ? "\r\033[K%s\n" : "%s\n", text.c_str());
   std::fflush(stdout);
+  line_open_ = false;
 }
 
 void Progress::report(double fraction, const std::string& text) {
@@ -51,10 +54,23 @@ void Progress::report(double fraction, const std::string& text) {
   const int part = static_cast<int>(fraction * plain_lines + 1e-9);
   const bool due = terminal_ ? now - last_print_ > seconds_between_updates || fraction >= 1.0 : part > last_part_;
   if (!due) return;
-  last_print_ = now;
   last_part_ = part;
   const std::string left = fraction >= 1.0 ? "" : ", " + duration((now - start_) * (1.0 / fraction - 1.0)) + " left";
-  std::printf(terminal_ ? "\r\033[K%3.0f %%  %s%s" : "%3.0f %%  %s%s\n", 100.0 * fraction, text.c_str(), left.c_str());
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100.0 * fraction);
+  print(percent + text + left, now);
+}
+
+void Progress::report(const std::string& text) {
+  if (!prints_) return;
+  const double now = MPI_Wtime();
+  const double plain_wait = last_print_ > 0.0 ? seconds_between_lines : seconds_to_first_line;
+  if (now - std::max(last_print_, start_) > (terminal_ ? seconds_between_updates : plain_wait)) print(text, now);
+}
+
+void Progress::print(const std::string& line, double now) {
+  last_print_ = now;
+  std::printf(terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
   std::fflush(stdout);
   line_open_ = terminal_;
 }

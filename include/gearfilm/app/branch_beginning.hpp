@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "gearfilm/app/dry_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/ehl/discretisation.hpp"
 #include "gearfilm/orbits/continuation.hpp"
@@ -15,8 +16,9 @@ struct BranchBeginning {
   std::shared_ptr<const double> mesh_periods;  ///< marched by the map so far; null for the dry pair
 };
 
-/// Of the dry pair. The case must outlive what is returned.
-BranchBeginning dry_beginning(const Case& problem);
+/// Of the dry pair, watched at every evaluation of its map. The case must outlive what is returned. Throws SolveError
+/// where no periodic state is found, and what the watch throws.
+BranchBeginning dry_beginning(const Case& problem, const DryWatch& watch);
 /// Of the pair on films of this discretisation, marched under a run, which must outlive it too. Throws SolveError where
 /// no periodic state is found, and Stopped.
 BranchBeginning film_beginning(const Case& problem, const SharedDiscretisation& films, ResumableRun& run);

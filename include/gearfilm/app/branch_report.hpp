@@ -7,20 +7,22 @@
 #include <vector>
 
 #include "gearfilm/orbits/continuation.hpp"
+#include "gearfilm/output/progress.hpp"
 #include "gearfilm/output/summary.hpp"
 
 namespace gearfilm {
 
 class BranchReport {
 public:
-  /// unit: of the parameter; every_point: prints a line for each, where they take long.
+  /// unit: of the parameter; every_point: prints a line for each, where they take long; otherwise a line says now and
+  /// then how far the branch is.
   BranchReport(MPI_Comm comm, std::string unit, bool every_point)
-      : comm_(comm), unit_(std::move(unit)), every_point_(every_point) {}
+      : comm_(comm), unit_(std::move(unit)), every_point_(every_point), progress_(comm) {}
 
   /// A point, in the order in which they are found. at: what else the summary says of a bifurcation there.
   void add(const Branch& branch, PointKind kind, const BranchPoint& point, const Summary& at);
   /// Prints the stretches, and warns of branches that were lost.
-  void finish(const std::vector<Branch>& branches) const;
+  void finish(const std::vector<Branch>& branches);
 
   /// Lists `bifurcations` and `stretches`.
   Summary summary() const;
@@ -36,11 +38,12 @@ private:
   };
 
   void extend(const Branch& branch, const BranchPoint& point);
-  void print(const Branch& branch, PointKind kind, const BranchPoint& point) const;
+  void print(const Branch& branch, PointKind kind, const BranchPoint& point);
 
   MPI_Comm comm_;
   std::string unit_;
   bool every_point_;
+  Progress progress_;
   Summary bifurcations_ = Summary::array();
   std::vector<Stretch> stretches_;
   std::optional<double> boundary_;  ///< where something has happened since the last regular point

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "gearfilm/app/dry_point.hpp"
 #include "gearfilm/app/sweep_points.hpp"
 #include "gearfilm/output/stop_request.hpp"
 
@@ -12,8 +13,15 @@ namespace gearfilm {
 using SweepChain = std::vector<SweepPoint>;
 
 /// Computes the points that are still missing, writes each when it is done, and prints a line on it. A point without a
-/// periodic state is recorded with its error, and the next one starts anew. Throws Stopped. Collective on the group.
+/// periodic state is recorded with its error; the next one starts anew, one of the dry pair from the last that was
+/// found. Throws Stopped. Collective on the group.
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop);
+
+/// The record of a point with its dry orbit. here: the case there.
+void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result);
+
+/// A line on a point that is done. Collective.
+void print_point(MPI_Comm group, const Case& problem, const Summary& point);
 
 }  // namespace gearfilm

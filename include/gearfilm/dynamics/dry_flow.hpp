@@ -16,6 +16,11 @@
 
 namespace gearfilm {
 
+/// Absolute and relative, of the motion with its derivatives. Where a gap closes, the force has a kink and steps are
+/// cut elsewhere for every start: the map jumps by some ten times the tolerance, which must lie below what Newton's
+/// methods on it ask for.
+inline constexpr double map_tolerance = 1e-12;
+
 /// What the contacts pass through in a mesh period.
 struct DryExtremes {
   double largest_force = 0.0;   ///< on one contact [-]

@@ -1,11 +1,12 @@
 // The periodic motion of the dry gear pair, by shooting.
 //
 // Unknown: (H_0, V_0) at the moment a contact has just left; equation: they repeat after one mesh period
-// (dry_pair.hpp). Solved with SNES and the derivatives of dry_flow.hpp; a fraction of a second. With a little damping
-// the start of the lubricated orbit.
+// (dry_pair.hpp). Newton's method (dry_shooting.hpp) from several starts in turn. With a little damping the start of
+// the lubricated orbit.
 #pragma once
 
 #include "gearfilm/dynamics/dry_pair.hpp"
+#include "gearfilm/orbits/dry_shooting.hpp"
 #include "gearfilm/orbits/monodromy.hpp"
 
 namespace gearfilm {
@@ -22,17 +23,25 @@ struct DryOrbit {
 };
 
 /// The mesh starts (T = 0) just after a contact has left; damping_ratio: of a viscous damper beside the contacts,
-/// relative to the linear natural frequency. A pair that forgets its start within a few mesh periods finds its orbit by
-/// itself. For others it begins with a strongly damped pair, which does so too, and lowers the damping, each orbit
-/// starting from the last. Throws SolveError where no orbit is found.
-DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio);
+/// relative to the linear natural frequency. Where it begins, in turn:
+///   - a pair that forgets its start within a few mesh periods: what it comes to from rest;
+///   - others: a strongly damped pair, which does so too; the damping is lowered, each orbit starting from the last;
+///   - of an order above 1: pushed off the orbit of first order;
+///   - long marches, from rest and from three motions beside it, and at last unstable orbits that they pass by.
+/// Throws SolveError where no orbit is found; it says what the pair comes to instead.
+DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWatch& watch = {});
 
-/// Where a search for the lubricated pair's orbit begins: the dry pair's at a typical damping. Where it has none, what
-/// it has come to after a time, with a map that forgets its start: the search then marches on at first.
+/// Where a search for the lubricated pair's orbit begins: the dry pair's at a typical damping, by all but long marches.
+/// Where that finds none, what it has come to after a time, with a map that forgets its start: the search then marches
+/// on at first.
 DryOrbit dry_start(const MeshModel& mesh);
 
-/// The orbit next to a motion, or what the pair settles on from there. Throws SolveError where that is no orbit.
-DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near);
+/// The orbit next to a motion, or what dry_orbit_after() finds. Throws SolveError where there is no orbit.
+DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near, const DryWatch& watch = {});
+
+/// What the pair settles on from a motion by long marches, or from three others beside it; at last unstable orbits that
+/// these pass by. Throws SolveError where there is no orbit.
+DryOrbit dry_orbit_after(const MeshModel& mesh, double damping_ratio, const Motion& from, const DryWatch& watch = {});
 
 /// The orbit next to a motion near it (that of a neighbouring speed, say). Nothing where the shooting does not
 /// converge.

@@ -17,10 +17,15 @@ public:
   /// Reports that `fraction` of the work is done, with a text; adds the time left. Most calls print nothing: on a
   /// terminal at most five times a second, otherwise at every twentieth of the work.
   void report(double fraction, const std::string& text);
+  /// The same of work whose end is not known: on a terminal at most five times a second, otherwise a second after the
+  /// beginning and every five seconds from then on.
+  void report(const std::string& text);
   /// A line of its own.
-  void note(const std::string& text) const;
+  void note(const std::string& text);
 
 private:
+  void print(const std::string& line, double now);
+
   bool prints_;
   bool terminal_;
   bool line_open_ = false;

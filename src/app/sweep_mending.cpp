@@ -1,0 +1,72 @@
+#include "gearfilm/app/sweep_mending.hpp"
+
+#include "gearfilm/app/case_at.hpp"
+#include "gearfilm/app/dry_point.hpp"
+#include "gearfilm/app/sweep_chain.hpp"
+#include "gearfilm/input/case_setup.hpp"
+
+namespace gearfilm {
+namespace {
+
+struct Known {
+  SweepPoint point;
+  Summary result;
+
+  bool found() const { return !result.contains("error"); }
+  BranchState state() const {
+    return {{result["H0_after_leaving"].get<double>(), result["V0_after_leaving"].get<double>()},
+            result["value"].get<double>()};
+  }
+};
+
+/// Those that are found at the same value, then next to it.
+std::vector<BranchState> near(const std::vector<Known>& all, const SweepPoint& point) {
+  std::vector<BranchState> states;
+  for (const long apart : {0L, -1L, 1L}) {
+    for (const Known& known : all) {
+      const long index = static_cast<long>(point.index) + apart;
+      if (known.found() && static_cast<long>(known.point.index) == index) states.push_back(known.state());
+    }
+  }
+  return states;
+}
+
+/// The record of a point with the state that is found from another; nothing where there is none.
+std::optional<Summary> mended(const Case& problem, const Known& failed, const BranchState& from,
+                              const DryWatch& watch) {
+  const auto value = failed.result["value"].get<double>();
+  const std::optional<DryOrbit> orbit = follow_to_point(problem, value, from, watch);
+  if (!orbit) return {};
+  const Case here = case_at(problem, problem.sweep.parameter, value);
+  Summary result = failed.result;
+  result.erase("error");
+  add_dry_orbit(here, mesh_after_leaving(here), {*orbit, from.parameter == value ? "other way" : "point beyond"},
+                result);
+  return result;
+}
+
+}  // namespace
+
+void mend_sweep(MPI_Comm comm, const Case& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
+                const StopRequest& stop) {
+  const DryWatch watch = stopping(comm, stop);
+  std::vector<Known> known;
+  for (const SweepPoint& point : all) known.push_back({point, points.read(comm, point).value()});
+  for (bool again = true; again;) {
+    again = false;
+    for (Known& failed : known) {
+      if (failed.found()) continue;
+      for (const BranchState& from : near(known, failed.point)) {
+        std::optional<Summary> result = mended(problem, failed, from, watch);
+        if (!result) continue;
+        failed.result = std::move(*result);
+        points.write(comm, failed.point, failed.result);
+        print_point(comm, problem, failed.result);
+        again = true;
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,60 @@
+#include "gearfilm/orbits/dry_following.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+namespace {
+
+constexpr double smallest_step = 1.0 / 128;  // parts of the way
+constexpr double largest_turn = 0.3;         // of the tangent in a step [rad]
+constexpr double farthest = 0.2;             // from prediction to motion, of a step's length along the branch
+constexpr double other_branch = 0.3;         // in (H_0, V_0) from the prediction, however long the step
+constexpr double same_motion = 1e-3;         // in (H_0, V_0)
+constexpr double tolerance = 2e-8;           // of |P(x) - x|, as for branches of the dry pair
+
+/// Signed parts of the way are the unit of the parameter, so that a tangent's last component is positive.
+Motion ahead(const BranchPoint& from, double parts) {
+  const BranchVector& t = from.tangent;
+  return {from.state.motion.H0 + parts * t[0] / t[2], from.state.motion.V0 + parts * t[1] / t[2]};
+}
+
+bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const Motion& predicted, double step) {
+  const double turn = std::acos(std::clamp(dot(here.tangent, there.tangent), -1.0, 1.0));
+  const double away = length(difference(there.state.motion, predicted));
+  return turn < largest_turn && away < std::min(other_branch, farthest * step / here.tangent[2]);
+}
+
+}  // namespace
+
+std::optional<Motion> follow_dry_branch(const MeshAt& mesh_at, int order, double damping_ratio, const BranchState& from,
+                                        double to, const DryWatch& watch) {
+  const double way = to - from.parameter, unit = std::abs(way), sign = way > 0.0 ? 1.0 : -1.0;
+  if (unit == 0.0) return from.motion;
+  const BranchMap map = [&watch, dry = dry_branch_map(mesh_at, damping_ratio, unit)](const BranchState& at, int k) {
+    if (watch) watch(k);
+    return dry(at, k);
+  };
+  const BranchCorrector corrector(map, order, {.unit = unit, .tolerance = tolerance});
+  const auto begin = corrector.at_parameter(from);
+  if (!begin || length(difference(begin->point.state.motion, from.motion)) > same_motion) return {};
+  BranchPoint here = begin->point;
+  double done = 0.0, step = 1.0;
+  while (done < 1.0) {
+    step = std::min(step, 1.0 - done);
+    const double parameter = done + step >= 1.0 ? to : from.parameter + (done + step) * way;
+    const Motion predicted = ahead(here, sign * step);
+    const auto next = corrector.at_parameter({predicted, parameter});
+    if (next && next_to_each_other(here, next->point, predicted, step)) {
+      here = next->point;
+      done += step;
+      step *= 2.0;
+      continue;
+    }
+    step *= 0.5;
+    if (step < smallest_step) return {};
+  }
+  return here.state.motion;
+}
+
+}  // namespace gearfilm

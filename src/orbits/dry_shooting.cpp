@@ -1,0 +1,113 @@
+#include "gearfilm/orbits/dry_shooting.hpp"
+
+#include <petscsnes.h>
+
+#include <algorithm>
+
+#include "gearfilm/error.hpp"
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double shooting_tolerance = 1e-9;  // a free oscillation in the period
+
+/// The map at the state where SNES is: residual and Jacobian ask for the same.
+class MapThere {
+public:
+  explicit MapThere(const DryMap& map) : map_(map) {}
+
+  const DryFlowEnd& at(const Motion& motion) {
+    if (!value_ || motion.H0 != motion_.H0 || motion.V0 != motion_.V0) value_ = map_(motion);
+    motion_ = motion;
+    return *value_;
+  }
+
+private:
+  const DryMap& map_;
+  Motion motion_;
+  std::optional<DryFlowEnd> value_;
+};
+
+PetscErrorCode defect_of(SNES, Vec in, Vec out, void* context) {
+  return petsc_callback([&] {
+    const VecReading x(in);
+    const VecWriting r(out);
+    const Motion end = static_cast<MapThere*>(context)->at({x[0], x[1]}).states.back();
+    r[0] = end.H0 - x[0];
+    r[1] = end.V0 - x[1];
+  });
+}
+
+PetscErrorCode slope_of(SNES, Vec in, Mat, Mat out, void* context) {
+  return petsc_callback([&] {
+    const VecReading x(in);
+    const auto& slope = static_cast<MapThere*>(context)->at({x[0], x[1]}).by_start;
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        petsc_check(MatSetValue(out, row, column, slope[row][column] - (row == column), INSERT_VALUES));
+      }
+    }
+    petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
+    petsc_check(MatAssemblyEnd(out, MAT_FINAL_ASSEMBLY));
+  });
+}
+
+/// A pair in free flight comes back from where it is pushed: no factors, which there are none of then.
+void without_factors(SNES snes) {
+  KSP ksp = nullptr;
+  PC pc = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  petsc_check(KSPSetType(ksp, KSPGMRES));
+  petsc_check(KSPSetTolerances(ksp, 1e-12, 1e-30, PETSC_DEFAULT, 10));
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCNONE));
+}
+
+/// As shoot(), but throws SolveError where the map has no value.
+std::optional<Motion> solve(const DryMap& map, const Motion& guess) {
+  MapThere there(map);
+  OwnedVec state, defect;
+  OwnedMat jacobian;
+  OwnedSNES snes;
+  petsc_check(VecCreateSeq(PETSC_COMM_SELF, 2, state.put()));
+  petsc_check(VecDuplicate(state, defect.put()));
+  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, 2, 2, nullptr, jacobian.put()));
+  petsc_check(SNESCreate(PETSC_COMM_SELF, snes.put()));
+  petsc_check(SNESSetOptionsPrefix(snes, "dry_"));
+  petsc_check(SNESSetFunction(snes, defect, defect_of, &there));
+  petsc_check(SNESSetJacobian(snes, jacobian, jacobian, slope_of, &there));
+  without_factors(snes);
+  petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
+  petsc_check(SNESSetFromOptions(snes));
+  {
+    const VecWriting x(state);
+    x[0] = guess.H0;
+    x[1] = guess.V0;
+  }
+  petsc_check(SNESSolve(snes, nullptr, state));
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  petsc_check(SNESGetConvergedReason(snes, &reason));
+  if (reason <= 0) return {};
+  const VecReading x(state);
+  return Motion{x[0], x[1]};
+}
+
+}  // namespace
+
+double DryMap::oscillations() const { return std::max(1.0, mesh_.frequency() * mesh_.period()); }
+
+DryFlowEnd DryMap::operator()(const Motion& start) const {
+  if (watch_) watch_(mesh_.periods());
+  return DryFlow(mesh_, mesh_, 1.0, damping_ratio_)(start, mesh_.periods());
+}
+
+std::optional<Motion> shoot(const DryMap& map, const Motion& guess) {
+  try {
+    return solve(map, guess);
+  } catch (const SolveError&) {
+    return {};
+  }
+}
+
+}  // namespace gearfilm
