@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,6 +13,13 @@ namespace {
 
 constexpr double seconds_between_updates = 0.2;
 constexpr int plain_lines = 20;
+constexpr double silent_seconds = 5.0;
+constexpr double rarer = 1.5;  // plain lines of long work, each at that many times the seconds of the one before
+constexpr double rarest_seconds = 60.0;
+
+// Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
+// standard error stays a pipe.
+bool on_terminal() { return isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0; }
 
 std::string duration(double seconds) {
   const long whole = std::lround(seconds);
@@ -28,12 +36,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-// Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
-// standard error stays a pipe.
-Progress::Progress(MPI_Comm comm)
-    : prints_(rank_in(comm) == 0),
-      terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0),
-      start_(MPI_Wtime()) {}
+Progress::Progress(MPI_Comm comm) : prints_(rank_in(comm) == 0), terminal_(on_terminal()), start_(MPI_Wtime()) {}
 
 Progress::~Progress() {
   if (line_open_) std::printf("\n");
@@ -55,6 +58,25 @@ void Progress::report(double fraction, const std::string& text) {
   last_part_ = part;
   const std::string left = fraction >= 1.0 ? "" : ", " + duration((now - start_) * (1.0 / fraction - 1.0)) + " left";
   std::printf(terminal_ ? "\r\033[K%3.0f %%  %s%s" : "%3.0f %%  %s%s\n", 100.0 * fraction, text.c_str(), left.c_str());
+  std::fflush(stdout);
+  line_open_ = terminal_;
+}
+
+LongWork::LongWork(MPI_Comm comm)
+    : prints_(rank_in(comm) == 0), terminal_(on_terminal()), start_(MPI_Wtime()), due_(silent_seconds) {}
+
+LongWork::~LongWork() {
+  if (!line_open_) return;
+  std::printf("\r\033[K");
+  std::fflush(stdout);
+}
+
+void LongWork::report(const std::string& text) {
+  if (!prints_) return;
+  const double elapsed = MPI_Wtime() - start_;
+  if (elapsed < due_) return;
+  due_ = terminal_ ? elapsed + seconds_between_updates : std::min(rarer * elapsed, elapsed + rarest_seconds);
+  std::printf(terminal_ ? "\r\033[K%s: %s" : "%s: %s\n", duration(elapsed).c_str(), text.c_str());
   std::fflush(stdout);
   line_open_ = terminal_;
 }

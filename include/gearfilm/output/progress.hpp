@@ -29,4 +29,23 @@ private:
   int last_part_ = 0;
 };
 
+/// Progress of work of which nobody knows how much is left: silent for five seconds, then what it is at. On a terminal
+/// one line that renews itself and is gone in the end; otherwise lines that become rarer, a minute apart at most.
+class LongWork {
+public:
+  explicit LongWork(MPI_Comm comm);
+  ~LongWork();
+  LongWork(const LongWork&) = delete;
+  LongWork& operator=(const LongWork&) = delete;
+
+  void report(const std::string& text);
+
+private:
+  bool prints_;
+  bool terminal_;
+  bool line_open_ = false;
+  double start_;
+  double due_;  ///< seconds from the start to the next print
+};
+
 }  // namespace gearfilm
