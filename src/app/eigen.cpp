@@ -9,6 +9,7 @@
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/app/screen_table.hpp"
+#include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
@@ -52,6 +53,21 @@ Summary dry_orbit_multipliers(const Case& problem) {
   return summary;
 }
 
+/// Those nearest zero [1/s]; null, and a warning, where they are not found: the pair's mode does not depend on them.
+Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, const Watcher& watcher) {
+  Summary found = Summary::array();
+  try {
+    for (const FilmMode& mode : film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher})) {
+      const std::complex<double> rate = mode.eigenvalue / problem.scales.time;
+      found.push_back({rate.real(), rate.imag()});
+    }
+  } catch (const SolveError& error) {
+    warn(pair.system().comm(), std::string("film_eigenvalues are null: ") + error.what());
+    return nullptr;
+  }
+  return found;
+}
+
 /// The pair at rest on its films at the chosen position, linearised.
 Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher) {
   const Scales& scales = problem.scales;
@@ -72,17 +88,13 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   for (std::size_t k = 0; k < contacts.size(); ++k)
     pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
-  const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher});
   const std::complex<double> lambda = swinging_mode(pair, state, {.watcher = watcher});
   Summary summary = {{"position", problem.steady.position},
                      {"contacts", contacts.size()},
                      {"H0", at_rest.motion.H0},
                      {"film_frequency", lambda.imag() / (2.0 * std::numbers::pi * scales.time)},
                      {"film_damping_ratio", -lambda.real() / std::abs(lambda)}};
-  summary["film_eigenvalues"] = Summary::array();
-  for (const FilmMode& mode : modes) {
-    summary["film_eigenvalues"].push_back({mode.eigenvalue.real() / scales.time, mode.eigenvalue.imag() / scales.time});
-  }
+  summary["film_eigenvalues"] = film_eigenvalues(problem, pair, state, watcher);
   return summary;
 }
 
