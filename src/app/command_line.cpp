@@ -8,6 +8,7 @@
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/input/memory.hpp"
 #include "gearfilm/input/oddities.hpp"
@@ -109,6 +110,8 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
                        " has nothing to go on from; run it without -restart");
     }
     for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
+    const bool films = command.name != std::string_view("static") && !problem.dry();
+    if (const std::string remark = thin_film_remark(problem); films && !remark.empty()) warn(comm, remark);
     command.run(comm, problem);
     for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
     return;

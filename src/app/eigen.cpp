@@ -9,12 +9,14 @@
 #include "gearfilm/app/orbit_run.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/app/screen_table.hpp"
+#include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/dynamic_stiffness.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"
+#include "gearfilm/output/progress.hpp"
 
 namespace gearfilm {
 namespace {
@@ -51,8 +53,23 @@ Summary dry_orbit_multipliers(const Case& problem) {
   return summary;
 }
 
+/// Those nearest zero [1/s]; null, and a warning, where they are not found: the pair's mode does not depend on them.
+Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, const Watcher& watcher) {
+  Summary found = Summary::array();
+  try {
+    for (const FilmMode& mode : film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher})) {
+      const std::complex<double> rate = mode.eigenvalue / problem.scales.time;
+      found.push_back({rate.real(), rate.imag()});
+    }
+  } catch (const SolveError& error) {
+    warn(pair.system().comm(), std::string("film_eigenvalues are null: ") + error.what());
+    return nullptr;
+  }
+  return found;
+}
+
 /// The pair at rest on its films at the chosen position, linearised.
-Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation) {
+Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher) {
   const Scales& scales = problem.scales;
   const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   MeshMarch march =
@@ -71,17 +88,13 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   for (std::size_t k = 0; k < contacts.size(); ++k)
     pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
   pair.set_motion(state, at_rest.motion);
-  const std::vector<FilmMode> modes = film_modes(pair, state, {.count = problem.modes.count});
-  const std::complex<double> lambda = swinging_mode(pair, state);
+  const std::complex<double> lambda = swinging_mode(pair, state, {.watcher = watcher});
   Summary summary = {{"position", problem.steady.position},
                      {"contacts", contacts.size()},
                      {"H0", at_rest.motion.H0},
                      {"film_frequency", lambda.imag() / (2.0 * std::numbers::pi * scales.time)},
                      {"film_damping_ratio", -lambda.real() / std::abs(lambda)}};
-  summary["film_eigenvalues"] = Summary::array();
-  for (const FilmMode& mode : modes) {
-    summary["film_eigenvalues"].push_back({mode.eigenvalue.real() / scales.time, mode.eigenvalue.imag() / scales.time});
-  }
+  summary["film_eigenvalues"] = film_eigenvalues(problem, pair, state, watcher);
   return summary;
 }
 
@@ -89,8 +102,13 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
 /// films by themselves.
 Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
   const MeshModel mesh = mesh_after_leaving(problem);
+  LongWork work(films->grid().comm());
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), record.T / mesh.path.mesh_period());
+    const double period = record.T / mesh.path.mesh_period();
+    std::ostringstream text;
+    text << "periodic state and its multipliers: mesh period " << std::fixed << std::setprecision(2) << period;
+    work.report(text.str());
+    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), period);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
   const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(problem, films, dry_start(mesh)),
@@ -150,7 +168,15 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
-  summary.update(problem.dry() ? damper_summary(problem, summary["f_n"].get<double>()) : film_summary(problem, films));
+  if (problem.dry()) {
+    summary.update(damper_summary(problem, summary["f_n"].get<double>()));
+  } else {
+    LongWork work(comm);
+    const Watcher watcher = [&](const std::string& text) { work.report(text); };
+    Case watched = problem;
+    watched.numerics.solver.newton.watcher = watcher;
+    summary.update(film_summary(watched, films, watcher));
+  }
   if (problem.modes.of_orbit) {
     summary["orbit"] = problem.dry() ? dry_orbit_multipliers(problem) : orbit_multipliers(problem, films, run);
   }

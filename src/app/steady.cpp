@@ -13,8 +13,10 @@
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/ehl/grid_error.hpp"
 #include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/output/output_directory.hpp"
+#include "gearfilm/output/progress.hpp"
 #include "gearfilm/output/results_file.hpp"
 #include "gearfilm/output/xdmf.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
@@ -297,21 +299,34 @@ void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
   warn(comm, text.str());
 }
 
-/// The shape in steps shorter by so much.
+/// The shape in steps shorter by so much, as far as the program chooses nodes.
 GridShape refined(const GridShape& shape, double factor) {
   GridShape fine = shape;
-  fine.nx = nodes_along(shape.nx - 1, 1.0 / factor);
-  fine.ny = nodes_along(shape.ny - 1, 1.0 / factor);
+  fine.nx = std::max(shape.nx, std::min(nodes_along(shape.nx - 1, 1.0 / factor), most_nodes));
+  fine.ny = std::max(shape.ny, std::min(nodes_along(shape.ny - 1, 1.0 / factor), most_nodes));
   return fine;
 }
 
 /// What the present grid lacks in steps, where the program chose it: 1 where nothing.
 double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
   constexpr double most = 2.0;
-  if (!chosen_by_program(problem)) return 1.0;
+  if (!chosen_by_program(problem) || !thin_film_remark(problem).empty()) return 1.0;
   if (!errors) return most;
   const double excess = errors->left() / problem.parameters.real("grid.accuracy");
   return excess > 1.0 ? std::min(most, 1.1 * std::sqrt(excess)) : 1.0;
+}
+
+/// On the grid, or on a finer one, and says after a while what it is at.
+FilmOnGrid solve_film(MPI_Comm comm, const Grid& grid, const Case& given, const Position& position) {
+  LongWork work(comm);
+  Case problem = given;
+  problem.numerics.solver.newton.watcher = [&](const std::string& text) { work.report(text); };
+  FilmOnGrid solved = solve_on(grid, problem, position);
+  // The chosen grid rests on a fitted law; what its film says of itself counts more.
+  if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
+    solved = solve_on(Grid(comm, refined(grid.shape(), factor)), problem, position);
+  }
+  return solved;
 }
 
 }  // namespace
@@ -329,11 +344,7 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, shape);  // what is wrong with it is said before anything is removed
   const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
-  FilmOnGrid solved = solve_on(grid, problem, position);
-  // The chosen grid rests on a fitted law; what its film says of itself counts more.
-  if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
-    solved = solve_on(Grid(comm, refined(shape, factor)), problem, position);
-  }
+  FilmOnGrid solved = solve_film(comm, grid, problem, position);
   const Traction friction = traction_of(problem, position, solved);
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
   Summary summary = film_summary(problem, position, solved.film->grid(), solved.result,

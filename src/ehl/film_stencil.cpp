@@ -8,8 +8,10 @@ namespace {
 
 /// Weights of rho H of the nodes i-2, i-1, i in the row of line i: of the wedge, before its correction, and of the
 /// squeeze term.
+template <class Shift>
 struct MassWeights {
-  double west_west, west, centre, squeeze;
+  double west_west, west, centre;
+  Shift squeeze;
 };
 
 /// The fields of a state on one line.
@@ -48,8 +50,8 @@ struct Face {
 
 /// The rows of an inner line; those of nodes that are not wet have the scale d on their diagonal only.
 template <class Real>
-void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights& mass, int i,
-                    FilmStencil<Real>& linear) {
+void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights<ShiftOf<Real>>& mass,
+                    int i, FilmStencil<Real>& linear) {
   const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
   const double *wet = state.wet.row(i), *scale = state.row_scale.row(i);
   std::array<Real*, neighbour_count> v{}, u{};
@@ -69,7 +71,7 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
         to_west.half_slope + to_east.half_slope + c.across[j] * (to_south.half_slope + to_north.half_slope);
     const double on = wet[j];
     const double mass_ww = mass.west_west * ww.entrained[j], mass_w = mass.west * w.entrained[j];
-    const double mass_c = mass.centre * c.entrained[j] + mass.squeeze;
+    const ShiftOf<Real> mass_c = mass.centre * c.entrained[j] + mass.squeeze;
     v[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho_p[j] * ww.h[j]);
     u[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho[j]);
     v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass_w * w.rho_p[j] * w.h[j]));
@@ -100,14 +102,16 @@ void linearise_edge(const FilmState& state, int i, FilmStencil<Real>& linear) {
 }  // namespace
 
 template <class Real>
-void linearise(const Grid& grid, double entrainment, double shift, const FilmState& state, FilmStencil<Real>& linear) {
+void linearise(const Grid& grid, double entrainment, ShiftOf<Real> shift, const FilmState& state,
+               FilmStencil<Real>& linear) {
   const ScopedEvent event(Kernel::linearise);
   const ReynoldsWeights weights(grid, entrainment);
   const double wedge = weights.wedge;
   linearise_edge(state, 0, linear);
   for (int i = 1; i < grid.nx() - 1; ++i) {
-    const MassWeights mass =
-        i == 1 ? MassWeights{0.0, -wedge, wedge, shift} : MassWeights{0.5 * wedge, -2.0 * wedge, 1.5 * wedge, shift};
+    const MassWeights<ShiftOf<Real>> mass =
+        i == 1 ? MassWeights<ShiftOf<Real>>{0.0, -wedge, wedge, shift}
+               : MassWeights<ShiftOf<Real>>{0.5 * wedge, -2.0 * wedge, 1.5 * wedge, shift};
     linearise_line(state, weights, mass, i, linear);
   }
   linearise_edge(state, grid.nx() - 1, linear);
@@ -176,9 +180,13 @@ void displacement_column(const FilmStencil<Real>& linear, std::span<double> colu
 
 template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<float>&);
 template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<double>&);
+template void linearise(const Grid&, double, std::complex<double>, const FilmState&,
+                        FilmStencil<std::complex<double>>&);
 template void displacement_column(const FilmStencil<float>&, std::span<double>);
 template void displacement_column(const FilmStencil<double>&, std::span<double>);
 template void apply_stencil(const FilmStencil<float>&, const Field<float>&, const Field<float>&, Field<float>&);
 template void apply_stencil(const FilmStencil<double>&, const Field<double>&, const Field<double>&, Field<double>&);
+template void apply_stencil(const FilmStencil<std::complex<double>>&, const Field<std::complex<double>>&,
+                            const Field<std::complex<double>>&, Field<std::complex<double>>&);
 
 }  // namespace gearfilm

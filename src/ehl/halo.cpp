@@ -41,5 +41,6 @@ void Halo::travel(std::span<Field<Real>* const> fields) const {
 
 template void Halo::travel(std::span<Field<float>* const>) const;
 template void Halo::travel(std::span<Field<double>* const>) const;
+template void Halo::travel(std::span<Field<std::complex<double>>* const>) const;
 
 }  // namespace gearfilm

@@ -10,8 +10,9 @@
 namespace gearfilm {
 namespace {
 
-constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2
+constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2, without oscillation
 constexpr double damping = 0.75;            // of nodes that are not cavitated
+constexpr double oscillation_share = 0.5;   // of |s| in the limit above: a long wave has k of about 2
 constexpr double distant_share = 0.5;       // of a long wave's deformation, which the band leaves out
 
 constexpr int lines_between(int i, int k) { return i < k ? k - i : i - k; }
@@ -19,7 +20,7 @@ constexpr int lines_between(int i, int k) { return i < k ? k - i : i - k; }
 }  // namespace
 
 template <class Real>
-LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Real>& deformation)
+LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation)
     : halo_(halo),
       nx_(grid.nx()),
       rows_(grid.y_count()),
@@ -32,31 +33,31 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
   const double inverse_h_y2 = 1.0 / (grid.h_y() * grid.h_y());
   const double w_x = 0.5 * inverse_h_x2_ / (inverse_h_x2_ + inverse_h_y2);
   const double w_y = 0.5 * inverse_h_y2 / (inverse_h_x2_ + inverse_h_y2);
-  weight_x_ = static_cast<Real>(w_x);
-  weight_y_ = static_cast<Real>(w_y);
+  weight_x_ = static_cast<Part>(w_x);
+  weight_y_ = static_cast<Part>(w_y);
   const auto kernel = [&](int i, int j) { return deformation.coefficient(std::abs(i), std::abs(j)); };
   const auto spread_out = [&](int i, int j) {
     return -w_x * (kernel(i - 1, j) + kernel(i + 1, j)) - w_y * (kernel(i, j - 1) + kernel(i, j + 1));
   };
-  for (int i = 0; i <= reach; ++i) {
-    plain_.same_line[i] = static_cast<Real>(kernel(i, 0));
-    plain_.next_line[i] = static_cast<Real>(kernel(i, 1));
-    correction_.same_line[i] = static_cast<Real>(spread_out(i, 0));
-    correction_.next_line[i] = static_cast<Real>(spread_out(i, 1));
+  for (int i = 0; i <= kept; ++i) {
+    plain_.same_line[i] = static_cast<Part>(kernel(i, 0));
+    plain_.next_line[i] = static_cast<Part>(kernel(i, 1));
+    correction_.same_line[i] = static_cast<Part>(spread_out(i, 0));
+    correction_.next_line[i] = static_cast<Part>(spread_out(i, 1));
   }
 }
 
 template <class Real>
-void LineSmoother<Real>::choose_unknowns(const FilmState& state) {
-  const double largest = distributive_limit / inverse_h_x2_;
+void LineSmoother<Real>::choose_unknowns(const FilmState& state, double oscillation) {
+  double largest = distributive_limit * (1.0 + oscillation_share * oscillation) / inverse_h_x2_;
   for (int i = 0; i < nx_; ++i) {
     const double* __restrict wet_here = state.wet.row(i);  // 0 or 1
     const double* __restrict conductance = state.conductance.row(i);
-    Real* __restrict wet = wet_.row(i);
-    Real* __restrict distributive = distributive_.row(i);
+    Part* __restrict wet = wet_.row(i);
+    Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      wet[j] = static_cast<Real>(wet_here[j]);
-      distributive[j] = static_cast<Real>(conductance[j] < largest ? wet_here[j] : 0.0);
+      wet[j] = static_cast<Part>(wet_here[j]);
+      distributive[j] = static_cast<Part>(conductance[j] < largest ? wet_here[j] : 0.0);
     }
   }
 }
@@ -71,7 +72,7 @@ void LineSmoother<Real>::assemble_diagonal(const FilmStencil<Real>& linear, int 
     std::fill_n(entry, rows_, Real(0));
     return;
   }
-  const Real* __restrict distributive = distributive_.row(column);
+  const Part* __restrict distributive = distributive_.row(column);
   std::array<const Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
@@ -103,10 +104,10 @@ template <class Real>
 void LineSmoother<Real>::add_distant_deformation(const FilmState& state, double entrainment, int i) {
   const double weight = distant_share * entrainment * long_wave_deformation_;
   const double* __restrict density = state.density.row(i);
-  const Real* __restrict wet = wet_.row(i);
-  const Real* __restrict distributive = distributive_.row(i);
+  const Part* __restrict wet = wet_.row(i);
+  const Part* __restrict distributive = distributive_.row(i);
   Real* __restrict entry = band(i, 0);
-  for (int j = 0; j < rows_; ++j) entry[j] += static_cast<Real>(weight * density[j]) * (wet[j] - distributive[j]);
+  for (int j = 0; j < rows_; ++j) entry[j] += static_cast<Part>(weight * density[j]) * (wet[j] - distributive[j]);
 }
 
 template <class Real>
@@ -116,9 +117,10 @@ void LineSmoother<Real>::assemble_line(const FilmStencil<Real>& linear, int i, s
 }
 
 template <class Real>
-void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment) {
+void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment,
+                                double oscillation) {
   const ScopedEvent event(Kernel::smoother_factor);
-  choose_unknowns(state);
+  choose_unknowns(state, oscillation);
   for (int i = 1; i < nx_ - 1; ++i) {
     assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
     add_distant_deformation(state, entrainment, i);
@@ -194,10 +196,10 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* __restrict value = residual.row(i);
     Real* __restrict spread = spread_.row(i);
-    const Real* __restrict wet = wet_.row(i);
-    const Real* __restrict distributive = distributive_.row(i);
+    const Part* __restrict wet = wet_.row(i);
+    const Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      value[j] *= Real(1) - Real(1.0 - damping) * wet[j];
+      value[j] *= Part(1) - Part(1.0 - damping) * wet[j];
       spread[j] = value[j] * distributive[j];
     }
   }
@@ -206,7 +208,7 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
     const Real* __restrict here = spread_.row(i);
     const Real* __restrict before = spread_.row(i - 1);
     const Real* __restrict after = spread_.row(i + 1);
-    const Real* __restrict wet = wet_.row(i);
+    const Part* __restrict wet = wet_.row(i);
     const Real* __restrict value = residual.row(i);
     Real* __restrict out = change.row(i);
     for (int j = 0; j < rows_; ++j) {
@@ -218,5 +220,6 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
 
 template class LineSmoother<float>;
 template class LineSmoother<double>;
+template class LineSmoother<std::complex<double>>;
 
 }  // namespace gearfilm

@@ -1,5 +1,7 @@
 #include "gearfilm/ehl/stationary_newton.hpp"
 
+#include <sstream>
+
 namespace gearfilm {
 
 StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options)
@@ -8,7 +10,8 @@ StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const Newton
       residual_(system_.create_state()),
       rate_(system_.create_state()),
       jacobian_(shell_jacobian(system_)),
-      tolerance_(options.tolerance) {
+      tolerance_(options.tolerance),
+      watcher_(options.watcher) {
   petsc_check(SNESCreate(system_.comm(), snes_.put()));
   petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
   petsc_check(SNESSetFunction(
@@ -29,6 +32,40 @@ StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const Newton
       this));
   configure_newton(snes_, system_, options, system_.weight());
   petsc_check(SNESSetFromOptions(snes_));
+  if (watcher_) watch();
+}
+
+// A linear solve of a large grid takes seconds, too.
+void StationaryNewton::watch() {
+  petsc_check(SNESMonitorSet(
+      snes_,
+      [](SNES, PetscInt iteration, PetscReal norm, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          auto& own = *static_cast<StationaryNewton*>(context);
+          own.watched_ = {iteration, norm / own.system_.weight()};
+          own.tell(0);
+        });
+      },
+      this, nullptr));
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes_, &ksp));
+  petsc_check(KSPMonitorSet(
+      ksp,
+      [](KSP, PetscInt iteration, PetscReal, void* context) -> PetscErrorCode {
+        return petsc_callback([&] { static_cast<StationaryNewton*>(context)->tell(iteration); });
+      },
+      this, nullptr));
+}
+
+void StationaryNewton::tell(PetscInt krylov) {
+  const Grid& grid = system_.film(0).grid();
+  std::ostringstream text;
+  text << "stationary film, " << grid.nx() << " x " << grid.ny() << " nodes";
+  text.precision(2);
+  if (step_) text << ", pseudo-time step " << 1.0 / step_->shift;
+  text << ": Newton iteration " << watched_.newton << ", residual " << watched_.residual;
+  if (krylov > 0) text << ", Krylov iteration " << krylov;
+  watcher_(text.str());
 }
 
 FilmSystem::Rate StationaryNewton::rate_at(Vec state) {

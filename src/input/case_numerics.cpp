@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "gearfilm/dynamics/natural_frequency.hpp"
 
 namespace gearfilm {
 namespace {
-
-constexpr int most_nodes = 2049;  // along either direction, where the program chooses
 
 Domain read_domain(const ParameterValues& values, const Scales& scales) {
   Domain domain = values.text("grid.domain") == "paper"
@@ -24,7 +23,9 @@ Domain read_domain(const ParameterValues& values, const Scales& scales) {
 void set_nodes(Case& result) {
   const ParameterValues& values = result.parameters;
   const Domain& domain = result.numerics.domain;
-  const Steps steps = steps_for(ExpectedFilm(result.scales), values.real("grid.accuracy"));
+  ExpectedFilm film(result.scales);
+  film.film = std::max(film.film, thinnest_film / result.scales.thickness);
+  const Steps steps = steps_for(film, values.real("grid.accuracy"));
   const auto nodes = [&](const std::string& name, double length, double step) {
     return values.has(name) ? values.integer(name) : std::min(nodes_along(length, step), most_nodes);
   };
@@ -86,6 +87,18 @@ double time_step(const Case& result) {
 }
 
 }  // namespace
+
+std::string thin_film_remark(const Case& problem) {
+  const ParameterValues& values = problem.parameters;
+  const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
+  if (expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
+  std::ostringstream text;
+  text.precision(2);
+  text << "the film to be expected is " << 1e9 * expected << " nm; films between smooth surfaces below "
+       << 1e9 * thinnest_film << " nm are no films: the grid is chosen for " << 1e9 * thinnest_film
+       << " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another";
+  return text.str();
+}
 
 Steps steps_of(const NumericsCase& numerics) {
   const Domain& domain = numerics.domain;

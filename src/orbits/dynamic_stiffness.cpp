@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/ehl/oscillating_film.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/orbits/mode_solver.hpp"
 #include "gearfilm/parallel/dense_factors.hpp"
@@ -12,21 +13,29 @@
 namespace gearfilm {
 namespace {
 
-/// (A + s B) of one film on p = [x, y], with s = sigma + i omega:
+/// Rates |s| over the entrainment from which relaxation is the preconditioner. The number of its iterations falls with
+/// the rate, as that of the smoother in short time steps does.
+constexpr double fast_oscillation = 2.0;
+
+/// (A + s B) of one film on p = [x, y], with s = sigma + i omega.
+/// Fast oscillations are preconditioned with one complex line relaxation. Slow ones, whose long waves that leaves, in
+/// real arithmetic on all levels:
 ///   (A + sigma B) x - omega B y = f ,   omega B x + (A + sigma B) y = g
-/// Preconditioned with A + (sigma + 2 omega) B in the lower right corner. Then x + y and y follow one after the other
-/// from the real M = A + (sigma + omega) B, for which the film's own preconditioner stands:
+/// with A + (sigma + 2 omega) B in the lower right corner. Then x + y and y follow one after the other from the real
+/// M = A + (sigma + omega) B, for which the film's own preconditioner stands:
 ///   M (x + y) = f + g ,   M y = g - omega B (x + y)
 class FilmResponse final : public LinearisedSystem {
 public:
   FilmResponse(ContactFilm& film, std::span<const double> pressure, double H0, std::complex<double> s)
       : film_(film),
-        s_(s),
-        shift_(std::max(0.0, s.real() + s.imag())),
+        omega_(s.imag()),
+        fast_(std::abs(s) > fast_oscillation * film.conditions().entrainment),
         size_(pressure.size()),
-        product_(size_),
-        mass_(size_) {
-    film_.linearise(pressure, H0, {}, shift_);
+        sum_(size_),
+        mass_(size_),
+        oscillating_(*film.discretisation()) {
+    film_.linearise(pressure, H0, {}, std::max(0.0, s.real() + s.imag()));
+    oscillating_.update(film_.state(), film_.conditions().entrainment, s);
   }
 
   MPI_Comm comm() const override { return film_.grid().comm(); }
@@ -34,32 +43,20 @@ public:
   PetscInt pressure_count() const override { return local_size(); }
 
   void multiply(Vec change, Vec rows) override {
-    const VecReading in(change);
-    const VecWriting out(rows);
-    const auto real = in.values().first(size_), imaginary = in.values().subspan(size_);
-    std::ranges::fill(out.values(), 0.0);
-    add(real, 0.0, out.values().first(size_), out.values().subspan(size_), 1.0);
-    add(imaginary, 0.0, out.values().subspan(size_), out.values().first(size_), -1.0);
+    oscillating_.multiply(VecReading(change).values(), VecWriting(rows).values());
   }
 
   /// a + s b.
-  void displacement_column(Vec column) {
-    const VecWriting out(column);
-    std::ranges::fill(out.values(), 0.0);
-    const std::vector<double> nothing(size_, 0.0);
-    add(nothing, 1.0, out.values().first(size_), out.values().subspan(size_), 1.0);
-  }
+  void displacement_column(Vec column) { oscillating_.displacement_column(VecWriting(column).values()); }
 
   void precondition(Vec rows, Vec change) override {
     const VecReading in(rows);
     const VecWriting out(change);
-    const auto x = out.values().first(size_), y = out.values().subspan(size_);
-    for (std::size_t n = 0; n < size_; ++n) product_[n] = in[n] + in[size_ + n];
-    film_.precondition(product_, x);
-    film_.multiply_mass(x, 0.0, mass_);
-    for (std::size_t n = 0; n < size_; ++n) product_[n] = in[size_ + n] - s_.imag() * mass_[n];
-    film_.precondition(product_, y);
-    for (std::size_t n = 0; n < size_; ++n) x[n] -= y[n];
+    if (fast_) {
+      oscillating_.relax(in.values(), out.values());
+    } else {
+      precondition_on_all_levels(in.values(), out.values());
+    }
   }
 
   std::complex<double> force(Vec change) const {
@@ -68,22 +65,22 @@ public:
   }
 
 private:
-  /// Adds (A + Re s B) change to `own` and sign Im s B change to `other`.
-  void add(std::span<const double> change, double change_H0, std::span<double> own, std::span<double> other,
-           double sign) {
-    film_.multiply(change, change_H0, product_);  // A + shift B
-    film_.multiply_mass(change, change_H0, mass_);
-    for (std::size_t n = 0; n < size_; ++n) {
-      own[n] += product_[n] + (s_.real() - shift_) * mass_[n];
-      other[n] += sign * s_.imag() * mass_[n];
-    }
+  void precondition_on_all_levels(std::span<const double> in, std::span<double> out) {
+    const auto x = out.first(size_), y = out.subspan(size_);
+    for (std::size_t n = 0; n < size_; ++n) sum_[n] = in[n] + in[size_ + n];
+    film_.precondition(sum_, x);
+    film_.multiply_mass(x, 0.0, mass_);
+    for (std::size_t n = 0; n < size_; ++n) sum_[n] = in[size_ + n] - omega_ * mass_[n];
+    film_.precondition(sum_, y);
+    for (std::size_t n = 0; n < size_; ++n) x[n] -= y[n];
   }
 
   ContactFilm& film_;
-  std::complex<double> s_;
-  double shift_;
+  double omega_;
+  bool fast_;
   std::size_t size_;
-  std::vector<double> product_, mass_;
+  std::vector<double> sum_, mass_;
+  OscillatingFilm oscillating_;
 };
 
 std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& options) {
@@ -91,7 +88,8 @@ std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& 
   OwnedVec column, change;
   petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
   response.displacement_column(column);
-  ModeSolver(response, matrix, options.krylov_tolerance, options.krylov_max_iterations, "the films' dynamic stiffness")
+  ModeSolver(response, matrix, options.krylov_tolerance, options.krylov_max_iterations, "the films' dynamic stiffness",
+             options.watcher)
       .apply(column, change);
   return response.force(change);
 }

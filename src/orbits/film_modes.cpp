@@ -40,7 +40,7 @@ std::vector<FilmMode> film_modes(LubricatedPair& pair, Vec state, const FilmMode
   pair.linearise(state, {}, 0.0);
   const OwnedMat A = shell_jacobian(system), B = shell_matrix<&FilmSystem::multiply_transient>(system);
   ModeSolver inverse(system, A, options.krylov_tolerance, options.krylov_max_iterations,
-                     "the natural modes of the films");
+                     "the natural modes of the films", options.watcher);
   PetscHandle<EPS, EPSDestroy> eps;
   petsc_check(EPSCreate(system.comm(), eps.put()));
   petsc_check(EPSSetOptionsPrefix(eps, "modes_"));

@@ -13,7 +13,13 @@ namespace {
 
 constexpr double seconds_between_updates = 0.2;
 constexpr int plain_lines = 20;
-constexpr double seconds_to_first_line = 1.0, seconds_between_lines = 5.0;  // of work without a known end, plain
+constexpr double silent_seconds = 5.0;
+constexpr double rarer = 1.5;  // plain lines of long work, each at that many times the seconds of the one before
+constexpr double rarest_seconds = 60.0;
+
+// Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
+// standard error stays a pipe.
+bool on_terminal() { return isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0; }
 
 std::string duration(double seconds) {
   const long whole = std::lround(seconds);
@@ -28,14 +34,15 @@ std::string duration(double seconds) {
   return text;
 }
 
+/// A line that stays, in the place of one that renews itself.
+void print_line(const std::string& text, bool terminal) {
+  std::printf(terminal ? "\r\033[K%s\n" : "%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
 }  // namespace
 
-// Open MPI gives a process a pseudo-terminal for its standard output even when that of mpiexec goes to a file; its
-// standard error stays a pipe.
-Progress::Progress(MPI_Comm comm)
-    : prints_(rank_in(comm) == 0),
-      terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0),
-      start_(MPI_Wtime()) {}
+Progress::Progress(MPI_Comm comm) : prints_(rank_in(comm) == 0), terminal_(on_terminal()), start_(MPI_Wtime()) {}
 
 Progress::~Progress() {
   if (line_open_) std::printf("\n");
@@ -43,8 +50,7 @@ Progress::~Progress() {
 
 void Progress::note(const std::string& text) {
   if (!prints_) return;
-  std::printf(terminal_ ? "\r\033[K%s\n" : "%s\n", text.c_str());
-  std::fflush(stdout);
+  print_line(text, terminal_);
   line_open_ = false;
 }
 
@@ -58,19 +64,34 @@ void Progress::report(double fraction, const std::string& text) {
   const std::string left = fraction >= 1.0 ? "" : ", " + duration((now - start_) * (1.0 / fraction - 1.0)) + " left";
   char percent[16];
   std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100.0 * fraction);
-  print(percent + text + left, now);
-}
-
-void Progress::report(const std::string& text) {
-  if (!prints_) return;
-  const double now = MPI_Wtime();
-  const double plain_wait = last_print_ > 0.0 ? seconds_between_lines : seconds_to_first_line;
-  if (now - std::max(last_print_, start_) > (terminal_ ? seconds_between_updates : plain_wait)) print(text, now);
-}
-
-void Progress::print(const std::string& line, double now) {
   last_print_ = now;
-  std::printf(terminal_ ? "\r\033[K%s" : "%s\n", line.c_str());
+  std::printf(terminal_ ? "\r\033[K%s" : "%s\n", (percent + text + left).c_str());
+  std::fflush(stdout);
+  line_open_ = terminal_;
+}
+
+
+LongWork::LongWork(MPI_Comm comm)
+    : prints_(rank_in(comm) == 0), terminal_(on_terminal()), start_(MPI_Wtime()), due_(silent_seconds) {}
+
+LongWork::~LongWork() {
+  if (!line_open_) return;
+  std::printf("\r\033[K");
+  std::fflush(stdout);
+}
+
+void LongWork::note(const std::string& text) {
+  if (!prints_) return;
+  print_line(text, terminal_);
+  line_open_ = false;
+}
+
+void LongWork::report(const std::string& text) {
+  if (!prints_) return;
+  const double elapsed = MPI_Wtime() - start_;
+  if (elapsed < due_) return;
+  due_ = terminal_ ? elapsed + seconds_between_updates : std::min(rarer * elapsed, elapsed + rarest_seconds);
+  std::printf(terminal_ ? "\r\033[K%s: %s" : "%s: %s\n", duration(elapsed).c_str(), text.c_str());
   std::fflush(stdout);
   line_open_ = terminal_;
 }

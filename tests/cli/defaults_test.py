@@ -53,6 +53,21 @@ class Defaults(ProgramTest):
         self.assertLess(rough["h_central_error"], 0.05 * rough["h_central"])
         self.assertLess(fine["h_central_error"], 0.01 * fine["h_central"])
 
+    def test_no_grid_is_chosen_for_films_below_10_nm(self):
+        # A tenth of the velocity: 4.4 nm.
+        case = self.write_case(SLENDER.replace("velocity: 0.0676816", "velocity: 0.00676816"))
+        run = self.run_program("info", case, "-output_dir", "out")
+        self.assertRegex(run.stderr, r"(?m)^gearfilm: warning: the film to be expected is 4\.\d nm; .* for 10 nm, .*grid\.nx")
+        found = json.loads((self.folder / "out/summary.json").read_text(encoding="utf-8"))
+        self.assertLess(found["nx"] * found["ny"], 400e3)
+        self.assertGreater(found["expected_error_h_central"], 0.02)
+        given = self.run_program("info", case, "-grid_nx", 641, "-grid_ny", 161, "-output_dir", "out")
+        self.assertNotIn("10 nm", given.stderr)
+
+    def test_steady_says_after_a_while_what_it_is_at(self):
+        run, _ = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 1281, "-grid_ny", 641)
+        self.assertRegex(run.stdout, r"(?m)^\d+ s: stationary film, \d+ x \d+ nodes.*: Newton iteration \d+, residual ")
+
     def test_coarse_grid_says_its_error_or_that_it_has_none(self):
         run, summary = self.summary("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33)
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")

@@ -10,6 +10,33 @@ from films import BARBIERI, SAME, summary_in
 from restarts import SMALL
 from vibration import COARSE, MARCH, SAME_ORBIT, VibrationTest, barbieri_with_inertias, table_in
 
+SLOW_PAIR = """case:
+  name: slow_pair
+pinion:
+  teeth: 31
+  outer_radius: 41.25e-3
+  crowning: 10e-6
+  youngs_modulus: 206e9
+  poisson_ratio: 0.30
+  speed_rpm: 2000
+  torque: 150
+wheel:
+  teeth: 47
+  outer_radius: 61.25e-3
+  crowning: 0
+  youngs_modulus: 206e9
+  poisson_ratio: 0.30
+gear:
+  module: 2.5e-3
+  pressure_angle_deg: 20
+  centre_distance: 97.5e-3
+  face_width: 25e-3
+  equivalent_mass: 1e-4
+lubricant:
+  viscosity: 0.02
+  pressure_viscosity: 2e-8
+"""
+
 
 class Eigen(VibrationTest):
     def test_pair_swings_at_its_natural_frequencies_on_1_and_2_processes(self):
@@ -33,6 +60,16 @@ class Eigen(VibrationTest):
         # As many as eigen.modes asks for, however many SLEPc has found beyond them.
         for summary in (alone, shared):
             self.assertEqual(len(summary["film_eigenvalues"]), 4)
+
+    # Oil crosses the contact while the pair swings some hundred times, on a thin film of a slender contact. A small mass
+    # has it swing as fast as a slow pair with a usual one does, on fewer nodes.
+    def test_pair_that_is_slow_against_its_swing_has_a_mode(self):
+        case = self.write_case(SLOW_PAIR)
+        run = self.run_program("eigen", case, "-grid_nx", 641, "-grid_ny", 33, "-eigen_modes", 1, "-output_dir", "slow")
+        self.assertEqual(run.status, 0, run)  # odd masses are warned of
+        found = summary_in(self.folder / "slow")
+        self.assertAlmostEqual(found["film_frequency"], 4.437e5, delta=0.002e5)
+        self.assertAlmostEqual(found["film_damping_ratio"], 0.0265, delta=0.001)
 
     def test_inertias_in_the_place_of_the_mass(self):
         inertias = {"pinion": 1e-3, "wheel": 4e-3}

@@ -43,7 +43,7 @@ private:
   MPI_Comm comm_;
   std::string unit_;
   bool every_point_;
-  Progress progress_;
+  LongWork progress_;
   Summary bifurcations_ = Summary::array();
   std::vector<Stretch> stretches_;
   std::optional<double> boundary_;  ///< where something has happened since the last regular point

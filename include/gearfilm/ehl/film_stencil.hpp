@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 
 #include "gearfilm/ehl/reynolds.hpp"
 
@@ -15,6 +16,14 @@ namespace gearfilm {
 
 /// Neighbours in the stencil of a node.
 enum Neighbour { west_west, west, centre, east, south, north, neighbour_count };
+
+/// What a shift is in a stencil of such values: complex for films that oscillate.
+template <class Real>
+using ShiftOf = std::conditional_t<std::is_floating_point_v<Real>, double, std::complex<double>>;
+
+/// Of real and imaginary parts, or real values themselves.
+template <class Real>
+using PartOf = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
 
 template <class Real>
 struct FilmStencil {
@@ -28,9 +37,10 @@ struct FilmStencil {
 };
 
 /// Fills the stencil from a state with ghosts and wet mask. shift: d(dT-rate)/d(rho H) of the time scheme,
-/// 0 for a stationary film.
+/// 0 for a stationary film, the complex s of exp(s T) for one that oscillates.
 template <class Real>
-void linearise(const Grid& grid, double entrainment, double shift, const FilmState& state, FilmStencil<Real>& linear);
+void linearise(const Grid& grid, double entrainment, ShiftOf<Real> shift, const FilmState& state,
+               FilmStencil<Real>& linear);
 
 /// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
 template <class Real>

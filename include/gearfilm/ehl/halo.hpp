@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -10,14 +11,19 @@
 
 namespace gearfilm {
 
-/// MPI's name of an arithmetic type.
+/// MPI's name of a type of values.
 template <class Real>
 MPI_Datatype mpi_type() {
-  static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
-  return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
+  if constexpr (std::is_same_v<Real, std::complex<double>>) {
+    return MPI_C_DOUBLE_COMPLEX;
+  } else {
+    static_assert(std::is_same_v<Real, float> || std::is_same_v<Real, double>);
+    return std::is_same_v<Real, float> ? MPI_FLOAT : MPI_DOUBLE;
+  }
 }
 
-/// Serves all fields of one grid, in either precision: each process has the rows between those of its neighbours.
+/// Serves all fields of one grid, in either precision, complex ones too: each process has the rows between those of its
+/// neighbours.
 class Halo {
 public:
   explicit Halo(const Grid& grid);

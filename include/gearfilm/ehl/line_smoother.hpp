@@ -11,8 +11,14 @@
 // the band, which holds near deformation only, has nothing of it for long waves, and relaxation would multiply them.
 // Half of its size stands on the diagonal of plain changes. Damped by 0.75, both kinds alike: where they meet,
 // different dampings (0.6 and 0.8) leave errors of long wave length that grow with the grid. Lines being updated
-// together, the number of processes is irrelevant. Source of the idea: Venner and Lubrecht, Multilevel Methods in
-// Lubrication (2000), ch. 6.
+// together, the number of processes is irrelevant.
+//
+// A film that oscillates as exp(s T) has complex rows. Waves that oil carries along, exp(ikX) with i k U = -s, move
+// their rows by conduction alone, since wedge and squeeze, (U d/dX + s) K, cancel. So must they in the band, or it has
+// no such waves or others in their place, and relaxation fails on them all: deformation is cut off before the wedge's
+// differences are taken, one cell away, and what is left of it fits into the band whole. A plain change of long wave
+// length moves its row by (U + |s|/k) 2 pi C_h, and the limit grows likewise, with k = 2. Source of the idea: Venner
+// and Lubrecht, Multilevel Methods in Lubrication (2000), ch. 6.
 #pragma once
 
 #include <array>
@@ -26,12 +32,14 @@ namespace gearfilm {
 template <class Real>
 class LineSmoother {
 public:
-  LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Real>& deformation);
+  using Part = PartOf<Real>;
 
-  /// Builds and factors the bands of all lines.
-  void factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment);
+  LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation);
+
+  /// Builds and factors the bands of all lines. oscillation: |s| of a film that oscillates, else 0.
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment, double oscillation = 0.0);
   /// 1 where Reynolds' equation holds, else 0.
-  const Field<Real>& wet() const { return wet_; }
+  const Field<Part>& wet() const { return wet_; }
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   void relax(Field<Real>& residual, Field<Real>& change);
 
@@ -39,17 +47,19 @@ private:
   static constexpr int half_width = 3;
   static constexpr int band_width = 2 * half_width + 1;
   static constexpr int reach = half_width + 2;  ///< furthest node whose deformation the band needs
+  /// Furthest node whose deformation it has.
+  static constexpr int kept = std::is_floating_point_v<Real> ? reach : 1;
 
   /// Deformation at a node (i, j) cells away from a unit change.
   struct Influence {
-    std::array<Real, reach + 1> same_line;  ///< i = 0..reach, j = 0
-    std::array<Real, reach + 1> next_line;  ///< j = 1
+    std::array<Part, reach + 1> same_line{};  ///< i = 0..reach, j = 0
+    std::array<Part, reach + 1> next_line{};  ///< j = 1
   };
 
   Real* band(int i, int offset) {
     return band_.data() + (static_cast<std::size_t>(i) * band_width + offset + half_width) * rows_;
   }
-  void choose_unknowns(const FilmState& state);
+  void choose_unknowns(const FilmState& state, double oscillation);
   template <int offset>
   void assemble_diagonal(const FilmStencil<Real>& linear, int i);
   template <int... index>
@@ -63,17 +73,18 @@ private:
   int rows_;
   double inverse_h_x2_;
   double long_wave_deformation_;  ///< 2 pi C_h
-  Real weight_x_;                 ///< w_x
-  Real weight_y_;                 ///< w_y
+  Part weight_x_;                 ///< w_x
+  Part weight_y_;                 ///< w_y
   Influence plain_;
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
-  Field<Real> distributive_;  ///< 1 where the unknown is a distributive change
-  Field<Real> wet_;
+  Field<Part> distributive_;  ///< 1 where the unknown is a distributive change
+  Field<Part> wet_;
   Field<Real> spread_;  ///< distributive changes, with ghosts
 };
 
 extern template class LineSmoother<float>;
 extern template class LineSmoother<double>;
+extern template class LineSmoother<std::complex<double>>;
 
 }  // namespace gearfilm

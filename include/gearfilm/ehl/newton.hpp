@@ -13,6 +13,7 @@
 #pragma once
 
 #include "gearfilm/parallel/petsc.hpp"
+#include "gearfilm/parallel/watcher.hpp"
 
 namespace gearfilm {
 
@@ -26,6 +27,7 @@ struct NewtonOptions {
   double late_krylov_tolerance = 1.0;
   int krylov_max_iterations = 200;
   bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near
+  Watcher watcher{};           ///< of stationary films: told every iteration
 };
 
 /// A nonlinear system as its linear solver sees it, linearised about the last state.

@@ -81,6 +81,9 @@ private:
   FilmSystem::Rate rate_at(Vec state);
   void evaluate(Vec state, Vec residual);
   void update_jacobian(Vec state);
+  /// Has the watcher told of every iteration.
+  void watch();
+  void tell(PetscInt krylov);
 
   FilmSystem system_;
   FilmSystem::Elimination elimination_ = FilmSystem::Elimination::exact;
@@ -90,6 +93,11 @@ private:
   OwnedSNES snes_;
   double tolerance_;
   SolveCounts counts_;
+  Watcher watcher_;
+  struct {
+    PetscInt newton;
+    double residual;  ///< root mean square
+  } watched_{};       ///< the last Newton iteration
 };
 
 }  // namespace gearfilm

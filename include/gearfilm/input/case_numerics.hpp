@@ -1,6 +1,8 @@
 // Grid, solvers and time steps of a case: what is given, and what the program chooses where nothing is.
 #pragma once
 
+#include <string>
+
 #include "gearfilm/input/case.hpp"
 
 namespace gearfilm {
@@ -10,6 +12,14 @@ void set_film_numerics(Case& result);
 
 /// Time steps of a gear pair; its grid is set.
 void set_time_steps(Case& result);
+
+/// The most nodes along either direction of a grid that the program chooses.
+constexpr int most_nodes = 2049;
+/// The thinnest film [m] that the program chooses a grid for. Molecules of oil are 1 to 2 nm long; oil between walls
+/// less than about ten of them apart is no continuum any more.
+constexpr double thinnest_film = 10e-9;
+/// What is to be said where the film to be expected is thinner and the grid chosen; else empty.
+std::string thin_film_remark(const Case& problem);
 
 /// Of the grid.
 Steps steps_of(const NumericsCase& numerics);

@@ -20,6 +20,7 @@ struct SwingOptions {
   int max_iterations = 30;          ///< of the secant method
   double krylov_tolerance = 1e-11;  ///< relative, of each solution for p
   int krylov_max_iterations = 600;
+  Watcher watcher{};  ///< told every Krylov iteration
 };
 
 /// -dF/dH_0 of all contacts together of a pair in a state at rest, at the pair's present place. Throws SolveError where

@@ -17,21 +17,37 @@ public:
   /// Reports that `fraction` of the work is done, with a text; adds the time left. Most calls print nothing: on a
   /// terminal at most five times a second, otherwise at every twentieth of the work.
   void report(double fraction, const std::string& text);
-  /// The same of work whose end is not known: on a terminal at most five times a second, otherwise a second after the
-  /// beginning and every five seconds from then on.
-  void report(const std::string& text);
   /// A line of its own.
   void note(const std::string& text);
 
 private:
-  void print(const std::string& line, double now);
-
   bool prints_;
   bool terminal_;
   bool line_open_ = false;
   double start_;
   double last_print_ = 0.0;
   int last_part_ = 0;
+};
+
+/// Progress of work of which nobody knows how much is left: silent for five seconds, then what it is at. On a terminal
+/// one line that renews itself and is gone in the end; otherwise lines that become rarer, a minute apart at most.
+class LongWork {
+public:
+  explicit LongWork(MPI_Comm comm);
+  ~LongWork();
+  LongWork(const LongWork&) = delete;
+  LongWork& operator=(const LongWork&) = delete;
+
+  void report(const std::string& text);
+  /// A line of its own.
+  void note(const std::string& text);
+
+private:
+  bool prints_;
+  bool terminal_;
+  bool line_open_ = false;
+  double start_;
+  double due_;  ///< seconds from the start to the next print
 };
 
 }  // namespace gearfilm
