@@ -70,7 +70,6 @@ void Progress::report(double fraction, const std::string& text) {
   line_open_ = terminal_;
 }
 
-
 LongWork::LongWork(MPI_Comm comm)
     : prints_(rank_in(comm) == 0), terminal_(on_terminal()), start_(MPI_Wtime()), due_(silent_seconds) {}
 
