@@ -35,6 +35,8 @@ t | s | the same
 xi | m | position on the line of action, from the pitch point
 force | N | force on the contact
 p_central | Pa | pressure at x = y = 0
+p_spike | Pa | height of the outlet's spike, where pressure rises once more behind its fall; zero where it does not
+p_spike_max | Pa | largest height of the outlet's spike
 h_central | m | film thickness at x = y = 0
 p_hertz | Pa | Hertz pressure under the present force, zero without force
 sliding_velocity | m/s | surface velocity of the pinion less that of the wheel
@@ -61,7 +63,9 @@ contact_ratio | - | contacts at a time, on the average
 R_x | m | reduced radius in the direction of rolling, at the pitch point or of the bare contact
 R_y | m | reduced radius along the face
 E_prime | Pa | reduced modulus
-load | N | static force along the line of action
+load | N | static force along the line of action, or the point load that stands for it
+tooth_force | N | static force along the line of action
+implied_backlash | m | normal backlash that both given profile shifts leave at the centre distance
 entrainment_velocity | m/s | mean of the velocities of both flanks
 kappa | - | ratio of the half axes a/b of the Hertz ellipse
 a | m | half axis of the ellipse in the direction of rolling
@@ -77,8 +81,8 @@ entry_penetration | m | by which an entering tooth meets its mate under the stat
 corner_contact_distance | m | how far before the path of contact real tips would touch
 m_ge | kg | equivalent mass of the pair
 I_n | - | dimensionless inertia
-k_el | N/m | stiffness of the dry contacts under the static force, just after a contact has left
-f_n | Hz | natural frequency of the dry pair with it
+k_el | N/m | stiffness of the dry mesh under the static force, all contacts together, one at the pitch point
+f_n | Hz | natural frequency of the dry pair on that stiffness
 hamrock_dowson_h_central | m | central film, formula of Hamrock and Dowson
 hamrock_dowson_h_min | m | smallest film, formula of Hamrock and Dowson
 nijenbanning_venner_moes_h_central | m | central film, formula of Nijenbanning, Venner and Moes

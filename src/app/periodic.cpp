@@ -78,9 +78,8 @@ std::string stability(const Summary& summary) {
   return text.str();
 }
 
-void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary, bool dry,
-                  const std::optional<LargestError>& error, const std::string& advice) {
-  constexpr double tolerable = 0.05;
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem,
+                  const Summary& summary, const std::optional<LargestError>& error, const std::string& advice) {
   ScreenTable(summary)
       .text("periodic state", stability(summary))
       .add("largest force on one contact", "force_ratio_max", 1.0, "static forces")
@@ -98,7 +97,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .print(comm, folder);
   note_spike(comm, summary);
   if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
-  if (dry || (error && error->relative <= tolerable)) return;
+  if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
   std::ostringstream warning;
   if (error) {
     warning << error->text() << ", the largest of all (each figure's _error is in summary.json)";
@@ -163,7 +162,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, run.directory().path(), summary, problem.dry(), error, advice(problem, found.run));
+  print_result(comm, run.directory().path(), problem, summary, error, advice(problem, found.run));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_validity(comm, summary);
 }

@@ -12,6 +12,7 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "gearfilm/output/file_ownership.hpp"
 #include "gearfilm/output/output_directory.hpp"
 #include "gearfilm/output/results_table.hpp"
 
@@ -80,7 +81,7 @@ public:
       }
     }
     std::ostringstream text;
-    text << "# position on the line of action [m] and share of the load, for load_sharing.file; at least "
+    text << shares_head << ", for load_sharing.file; at least "
          << least_share << "\n"
          << std::setprecision(10);
     for (const auto& [xi, share] : points) text << xi << " " << share << "\n";
@@ -164,7 +165,7 @@ void run_static(MPI_Comm comm, const Case& problem) {
     Summary at = result.summary();
     result.append_rows(ratio, rows);
     print_line(comm, ratio, at);
-    if (ratio == 1.0) write_whole(comm, directory.path() / "shares.txt", result.shares());
+    if (ratio == 1.0) write_whole(comm, directory.path() / shares_name, result.shares());
     return at;
   };
   Summary nominal;

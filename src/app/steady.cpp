@@ -73,9 +73,8 @@ bool chosen_by_program(const Case& problem) {
 
 /// Says where the films are less accurate than they should be.
 void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<GridErrors>& errors) {
-  constexpr double tolerable = 0.05;
   const bool chosen = chosen_by_program(problem);
-  const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable;
+  const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable_error(problem);
   if (errors && errors->left() <= aim) return;
   std::ostringstream text;
   text.precision(2);

@@ -73,6 +73,10 @@ void check_roots(const SpurGearPair& pair, const LineOfAction& line) {
       refuse(gear_names[k], "_root_radius = ", root, " m is not below the active flank, which begins at the radius ",
              foot[k], " m: reduce it, or the mate's outer_radius");
     }
+    if (!gear.root_radius && root >= gear.outer_radius) {
+      refuse(gear_names[k], "_profile_shift = ", shifts[k], " puts the root circle of a standard rack at ", root,
+             " m, not below the tip circle: change it, or give ", gear_names[k], "_root_radius");
+    }
     if (gear.bore_radius && *gear.bore_radius >= root) {
       refuse(gear_names[k], "_bore_radius = ", *gear.bore_radius, " m is not below the root radius ", root,
              " m: reduce it");

@@ -60,7 +60,7 @@ Records grid_records() {
                   "). They move outwards where a contact needs it"),
        preset(0.02, number("accuracy", "", "-", closed(1e-4, 0.2),
                            "relative error of the central and the smallest film that nx and ny are chosen for, where "
-                           "they are not given")),
+                           "they are not given; given with them, the error that is known and not warned of")),
        optional("by grid.accuracy",
                 whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
        optional("by grid.accuracy",

@@ -50,7 +50,7 @@ bool own_json(const fs::path& file) {
   const auto has = [&](const char* first, const char* second) {
     return content.contains(first) && content.contains(second);
   };
-  return content.contains("provenance") || has("command", "format") || has("direction", "value");
+  return content.contains("provenance") || has("command", "case.kind") || has("direction", "value");
 }
 
 bool has_format_version(const fs::path& file) {
@@ -71,7 +71,7 @@ bool own_results(const fs::path& file) {
 bool own_part(const fs::path& file) {
   const std::string extension = file.stem().extension();
   if (file.filename() == "results.h5.part") return true;  // HDF5 gives a file its content when it is closed
-  const std::string_view mark = extension == ".json" ? "{" : extension == ".xmf" ? xdmf_head : restart_mark;
+  const std::string_view mark = extension == ".json" ? "{" : extension == ".xmf" ? xdmf_head : extension == ".txt" ? shares_head : restart_mark;
   return begins_at_most_with(file, mark);
 }
 
@@ -106,6 +106,7 @@ bool written_here(const fs::path& file) {
   if (extension == ".json") return own_json(file);
   if (extension == ".h5") return own_results(file);
   if (extension == ".xmf") return begins_with(file, xdmf_head);
+  if (file.filename() == shares_name) return begins_with(file, shares_head);
   return own_restart_file(file);
 }
 

@@ -17,7 +17,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr std::array results = {"results.h5", "results.xmf", "summary.json", "run.json"};
+constexpr std::array results = {"results.h5", "results.xmf", "summary.json", "run.json", "shares.txt"};
 
 // Less room than this would end a run that has just removed earlier results.
 constexpr std::size_t least_room = 1 << 18;  // [bytes]

@@ -6,6 +6,10 @@ import unittest
 from films import BARBIERI, WANG, summary_in
 from program import INPUT, ProgramTest
 
+# What is said of most pairs without relief, and of coarse grids.
+BESIDE = "entering tooth meets its mate|the films have an error|the error of the films"
+
+
 def section(gear, **values):
     return f"{gear}:\n" + "".join(f"  {key}: {value!r}\n" for key, value in values.items())
 
@@ -28,7 +32,7 @@ class OwnPairs(ProgramTest):
     def summary(self, command, case, *options, warnings=()):
         run = self.run_program(command, case, *options, "-output_dir", "out")
         self.assertEqual(run.status, 0, run)
-        lines = (run.of_case + run.stderr).splitlines()
+        lines = [line for line in (run.of_case + run.stderr).splitlines() if not re.search(BESIDE, line)]
         self.assertEqual(len(lines), len(warnings), run)
         for line, words in zip(lines, warnings):
             for word in words:
@@ -38,7 +42,7 @@ class OwnPairs(ProgramTest):
     def test_undercut_wheel_whose_active_flank_is_whole(self):
         case = self.write_case(fzg_a(tooth_compliance="weber"))
         undercut = ["undercuts the teeth of the wheel", "um above the base circle"]
-        soft = self.summary("static", case, warnings=[undercut, ["entering tooth meets its mate"]])
+        soft = self.summary("static", case, warnings=[undercut])
         self.assertLess(soft["mesh_stiffness_pitch"], self.summary("static", self.write_case(fzg_a()))["mesh_stiffness_pitch"])
 
     def test_swapped_gears_are_the_same_pair(self):
@@ -92,7 +96,7 @@ class OwnPairs(ProgramTest):
         hot = self.run_program("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-steady_position", 5e-3,
                                "-friction_law", "eyring", "-thermal_model", "friction", "-thermal_temperature", 430,
                                "-lubricant_temperature_viscosity", 0.03, "-output_dir", "out")
-        self.assertRegex(hot.stderr, r"the film is as hot as \d+ K in places: above 473 K")
+        self.assertRegex(hot.of_case, r"the film is as hot as \d+ K in places: above 473 K")
 
 
 class Teeth(ProgramTest):

@@ -28,7 +28,7 @@ class Ownership(ProgramTest):
     def test_checkpoint_folder_of_a_user(self):
         for name in ("checkpoint/notes.txt", "checkpoint/coarse/deep/table.csv", "checkpoint/run.json",
                      "checkpoint/run000_00001.state", "checkpoint/steps"):
-            path = self.put(name, b'{"command": "make"}' if name.endswith("json") else b"a measurement of mine")
+            path = self.put(name, b'{"command": "make", "format": 1}' if name.endswith("json") else b"a measurement of mine")
             for arguments, processes in (([*MARCH], 2), (["periodic", BARBIERI, *SMALL], 1),
                                          (["continuation", BARBIERI, *DRY, "-continuation_from", 15000,
                                            "-continuation_to", 15100], 1)):
@@ -40,7 +40,7 @@ class Ownership(ProgramTest):
         with h5py.File(self.folder / "results.h5", "w") as file:
             file["measured"] = [1.0, 2.0]
         for name, content in (("results.h5", None), ("summary.json", b'{"summary": "of a measurement"}'),
-                              ("run.json", b"[1, 2]"), ("results.xmf", b"<?xml version=\"1.0\"?>\n<mine/>\n")):
+                              ("run.json", b"[1, 2]"), ("shares.txt", b"of the company"), ("results.xmf", b"<?xml version=\"1.0\"?>\n<mine/>\n")):
             path = self.folder / name if content is None else self.put(name, content)
             for arguments in (["steady", CIRCULAR], ["info", BARBIERI], ["static", BARBIERI], MARCH):
                 with self.subTest(name, command=arguments[0]):

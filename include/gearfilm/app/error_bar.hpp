@@ -1,10 +1,12 @@
 // The error bar of a figure in a summary: `_error`, and `_extrapolated`, where finer grids lead to.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "gearfilm/ehl/estimate.hpp"
+#include "gearfilm/input/case.hpp"
 #include "gearfilm/output/summary.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 
@@ -16,6 +18,13 @@ inline void add_error_bar(Summary& summary, const std::string& name, const std::
   summary[name + "_error"] = estimate ? Summary(unit * estimate->error) : Summary();
   summary[name + "_extrapolated"] =
       estimate && estimate->extrapolated ? Summary(unit * *estimate->extrapolated) : Summary();
+}
+
+/// Relative error up to which nothing is said of it: 5 %, or more where the case itself says so by grid.accuracy.
+inline double tolerable_error(const Case& problem) {
+  constexpr double usual = 0.05;
+  const std::string accuracy = "grid.accuracy";
+  return problem.parameters.given(accuracy) ? std::max(usual, problem.parameters.real(accuracy)) : usual;
 }
 
 /// Says that the bar of the largest pressure is that of a spike, where it is.

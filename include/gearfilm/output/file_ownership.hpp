@@ -2,23 +2,28 @@
 // names.
 //
 //   summary.json              JSON object with "provenance"
-//   run.json, sweep.json      JSON object with "command" and "format"
+//   run.json, sweep.json      JSON object with "command" and "case.kind"
 //   points/*.json             JSON object with "direction" and "value"
 //   results.h5                HDF5 file with the attribute "format_version"; one that a killed march left damaged,
 //   where
 //                             the march's checkpoint/run.json stands beside it
-//   results.xmf               the first lines of xdmf.cpp
+//   results.xmf, shares.txt   their first lines
 //   steps, *.state, *.guesses the mark of restart_mark.hpp
 //   *.part                    a beginning of one of these, however short: a write that was interrupted;
 //                             results.h5.part by its name
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
+
+/// The table of load shares that `static` leaves, and how it begins.
+constexpr std::string_view shares_name = "shares.txt";
+constexpr std::string_view shares_head = "# position on the line of action [m] and share of the load";
 
 /// Whether this program wrote the file. False for links, folders, and files that cannot be read.
 bool written_here(const std::filesystem::path& file);
