@@ -42,6 +42,30 @@ bool asks_for(const std::string& word, const std::string& what, bool as_command)
   return word == "-" + what || word == "--" + what || (as_command && word == what);
 }
 
+/// Reads the case and runs the command on it, with what is to be said before and behind.
+void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& command_line) {
+  if (command_line.case_file().empty()) {
+    throw InputError("no case file given; run 'gearfilm " + command_line.command() + " CASE.yaml'");
+  }
+  if (!command_line.surplus().empty()) {
+    throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
+  }
+  require_known_options(command_line.petsc_arguments());
+  require_single_options(command_line.petsc_arguments());
+  const Case problem = read_case(comm, command_line.case_file());
+  require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1,
+                 heated_points(problem));
+  if (problem.run.restart && !command.resumable) {
+    throw InputError(problem.parameters.origin("restart") + ": " + command.name +
+                     " has nothing to go on from; run it without -restart");
+  }
+  for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
+  const bool films = command.name != std::string_view("static") && !problem.dry();
+  if (const std::string remark = thin_film_remark(problem); films && !remark.empty()) warn(comm, remark);
+  command.run(comm, problem);
+  for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
+}
+
 }  // namespace
 
 // The command and the case are ours; PETSc gets the rest. A case file behind an option is still the case: PETSc's
@@ -94,26 +118,7 @@ void run(MPI_Comm comm, const CommandLine& command_line) {
   }
   for (const Command& command : commands()) {
     if (command_line.command() != command.name) continue;
-    if (command_line.case_file().empty()) {
-      throw InputError("no case file given; run 'gearfilm " + command_line.command() + " CASE.yaml'");
-    }
-    if (!command_line.surplus().empty()) {
-      throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
-    }
-    require_known_options(command_line.petsc_arguments());
-    require_single_options(command_line.petsc_arguments());
-    const Case problem = read_case(comm, command_line.case_file());
-    require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1,
-                   heated_points(problem));
-    if (problem.run.restart && !command.resumable) {
-      throw InputError(problem.parameters.origin("restart") + ": " + command.name +
-                       " has nothing to go on from; run it without -restart");
-    }
-    for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
-    const bool films = command.name != std::string_view("static") && !problem.dry();
-    if (const std::string remark = thin_film_remark(problem); films && !remark.empty()) warn(comm, remark);
-    command.run(comm, problem);
-    for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
+    run_on_case(comm, command, command_line);
     return;
   }
   throw InputError(

@@ -24,7 +24,7 @@ void add_gear_geometry(const Case& problem, Summary& summary) {
   summary["xi_entry"] = line.entry();
   summary["xi_exit"] = line.exit();
   summary["contact_ratio"] = line.contact_ratio();
-  const ToothSpace space = tooth_space(*problem.pair.gears, line);
+  const ToothSpace space = tooth_space(*problem.pair.gears);
   if (space.implied_backlash) summary["implied_backlash"] = *space.implied_backlash;
 }
 

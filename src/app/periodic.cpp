@@ -78,8 +78,8 @@ std::string stability(const Summary& summary) {
   return text.str();
 }
 
-void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem,
-                  const Summary& summary, const std::optional<LargestError>& error, const std::string& advice) {
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem, const Summary& summary,
+                  const std::optional<LargestError>& error, const std::string& advice) {
   ScreenTable(summary)
       .text("periodic state", stability(summary))
       .add("largest force on one contact", "force_ratio_max", 1.0, "static forces")

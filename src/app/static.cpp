@@ -81,9 +81,7 @@ public:
       }
     }
     std::ostringstream text;
-    text << shares_head << ", for load_sharing.file; at least "
-         << least_share << "\n"
-         << std::setprecision(10);
+    text << shares_head << ", for load_sharing.file; at least " << least_share << "\n" << std::setprecision(10);
     for (const auto& [xi, share] : points) text << xi << " " << share << "\n";
     return text.str();
   }

@@ -51,6 +51,7 @@ void mend_sweep(MPI_Comm comm, const Case& problem, const SweepPoints& points, c
                 const StopRequest& stop) {
   const DryWatch watch = stopping(comm, stop);
   std::vector<Known> known;
+  known.reserve(all.size());
   for (const SweepPoint& point : all) known.push_back({point, points.read(comm, point).value()});
   for (bool again = true; again;) {
     again = false;

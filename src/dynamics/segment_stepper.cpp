@@ -24,11 +24,11 @@ constexpr int short_halvings = 2;  // of such a step, before that is given up
 
 double StepOptions::largest() const { return tolerance ? largest_step * dT : dT; }
 
-SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, const StepOptions& options,
+SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOptions options,
                                std::function<void(const StepRecord&)> on_step)
     : pair_(pair),
       memory_(memory),
-      options_(options),
+      options_(std::move(options)),
       on_step_(std::move(on_step)),
       rows_(pair.system().create_state()),
       rate_(pair.system().create_state()),

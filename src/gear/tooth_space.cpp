@@ -27,11 +27,11 @@ template <class... Parts>
 
 /// Without a profile shift of its own a tooth is as thick as the assumed one makes it: only what the backlash takes of
 /// it is then held against the input.
-void check_thickness(const SpurGearPair& pair, const LineOfAction& line) {
-  const ToothSpace with = tooth_space(pair, line);
+void check_thickness(const SpurGearPair& pair) {
+  const ToothSpace with = tooth_space(pair);
   SpurGearPair tight = pair;
   tight.backlash.reset();
-  const ToothSpace without = tooth_space(tight, line);
+  const ToothSpace without = tooth_space(tight);
   for (int k = 0; k < 2; ++k) {
     const bool by_shift = gears_of(pair)[k].profile_shift.has_value();
     for (const auto& [place, thickness, before] :
@@ -51,8 +51,8 @@ void check_thickness(const SpurGearPair& pair, const LineOfAction& line) {
   }
 }
 
-void check_shifts(const SpurGearPair& pair, const LineOfAction& line) {
-  const std::optional<double> backlash = tooth_space(pair, line).implied_backlash;
+void check_shifts(const SpurGearPair& pair) {
+  const std::optional<double> backlash = tooth_space(pair).implied_backlash;
   if (!backlash || *backlash >= -largest_overlap * pair.module_length) return;
   refuse("pinion_profile_shift = ", *pair.pinion.profile_shift,
          " and wheel_profile_shift = ", *pair.wheel.profile_shift, " imply a backlash of ", *backlash,
@@ -65,7 +65,7 @@ void check_roots(const SpurGearPair& pair, const LineOfAction& line) {
   const std::array<double, 2> shifts = profile_shifts(pair);
   const std::array<double, 2> foot = {std::hypot(line.base_radius_pinion(), line.radius_pinion(line.entry())),
                                       std::hypot(line.base_radius_wheel(), line.radius_wheel(line.exit()))};
-  const ToothSpace space = tooth_space(pair, line);
+  const ToothSpace space = tooth_space(pair);
   for (int k = 0; k < 2; ++k) {
     const SpurGear gear = gears_of(pair)[k];
     const double root = root_radius(gear, pair, shifts[k]);
@@ -92,7 +92,7 @@ void check_roots(const SpurGearPair& pair, const LineOfAction& line) {
 
 }  // namespace
 
-ToothSpace tooth_space(const SpurGearPair& pair, const LineOfAction& line) {
+ToothSpace tooth_space(const SpurGearPair& pair) {
   const std::array<double, 2> shifts = profile_shifts(pair);
   const std::array<SpurGear, 2> gears = gears_of(pair);
   ToothSpace space;
@@ -111,8 +111,8 @@ ToothSpace tooth_space(const SpurGearPair& pair, const LineOfAction& line) {
 }
 
 void check_tooth_space(const SpurGearPair& pair, const LineOfAction& line) {
-  check_shifts(pair, line);
-  check_thickness(pair, line);
+  check_shifts(pair);
+  check_thickness(pair);
   check_roots(pair, line);
 }
 

@@ -127,11 +127,12 @@ void compare_teeth(const Case& problem, Oddities& found) {
   };
   in_modules("gear.backlash", 0.2, "more than gears have; is it in m?");
   for (const std::string gear : {"pinion.", "wheel."}) {
-    for (const char* key : {"crowning", "tip_relief", "root_relief", "profile_slope", "profile_crowning"}) {
+    in_modules(gear + "crowning", 0.2, "more than flanks are crowned; is it in m?");
+    for (const char* key : {"tip_relief", "root_relief", "profile_slope", "profile_crowning"}) {
       in_modules(gear + key, 0.1, "more than flanks are modified by; is it in m?");
     }
   }
-  const ToothSpace space = tooth_space(pair, *problem.pair.line);
+  const ToothSpace space = tooth_space(pair);
   if (space.implied_backlash) {
     compare(*space.implied_backlash / m,
             {"the backlash that both profile shifts imply at gear.centre_distance", "modules", -0.02, 0.2,

@@ -68,11 +68,11 @@ std::vector<Motion> near_unstable(const DrySettling& settling, int order) {
     returns.emplace_back(length(difference(points[n].motion, points[n - step].motion)), points[n - step].motion);
   }
   std::ranges::stable_sort(returns, {}, &std::pair<double, Motion>::first);
-  for (const auto& [defect, motion] : returns) {
+  for (const std::pair<double, Motion>& candidate : returns) {
     if (guesses.size() == most) break;
-    const bool known =
-        std::ranges::any_of(guesses, [&](const Motion& guess) { return length(difference(guess, motion)) < apart; });
-    if (!known) guesses.push_back(motion);
+    const bool known = std::ranges::any_of(
+        guesses, [&](const Motion& guess) { return length(difference(guess, candidate.second)) < apart; });
+    if (!known) guesses.push_back(candidate.second);
   }
   return guesses;
 }

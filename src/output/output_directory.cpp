@@ -60,6 +60,7 @@ OutputDirectory::OutputDirectory(MPI_Comm comm, std::filesystem::path path) : co
                        "; choose another folder with -output_dir");
     }
     std::vector<std::filesystem::path> files;
+    files.reserve(results.size());
     for (const char* name : results) files.push_back(path_ / name);
     require_replaceable(comm_, files);
   } catch (const InputError&) {

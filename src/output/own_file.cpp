@@ -1,6 +1,7 @@
 #include "gearfilm/output/own_file.hpp"
 
 #include <fstream>
+#include <string>
 
 #include "gearfilm/output/checksum.hpp"
 #include "gearfilm/output/output_directory.hpp"
@@ -34,10 +35,11 @@ std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
   const bool marked = !missing && size >= restart_mark.size();
   std::vector<double> values(marked ? (size - restart_mark.size()) / sizeof(double) : 0);
+  std::string mark_found(restart_mark.size(), ' ');
   std::ifstream file(path, std::ios::binary);
-  file.seekg(restart_mark.size());
+  file.read(mark_found.data(), static_cast<std::streamsize>(mark_found.size()));
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
-  const bool whole = file && marked && size % sizeof(double) == 0;
+  const bool whole = file && marked && mark_found == restart_mark && size % sizeof(double) == 0;
   const bool all_whole = first_reason(comm, whole ? "" : "not whole").empty();
   if (mark_of(comm, values).checksum != mark.checksum || !all_whole) return {};
   return values;

@@ -6,6 +6,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/output/checksum.hpp"
+#include "gearfilm/output/restart_mark.hpp"
 #include "gearfilm/output/state_file.hpp"
 #include "pair_case.hpp"
 
@@ -225,8 +226,8 @@ TEST_F(CheckpointTest, state_before_the_damage_serves) {
   }
   const auto kept_until = [&] { return Checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped).kept_until(); };
   EXPECT_EQ(kept_until(), 0.2);
-  const auto steps = std::filesystem::file_size(folder / "steps");
-  change_bit(folder / "steps", steps / 2 + 1);  // of the second step
+  const auto steps = std::filesystem::file_size(folder / "steps") - restart_mark.size();
+  change_bit(folder / "steps", restart_mark.size() + steps / 2 + 1);  // of the second step
   EXPECT_EQ(kept_until(), 0.1);
   change_bit(folder / "run000_00000.state", 1000);
   EXPECT_EQ(kept_until(), 0.0);
@@ -239,7 +240,7 @@ TEST_F(CheckpointTest, state_before_damaged_guesses_serves) {
     checkpoint.begin_run(0.0, {});
     for (const double T : {0.1, 0.2}) checkpoint.keep(T, {{T, 0.0}, {{{"pressure", field(T)}}}, grid_.shape()}, {T, T});
   }
-  change_bit(folder / "run000_00001.guesses0", 9);
+  change_bit(folder / "run000_00001.guesses0", restart_mark.size() + 9);
   Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped);
   const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
   ASSERT_TRUE(kept);

@@ -69,14 +69,14 @@ TEST(PublishedPairs, twelve_and_twenty_four_teeth) {
   const LineOfAction line(twelve_teeth());
   EXPECT_NEAR(line.working_pressure_angle() / degree, 26.0888, 5e-5);
   EXPECT_NEAR(line.contact_ratio(), 1.202, 5e-4);
-  EXPECT_NEAR(*tooth_space(twelve_teeth(), line).implied_backlash, 0.0, 1e-6);
+  EXPECT_NEAR(*tooth_space(twelve_teeth()).implied_backlash, 0.0, 1e-6);
 }
 
 TEST(ToothSpace, both_thicknesses_and_the_implied_backlash_fill_the_working_pitch) {
   SpurGearPair pair = fzg_c();
   pair.wheel.profile_shift = 0.1;
   const LineOfAction line(pair);
-  const ToothSpace space = tooth_space(pair, line);
+  const ToothSpace space = tooth_space(pair);
   const double pitch = 2.0 * pi * pair.centre_distance / 40;
   EXPECT_GT(*space.implied_backlash, 0.1e-3);
   EXPECT_NEAR(space.pitch_thickness[0] + space.pitch_thickness[1] +

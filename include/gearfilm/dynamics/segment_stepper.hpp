@@ -48,7 +48,7 @@ struct StepOptions {
 class SegmentStepper {
 public:
   /// on_step is called after every accepted step. Pair and memory must outlive the stepper.
-  SegmentStepper(LubricatedPair& pair, GuessMemory& memory, const StepOptions& options,
+  SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOptions options,
                  std::function<void(const StepRecord&)> on_step);
   SegmentStepper(const SegmentStepper&) = delete;
   SegmentStepper& operator=(const SegmentStepper&) = delete;

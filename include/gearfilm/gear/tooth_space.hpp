@@ -22,7 +22,7 @@ struct ToothSpace {
 };
 
 /// By the profile shifts and root radii that are given, and those that are assumed for the others (gear_pair.hpp).
-ToothSpace tooth_space(const SpurGearPair& pair, const LineOfAction& line);
+ToothSpace tooth_space(const SpurGearPair& pair);
 
 /// Overlap of the teeth by given profile shifts beyond which they cannot mesh, over the module: more than a drawing's
 /// rounding and the tolerances of teeth.
