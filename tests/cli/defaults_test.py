@@ -69,12 +69,20 @@ class Defaults(ProgramTest):
         self.assertRegex(run.stdout, r"(?m)^\d+ s: stationary film, \d+ x \d+ nodes.*: Newton iteration \d+, residual ")
 
     def test_coarse_grid_says_its_error_or_that_it_has_none(self):
-        run, summary = self.summary("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33)
+        cold = ["steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-thermal_model", "none"]
+        run, _ = self.summary(*cold, "-grid_accuracy", 0.2)  # too small to be that of this grid
+        self.assertNotEqual(run.of_case, "")
+        run, summary = self.summary(*cold)
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")
         self.assertGreater(summary["h_min_error"], 0.05 * summary["h_min"])
         run, summary = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 129, "-grid_ny", 65)
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
         self.assertIsNone(summary["h_central_error"])
+
+    def test_error_that_the_case_says_is_known_is_not_warned_of(self):
+        run, summary = self.summary("steady", BARBIERI, "-thermal_model", "none", "-grid_accuracy", 0.1)
+        self.assertGreater(summary["h_min_error"], 0.05 * summary["h_min"])
+        self.assertEqual(run.of_case, "")
 
     # Half the nodes, 65 x 17, have no film that is positive; 257 x 65 have a smallest one of 0.999 um.
     def test_state_that_half_the_grid_cannot_carry_has_errors(self):
@@ -107,7 +115,8 @@ class Defaults(ProgramTest):
 
     def test_state_that_no_coarser_grid_carries_has_none(self):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",
-                                  "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
+                                  "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no", "-thermal_model",
+                                  "none")
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the errors of the figures are not known.*\n\Z")
         self.assertIsNone(found["h_min_error"])
 
