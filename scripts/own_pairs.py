@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Twelve pairs of gears of as many industries, all commands, and hand formulas beside.
 
-    scripts/own_pairs.py FOLDER [--pairs NAME ...] [--commands NAME ...] [--time-limit 300]
+    scripts/own_pairs.py FOLDER [--pairs NAME ...] [--commands NAME ...] [--time-limit 300] [--no-runs]
 
 writes FOLDER/<pair>.yaml, runs the commands on them one after the other, and prints Markdown tables: the pairs, what
 the program finds beside the formulas of scripts/industries/formulas.py with the deviation, and what became of every
 command. Results and FOLDER/<pair>/<command>.json, what became of a run, stay; a run that is there is not made again, so
 that an interrupted table goes on where it was: another program, or other pairs, need another folder. A run that is
-longer than the time limit [s] stops. "bending" is static with teeth that bend, "dry" and "dry sweep" are periodic and
-sweep without films.
+longer than the time limit [s] stops. --no-runs prints what there is. "bending" is static with teeth that bend, "dry"
+and "dry sweep" are periodic and sweep without films.
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
@@ -41,9 +41,11 @@ class Outcome:
 
 
 def outcome(pair, name, folder, time_limit):
-    """Of a run that is made unless it was before."""
+    """Of a run that is made unless it was before; without a time limit none is."""
     place = folder / pair.name / name.replace(" ", "-")
     record = place.with_suffix(".json")
+    if time_limit is None and not record.exists():
+        return Outcome(None, "", {})
     if not record.exists():
         command, *options = commands(pair)[name]
         limit = () if command in ("info", "static", "steady") else ("-time_limit", time_limit)
@@ -67,10 +69,12 @@ def main():
     every = list(commands(PAIRS[0]))
     parser.add_argument("--commands", nargs="+", choices=every, default=every, metavar="NAME", help=", ".join(every))
     parser.add_argument("--time-limit", type=float, default=300.0, help="of a run [s] (%(default)s)")
+    parser.add_argument("--no-runs", action="store_true", help="print what there is")
     arguments = parser.parse_args()
     with one_line_errors("own_pairs", arguments.folder):
         arguments.folder.mkdir(parents=True, exist_ok=True)
-        chosen = {pair: outcomes(pair, arguments.commands, arguments.folder, arguments.time_limit)
+        limit = None if arguments.no_runs else arguments.time_limit
+        chosen = {pair: outcomes(pair, arguments.commands, arguments.folder, limit)
                   for pair in PAIRS if pair.name in arguments.pairs}
         tables.print_all(chosen, arguments.folder)
 

@@ -65,6 +65,7 @@ PAIRS = (
 )
 
 FILM = ("-grid_accuracy", 0.05)
+LOOK = ("-grid_accuracy", 0.2)  # for three states
 DRY = ("-model", "dry")
 FRICTION = 0.05                # coefficient, for the loss factor
 
@@ -80,7 +81,7 @@ def commands(pair):
         "continuation": ("continuation", *DRY, "-continuation_from", pair.rpm, "-continuation_to", far),
         "transient": ("transient", *FILM, "-mesh_periods", 1),
         "periodic": ("periodic", *FILM, "-friction_law", "coulomb", "-friction_coefficient", FRICTION),
-        "sweep": ("sweep", *FILM, "-sweep_from", near, "-sweep_to", far, "-sweep_points", 3, "-sweep_direction", "up",
+        "sweep": ("sweep", *LOOK, "-sweep_from", near, "-sweep_to", far, "-sweep_points", 3, "-sweep_direction", "up",
                   "-periodic_multipliers", "no"),
     }
 

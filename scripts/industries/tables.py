@@ -5,15 +5,17 @@ A cell has the program's value, a slash, the formula's, and in brackets how far 
 import collections
 import math
 import re
+import textwrap
 
 import h5py
 import numpy
 
 from industries import formulas as hand
 from industries.cases import FRICTION
+from industries.dry_motion import repeated
 from tables import heading, row
 
-WORDS = 60                     # letters of a message
+WORDS = 90                     # letters of a message
 
 
 def beside(program, formula, unit=1.0, digits=5, places=2):
@@ -146,8 +148,11 @@ def branch_cells(pair, runs, folder):
 
 def speed_row(pair, runs, folder):
     dry, orbit = runs["dry"].found, runs["periodic"].found
-    force = mean_force(folder / pair.name / "dry") if dry else None
-    return (beside(force, hand.tooth_force(pair)), value(dry.get("force_ratio_max"), 1, 4),
+    if not dry:
+        return 9 * ["-"]
+    change, largest = repeated(pair, dry["H0_after_leaving"], dry["V0_after_leaving"])
+    return (beside(mean_force(folder / pair.name / "dry"), hand.tooth_force(pair)), f"{change:.0e}",
+            beside(dry["force_ratio_max"], largest, 1, 4), "yes" if dry["stable"] else "no",
             value(middle(runs["dry sweep"].found).get("force_ratio_max"), 1, 4), *branch_cells(pair, runs, folder),
             value(orbit.get("force_ratio_max"), 1, 4), value(middle(runs["sweep"].found).get("force_ratio_max"), 1, 4))
 
@@ -173,7 +178,8 @@ TABLES = (
       "largest force/static", "smallest film [µm]", "stable", "loss factor, program / Ohlendorf",
       "loss factor, program / of its forces")),
     ("Dry pair and speeds", {"dry", "dry sweep", "continuation", "periodic", "sweep"}, speed_row,
-     ("dry: mean force / static [N]", "largest force/static", "of `sweep` there", "where `continuation` begins",
+     ("dry: mean force / static [N]", "repeats by hand within", "largest force/static, program / hand", "stable",
+      "largest of `sweep` there", "where `continuation` begins",
       "it finds", "on films: largest force/static", "of `sweep` there")),
 )
 
@@ -182,7 +188,7 @@ def word(run):
     """What became of a run."""
     if run.status == 0:
         return "warns" if run.errors else "ok"
-    return {2: "not solved", 3: "time"}.get(run.status, f"status {run.status}")
+    return {None: "-", 2: "not solved", 3: "time"}.get(run.status, f"status {run.status}")
 
 
 def command_row(runs):
@@ -191,7 +197,8 @@ def command_row(runs):
 
 def message(line):
     """First words of a line without its numbers, by which lines are alike."""
-    return re.sub(r"-?\d[\d.e+-]*", "N", line.removeprefix("gearfilm: "))[:WORDS]
+    words = re.sub(r"-?\d[\d.e+-]*", "n", line.removeprefix("gearfilm: "))
+    return textwrap.shorten(words, WORDS, placeholder=" ...")
 
 
 def print_messages(chosen):
@@ -202,7 +209,7 @@ def print_messages(chosen):
             for kind in dict.fromkeys(map(message, run.errors.strip().splitlines())):
                 found[name, kind].append(pair.name)
     for (name, kind), pairs in found.items():
-        print(f"- `{name}`, {'all' if len(pairs) == len(chosen) > 1 else ', '.join(pairs)}: {kind} ...")
+        print(f"- `{name}`, {'all' if len(pairs) == len(chosen) > 1 else ', '.join(pairs)}: {kind}")
 
 
 def print_all(chosen, folder):

@@ -12,11 +12,14 @@ SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
 from industries import formulas as hand  # noqa: E402
 from industries.cases import PAIRS, commands, parameters  # noqa: E402
+from industries.dry_motion import repeated  # noqa: E402
 
 # Both solve closed formulas or the ratio of an ellipse to round-off.
 EXACT = 1e-10
 # The script integrates over a mesh period by 200 steps, the program by 400.
 INTEGRAL = 2e-6
+# Two schemes of integration in time, each with errors of some 1e-5; the program has the force at the ends of its steps.
+MOTION, LARGEST = 1e-4, 2e-3
 # Constants of Dowson and Higginson's density are rounded in two ways, 5.9e8 and 1.34 or 0.6e-9 and 1.7e-9.
 DENSITY = 0.01
 # Crowned faces touch on a part of their length, and ISO's teeth are loaded evenly: less stiff, but no other order.
@@ -29,7 +32,7 @@ class Industries(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = pathlib.Path(scratch.name)
-        cls.done = run_script(SCRIPTS / "own_pairs.py", cls.folder, "--commands", "info", "static", "bending",
+        cls.done = run_script(SCRIPTS / "own_pairs.py", cls.folder, "--commands", "info", "static", "bending", "dry",
                               "--time-limit", 60)
 
     def summary(self, pair, name):
@@ -68,6 +71,14 @@ class Industries(unittest.TestCase):
                 bending, (single, factor) = self.summary(pair, "bending"), hand.iso_single(pair)
                 self.assert_near(bending["iso_stiffness_single"], single, EXACT, "iso")
                 self.assert_near(bending["mesh_stiffness_pitch"], single * factor, CROWNED, "stiffness")
+
+    def test_dry_motion_repeats_in_another_integration(self):
+        for pair in PAIRS[::2]:
+            with self.subTest(pair.name):
+                dry = self.summary(pair, "dry")
+                change, largest = repeated(pair, dry["H0_after_leaving"], dry["V0_after_leaving"])
+                self.assertLess(change, MOTION)
+                self.assert_near(dry["force_ratio_max"], largest, LARGEST, "force_ratio_max")
 
     def test_tables(self):
         self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
