@@ -5,10 +5,10 @@
 
 writes FOLDER/<pair>.yaml, runs the commands on them one after the other, and prints Markdown tables: the pairs, what
 the program finds beside the formulas of scripts/industries/formulas.py with the deviation, and what became of every
-command. Results and FOLDER/<pair>/<command>.json, what became of a run, stay; a run that is there is not made again, so
-that an interrupted table goes on where it was: another program, or other pairs, need another folder. A run that is
-longer than the time limit [s] stops. --no-runs prints what there is. "bending" is static with teeth that bend, "dry"
-and "dry sweep" are periodic and sweep without films.
+command. Results and FOLDER/<pair>/<command>.json, what became of a run, stay. A run that is there is not made again;
+one that is longer than the time limit [s] stops, and goes on the next time. Another program, or other pairs, need
+another folder. --no-runs prints what there is. "bending" is static with teeth that bend, "dry" and "dry sweep" are
+periodic and sweep without films.
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
@@ -27,6 +27,8 @@ from industries.cases import PAIRS, commands, parameters
 from pairs import case_text
 from runs import attempt, one_line_errors
 
+STOPPED = 3                    # exit status of a run at its time limit
+
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
@@ -41,19 +43,22 @@ class Outcome:
 
 
 def outcome(pair, name, folder, time_limit):
-    """Of a run that is made unless it was before; without a time limit none is."""
+    """Of a run that is made or goes on unless it has ended before; without a time limit none is."""
     place = folder / pair.name / name.replace(" ", "-")
     record = place.with_suffix(".json")
-    if time_limit is None and not record.exists():
-        return Outcome(None, "", {})
-    if not record.exists():
-        command, *options = commands(pair)[name]
-        limit = () if command in ("info", "static", "steady") else ("-time_limit", time_limit)
-        place.mkdir(parents=True, exist_ok=True)
-        run = attempt(command, folder / f"{pair.name}.yaml", place, *options, *limit, time_limit=time_limit + 60)
-        became = {"status": run.status, "errors": run.errors, "summary": run.summary}
-        record.write_text(json.dumps(became), encoding="utf-8")
-    return Outcome(**json.loads(record.read_text(encoding="utf-8")))
+    before = Outcome(**json.loads(record.read_text(encoding="utf-8"))) if record.exists() else Outcome(None, "", {})
+    if time_limit is None or before.status not in (None, STOPPED):
+        return before
+    command, *options = commands(pair)[name]
+    if command not in ("info", "static", "steady"):
+        options += ["-time_limit", time_limit]
+    if before.status == STOPPED:
+        options += ["-restart"]
+    place.mkdir(parents=True, exist_ok=True)
+    run = attempt(command, folder / f"{pair.name}.yaml", place, *options, time_limit=time_limit + 60)
+    became = Outcome(run.status, run.errors, run.summary)
+    record.write_text(json.dumps(dataclasses.asdict(became)), encoding="utf-8")
+    return became
 
 
 def outcomes(pair, names, folder, time_limit):

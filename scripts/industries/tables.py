@@ -123,7 +123,7 @@ def motion_row(pair, runs, folder):
     loss = orbit["power_sliding"] / (FRICTION * pair.torque * pair.rpm * math.pi / 30)
     return (swing, *modes, beside(mean_force(folder / pair.name / "periodic"), force),
             barred(orbit, "force_ratio_max"), barred(orbit, "h_min", 1e-6), "yes" if orbit["stable"] else "no",
-            beside(loss, hand.ohlendorf(pair), 1, 3, 0),
+            beside(orbit["loss_factor"], hand.ohlendorf(pair), 1, 4),
             beside(loss, loss_of_forces(pair, folder / pair.name / "periodic"), 1, 4))
 
 
@@ -175,8 +175,8 @@ TABLES = (
       "smallest film [µm]", "central, extrapolated", "over Hamrock and Dowson", "over Nijenbanning and others")),
     ("Motion on films", {"eigen", "periodic"}, motion_row,
      ("f_n/f_m", "f_n of `eigen`, program / hand [Hz]", "on films [Hz]", "damping [%]", "mean force / static [N]",
-      "largest force/static", "smallest film [µm]", "stable", "loss factor, program / Ohlendorf",
-      "loss factor, program / of its forces")),
+      "largest force/static", "smallest film [µm]", "stable", "loss factor of Ohlendorf",
+      "of the forces in motion")),
     ("Dry pair and speeds", {"dry", "dry sweep", "continuation", "periodic", "sweep"}, speed_row,
      ("dry: mean force / static [N]", "repeats by hand within", "largest force/static, program / hand", "stable",
       "largest of `sweep` there", "where `continuation` begins",
