@@ -76,12 +76,12 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   summary["contacts"] = rest.contacts();
   summary["H0"] = rest.H0();
   add_swing(problem.scales, swing, summary);
+  if (const std::string remark = swing_remark(swing, summary); !remark.empty()) remarks.push_back(remark);
   if (!swing.on_stiff_films()) {
     summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
     return summary;
   }
   summary["film_eigenvalues"] = nullptr;
-  remarks.push_back(stiff_film_remark(swing, summary));
   remarks.emplace_back(
       "film_eigenvalues are null: those nearest zero are films by themselves, far slower than the swing");
   return summary;

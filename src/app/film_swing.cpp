@@ -114,8 +114,10 @@ void add_swing(const Scales& scales, const FilmSwing& swing, Summary& summary) {
   summary["swing_krylov_iterations"] = swing.mode.krylov_iterations;
 }
 
-std::string stiff_film_remark(const FilmSwing& swing, const Summary& summary) {
-  if (!swing.on_stiff_films()) return "";
+std::string swing_remark(const FilmSwing& swing, const Summary& summary) {
+  if (!swing.on_stiff_films()) {
+    return swing.coarser ? "" : "the errors of the mode on films are not known, since no coarser grid has a mode";
+  }
   std::ostringstream text;
   text.precision(2);
   text << "while oil crosses half a contact the pair swings through " << swing.mode.swings_in_passage

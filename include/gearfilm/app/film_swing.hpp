@@ -62,7 +62,8 @@ FilmSwing film_swing(const Case& problem, RestingPair& rest, const Watcher& watc
 /// films also what the damping ratio is at most.
 void add_swing(const Scales& scales, const FilmSwing& swing, Summary& summary);
 
-/// What is to be said of a mode on stiff films: its limit, and what is known of the damping. Empty for others.
-std::string stiff_film_remark(const FilmSwing& swing, const Summary& summary);
+/// What is to be said of a mode on stiff films, its limit and what is known of the damping, or of one whose errors are
+/// not known. Empty for others.
+std::string swing_remark(const FilmSwing& swing, const Summary& summary);
 
 }  // namespace gearfilm
