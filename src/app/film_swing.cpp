@@ -121,10 +121,12 @@ std::string swing_remark(const FilmSwing& swing, const Summary& summary) {
   std::ostringstream text;
   text.precision(2);
   text << "while oil crosses half a contact the pair swings through " << swing.mode.swings_in_passage
-       << " radians: films are stiff springs there. The limit of slower oil is the dry mode, ";
+       << " radians: films are stiff springs there. Their limit, the dry mode, ";
+  const double dry = summary["f_n"].get<double>();
   text.precision(5);
-  text << summary["f_n"].get<double>() << " Hz; ";
+  text << "has " << dry << " Hz, from which the mode is ";
   text.precision(2);
+  text << 100.0 * (summary["film_frequency"].get<double>() / dry - 1.0) << " % away; ";
   const Summary& bound = summary["film_damping_ratio_bound"];
   if (bound.is_null()) {
     text << "the damping ratio has no bound, since no coarser grid has a mode";
