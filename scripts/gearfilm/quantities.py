@@ -151,6 +151,10 @@ rigid_frequency | Hz | frequency of the rigid rotation: zero but for round-off
 damped_frequency | Hz | frequency of the damped dry pair
 film_frequency | Hz | frequency of the pair on its films
 film_damping_ratio | - | damping ratio of the pair on its films
+film_damping_ratio_bound | - | on stiff films: what the damping ratio is at most
+swings_in_passage | - | radians of the swing while oil crosses half a contact
+swing_solutions | - | linear solutions for the mode
+swing_krylov_iterations | - | iterations of the linear solver in all of them
 over | | what is varied
 points_found | - | points found
 points_failed | - | points where none was found

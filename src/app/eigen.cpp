@@ -1,19 +1,20 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
 #include <cmath>
 #include <iomanip>
-#include <numbers>
 #include <sstream>
 
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/dry_run.hpp"
+#include "gearfilm/app/film_swing.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/orbit_run.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/resumable_run.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
-#include "gearfilm/orbits/dynamic_stiffness.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"
 #include "gearfilm/output/progress.hpp"
@@ -68,33 +69,23 @@ Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, c
   return found;
 }
 
-/// The pair at rest on its films at the chosen position, linearised.
-Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher) {
-  const Scales& scales = problem.scales;
-  const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
-  MeshMarch march =
-      make_march(problem, discretisation, mesh, [](const StepRecord&, const std::vector<LiveContact>&) {});
-  march.start({});
-  // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
-  std::vector<std::unique_ptr<ContactFilm>> films;
-  std::vector<LiveContact> contacts;
-  for (const LiveContact& contact : march.contacts()) {
-    films.push_back(std::make_unique<ContactFilm>(march.discretisation(), scales, problem.numerics.solver.multigrid));
-    contacts.push_back({contact.number, films.back().get()});
+/// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
+Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
+                     Summary summary, std::vector<std::string>& remarks) {
+  RestingPair rest(problem, discretisation);
+  const FilmSwing swing = film_swing(problem, rest, watcher);
+  summary["position"] = problem.steady.position;
+  summary["contacts"] = rest.contacts();
+  summary["H0"] = rest.H0();
+  add_swing(problem.scales, swing, summary);
+  if (const std::string remark = swing_remark(swing, summary); !remark.empty()) remarks.push_back(remark);
+  if (!swing.on_stiff_films()) {
+    summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
+    return summary;
   }
-  LubricatedPair pair(mesh, contacts);
-  const PairState at_rest = march.state();
-  const OwnedVec state = pair.system().create_state();
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    pair.system().set_field(state, k, values_of(at_rest.films[k], field::pressure));
-  pair.set_motion(state, at_rest.motion);
-  const std::complex<double> lambda = swinging_mode(pair, state, {.watcher = watcher});
-  Summary summary = {{"position", problem.steady.position},
-                     {"contacts", contacts.size()},
-                     {"H0", at_rest.motion.H0},
-                     {"film_frequency", lambda.imag() / (2.0 * std::numbers::pi * scales.time)},
-                     {"film_damping_ratio", -lambda.real() / std::abs(lambda)}};
-  summary["film_eigenvalues"] = film_eigenvalues(problem, pair, state, watcher);
+  summary["film_eigenvalues"] = nullptr;
+  remarks.emplace_back(
+      "film_eigenvalues are null: those nearest zero are films by themselves, far slower than the swing");
   return summary;
 }
 
@@ -168,6 +159,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
+  std::vector<std::string> remarks;
   if (problem.dry()) {
     summary.update(damper_summary(problem, summary["f_n"].get<double>()));
   } else {
@@ -175,7 +167,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
     const Watcher watcher = [&](const std::string& text) { work.report(text); };
     Case watched = problem;
     watched.numerics.solver.newton.watcher = watcher;
-    summary.update(film_summary(watched, films, watcher));
+    summary = film_summary(watched, films, watcher, std::move(summary), remarks);
   }
   if (problem.modes.of_orbit) {
     summary["orbit"] = problem.dry() ? dry_orbit_multipliers(problem) : orbit_multipliers(problem, films, run);
@@ -183,6 +175,8 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   write_summary(comm, run.directory().path(), summary);
   run.complete();
   print_result(comm, run.directory().path(), summary);
+  if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
+  for (const std::string& remark : remarks) petsc_check(PetscPrintf(comm, "%s\n", remark.c_str()));
 }
 
 }  // namespace gearfilm

@@ -7,7 +7,9 @@
 #include "gearfilm/app/case_at.hpp"
 #include "gearfilm/app/commands.hpp"
 #include "gearfilm/app/derived.hpp"
+#include "gearfilm/app/friction_summary.hpp"
 #include "gearfilm/app/hard_entry.hpp"
+#include "gearfilm/app/result_warnings.hpp"
 #include "gearfilm/app/screen_table.hpp"
 #include "gearfilm/app/sweep_chain.hpp"
 #include "gearfilm/app/sweep_mending.hpp"
@@ -156,6 +158,10 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   write_summary(comm, problem.run.directory, summary);
   points.complete(comm);
   print_result(comm, problem, summary);
+  if (!problem.dry() && problem.sweep.kind == SweepKind::periodic) {
+    const Case fastest = case_at(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
+    warn_of_heating(comm, fastest, heating_at_pitch(fastest));
+  }
   if (failures == static_cast<int>(count))
     throw SolveError(std::string("no point of the sweep ") +
                      (problem.sweep.marched() ? "was marched" : "has a periodic state") + "; see the errors in " +

@@ -17,6 +17,10 @@ namespace {
 /// the rate, as that of the smoother in short time steps does.
 constexpr double fast_oscillation = 2.0;
 
+constexpr double loosest_solution = 1e-4;   // of the secant method's steps, relative
+constexpr double tighter_than_step = 1e-3;  // of a solution in the last change of s, relative
+constexpr double told_by_solutions = 30.0;  // change of s over the tolerance, from which secants have a slope
+
 /// (A + s B) of one film on p = [x, y], with s = sigma + i omega.
 /// Fast oscillations are preconditioned with one complex line relaxation. Slow ones, whose long waves that leaves, in
 /// real arithmetic on all levels:
@@ -83,16 +87,44 @@ private:
   OscillatingFilm oscillating_;
 };
 
-std::complex<double> film_stiffness(FilmResponse& response, const SwingOptions& options) {
-  const OwnedMat matrix = shell_jacobian(response);
-  OwnedVec column, change;
-  petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
-  response.displacement_column(column);
-  ModeSolver(response, matrix, options.krylov_tolerance, options.krylov_max_iterations, "the films' dynamic stiffness",
-             options.watcher)
-      .apply(column, change);
-  return response.force(change);
-}
+/// p of one film at the last two s, from which those at further s begin: p is analytic in s, so that a line through
+/// two of them is one with a complex slope.
+class ResponseMemory {
+public:
+  /// Puts a guess into change, which has the size of p.
+  void guess(std::complex<double> s, Vec change) const {
+    const VecWriting out(change);
+    const std::span<double> p = out.values();
+    if (last_.empty()) {
+      std::ranges::fill(p, 0.0);
+      return;
+    }
+    std::ranges::copy(last_, p.begin());
+    if (before_.empty()) return;
+    const std::complex<double> ahead = (s - last_s_) / (last_s_ - before_s_);
+    const std::size_t size = p.size() / 2;
+    for (std::size_t n = 0; n < size; ++n) {
+      const std::complex<double> difference(last_[n] - before_[n], last_[size + n] - before_[size + n]);
+      p[n] += (ahead * difference).real();
+      p[size + n] += (ahead * difference).imag();
+    }
+  }
+
+  /// Keeps p at s; at an s that it has, in the place of that.
+  void keep(std::complex<double> s, Vec change) {
+    if (!last_.empty() && s != last_s_) {
+      before_.swap(last_);
+      before_s_ = last_s_;
+    }
+    const VecReading in(change);
+    last_.assign(in.values().begin(), in.values().end());
+    last_s_ = s;
+  }
+
+private:
+  std::vector<double> last_, before_;
+  std::complex<double> last_s_, before_s_;
+};
 
 /// Sum of F of (I + K C) F = K with complex K, as a real system of (Re F, Im F).
 std::complex<double> settled(const std::vector<std::complex<double>>& K, const Compliance& compliance) {
@@ -116,39 +148,86 @@ std::complex<double> settled(const std::vector<std::complex<double>>& K, const C
   return sum;
 }
 
-}  // namespace
+/// -dF/dH_0 of all contacts together of a pair in a state at rest, placed.
+class DynamicStiffness {
+public:
+  DynamicStiffness(LubricatedPair& pair, Vec state, const SwingOptions& options)
+      : system_(pair.system()), state_(state), options_(options), memories_(system_.films()) {}
 
-std::complex<double> dynamic_stiffness(LubricatedPair& pair, Vec state, std::complex<double> s,
-                                       const SwingOptions& options) {
-  FilmSystem& system = pair.system();
-  const std::vector<double> displaced = system.displacements(state);
-  std::vector<std::complex<double>> each;
-  for (std::size_t k = 0; k < system.films(); ++k) {
-    const std::vector<double> pressure = system.field(state, k);
-    FilmResponse response(system.film(k), pressure, displaced[k], s);
-    each.push_back(film_stiffness(response, options));
+  /// At s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
+  std::complex<double> at(std::complex<double> s, double krylov_tolerance) {
+    const std::vector<double> displaced = system_.displacements(state_);
+    std::vector<std::complex<double>> each;
+    for (std::size_t k = 0; k < system_.films(); ++k) {
+      const std::vector<double> pressure = system_.field(state_, k);
+      FilmResponse response(system_.film(k), pressure, displaced[k], s);
+      each.push_back(of_film(response, s, krylov_tolerance, memories_[k]));
+    }
+    return settled(each, system_.compliance());
   }
-  return settled(each, system.compliance());
+
+  int solutions() const { return solutions_; }
+  int krylov_iterations() const { return krylov_iterations_; }
+
+private:
+  std::complex<double> of_film(FilmResponse& response, std::complex<double> s, double krylov_tolerance,
+                               ResponseMemory& memory) {
+    const OwnedMat matrix = shell_jacobian(response);
+    OwnedVec column, change;
+    petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
+    response.displacement_column(column);
+    memory.guess(s, change);
+    ++solutions_;
+    ModeSolver solver(response, matrix, krylov_tolerance, options_.krylov_max_iterations,
+                      "the films' dynamic stiffness (" + std::to_string(solutions_) + ")", options_.watcher);
+    solver.use_guesses();
+    krylov_iterations_ += solver.apply(column, change);
+    memory.keep(s, change);
+    return response.force(change);
+  }
+
+  FilmSystem& system_;
+  Vec state_;
+  const SwingOptions& options_;
+  std::vector<ResponseMemory> memories_;
+  int solutions_ = 0, krylov_iterations_ = 0;
+};
+
+double slowest_entrainment(FilmSystem& system) {
+  double slowest = system.film(0).conditions().entrainment;
+  for (std::size_t k = 1; k < system.films(); ++k) {
+    slowest = std::min(slowest, system.film(k).conditions().entrainment);
+  }
+  return slowest;
 }
 
-std::complex<double> swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& options) {
+}  // namespace
+
+SwingingMode swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& options) {
   const MeshModel& mesh = pair.mesh();
   pair.place(0.0);
-  const auto residual = [&](std::complex<double> s) {
-    return mesh.inertia * s * s + dynamic_stiffness(pair, state, s, options);
-  };
-  std::complex<double> before(0.0, 2.0 * std::numbers::pi * mesh.frequency());
-  std::complex<double> s = before * std::complex<double>(1.0, 0.01);  // a little damped
-  std::complex<double> residual_before = residual(before);
+  DynamicStiffness stiffness(pair, state, options);
+  std::complex<double> s = options.guess.value_or(std::complex<double>(0.0, 2.0 * std::numbers::pi * mesh.frequency()));
+  std::complex<double> before = s, residual_before = 0.0, slope = 2.0 * mesh.inertia * s;
+  double solved_to = std::max(loosest_solution, options.krylov_tolerance), solved_before = solved_to;
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
-    const std::complex<double> now = residual(s);
-    const std::complex<double> step = now * (s - before) / (now - residual_before);
+    const std::complex<double> residual = mesh.inertia * s * s + stiffness.at(s, solved_to);
+    if (std::abs(s - before) > told_by_solutions * solved_before * std::abs(s)) {
+      slope = (residual - residual_before) / (s - before);
+    }
+    const std::complex<double> step = residual / slope;
+    const double change = std::abs(step) / std::abs(s);
     before = s;
-    residual_before = now;
+    residual_before = residual;
     s -= step;
-    if (std::abs(step) > options.tolerance * std::abs(s)) continue;
-    if (s.imag() > options.tolerance * std::abs(s)) return s;
-    throw SolveError("the pair does not swing on its films: they damp it beyond any oscillation");
+    const bool tight = solved_to <= options.krylov_tolerance;
+    solved_before = solved_to;
+    solved_to = std::clamp(tighter_than_step * change, options.krylov_tolerance, solved_to);
+    if (!tight || change > options.tolerance) continue;
+    if (s.imag() <= options.tolerance * std::abs(s)) {
+      throw SolveError("the pair does not swing on its films: they damp it beyond any oscillation");
+    }
+    return {s, stiffness.solutions(), stiffness.krylov_iterations(), std::abs(s) / slowest_entrainment(pair.system())};
   }
   throw SolveError("no mode of the pair on its films found near its natural frequency");
 }

@@ -92,7 +92,7 @@ class OwnPairs(ProgramTest):
         self.assertEqual(run.status, 0, run)
         highest = summary_in(self.folder / "out")["p_hertz_max"]
         self.assertGreater(highest, 4e9)
-        self.assertIn(f"the largest Hertz pressure is {highest * 1e-9:.3g} GPa", run.stderr)
+        self.assertIn(f"the largest Hertz pressure is {highest * 1e-9:.3g} GPa", run.of_case)
         hot = self.run_program("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-steady_position", 5e-3,
                                "-friction_law", "eyring", "-thermal_model", "friction", "-thermal_temperature", 430,
                                "-lubricant_temperature_viscosity", 0.03, "-output_dir", "out")

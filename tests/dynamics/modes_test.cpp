@@ -169,7 +169,7 @@ class SwingingMode : public testing::TestWithParam<RingDown> {};
 TEST_P(SwingingMode, agrees_with_a_march_that_rings_down) {
   const RingDown& tested = GetParam();
   PairAtRest rest(tested.settings);
-  const std::complex<double> mode = swinging_mode(rest.pair(), rest.state());
+  const std::complex<double> mode = swinging_mode(rest.pair(), rest.state()).rate;
   const Case& problem = rest.problem();
   std::vector<double> samples;
   StepOptions steps = problem.numerics.steps;
@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SwingingMode, is_that_of_the_pair_among_those_of_the_films) {
   for (const char* speed : {"50", "15000"}) {
     PairAtRest rest({{"pinion.speed_rpm", speed}, {"pinion.torque", "5"}, {"lubricant.viscosity", "0.5"}});
-    const std::complex<double> mode = swinging_mode(rest.pair(), rest.state());
+    const std::complex<double> mode = swinging_mode(rest.pair(), rest.state()).rate;
     report("%s rpm: %.5f %+.5fi, dry %.5fi", speed, mode.real(), mode.imag(), rest.natural_rate());
     EXPECT_NEAR(mode.imag(), rest.natural_rate(), 0.25 * rest.natural_rate());
     EXPECT_LT(mode.real(), 0.0);
@@ -218,7 +218,7 @@ TEST(SwingingMode, is_that_of_the_pair_among_those_of_the_films) {
 TEST(SwingingMode, is_an_eigenvalue_of_the_whole_system) {
   PairAtRest rest(with(bending(), {{"start.place", "position"}, {"start.position", "4e-3"}}));
   ASSERT_EQ(rest.pair().numbers().size(), 2u);
-  const std::complex<double> mode = swinging_mode(rest.pair(), rest.state());
+  const std::complex<double> mode = swinging_mode(rest.pair(), rest.state()).rate;
   double nearest = HUGE_VAL;
   for (const FilmMode& other : film_modes(rest.pair(), rest.state(), {})) {
     nearest = std::min(nearest, std::abs(other.eigenvalue - mode));
@@ -229,8 +229,8 @@ TEST(SwingingMode, is_an_eigenvalue_of_the_whole_system) {
 TEST(SwingingMode, of_two_contacts_is_faster) {
   PairAtRest one({}), two({{"start.place", "position"}, {"start.position", "4e-3"}});
   ASSERT_EQ(two.pair().numbers().size(), 2u);
-  const std::complex<double> single = swinging_mode(one.pair(), one.state());
-  const std::complex<double> both = swinging_mode(two.pair(), two.state());
+  const std::complex<double> single = swinging_mode(one.pair(), one.state()).rate;
+  const std::complex<double> both = swinging_mode(two.pair(), two.state()).rate;
   // Two Hertz contacts with half the force each: stiffer by 2 (1/2)^(1/3), so faster by its root, 1.26.
   EXPECT_NEAR(both.imag() / single.imag(), std::sqrt(2.0 * std::cbrt(0.5)), 0.05);
 }

@@ -25,8 +25,11 @@ public:
   ModeSolver(const ModeSolver&) = delete;
   ModeSolver& operator=(const ModeSolver&) = delete;
 
-  /// Throws SolveError where the solution does not converge. Collective.
-  void apply(Vec rows, Vec change) {
+  /// From what change holds, in the place of zero.
+  void use_guesses() { petsc_check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE)); }
+
+  /// Returns its iterations. Throws SolveError where the solution does not converge. Collective.
+  int apply(Vec rows, Vec change) {
     ++solutions_;
     petsc_check(KSPSolve(ksp_, rows, change));
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
@@ -35,6 +38,9 @@ public:
       throw SolveError("a linear solution for " + purpose_ + " did not converge (" +
                        std::string(KSPConvergedReasons[reason]) + ")");
     }
+    PetscInt iterations = 0;
+    petsc_check(KSPGetIterationNumber(ksp_, &iterations));
+    return static_cast<int>(iterations);
   }
 
 private:
