@@ -22,10 +22,13 @@ pre { padding: .6em; overflow-x: auto; } .warning { color: #a33d00; }
 """
 
 
+GENERATOR = '<meta name="generator" content="gearfilm">'  # by which a page is known as one of ours
+
+
 def head(title):
     """Everything before the content of a page."""
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width, initial-scale=1">'
+            + GENERATOR + '<meta name="viewport" content="width=device-width, initial-scale=1">'
             f"<title>{html.escape(title)}</title><style>{STYLE}</style></head><body>\n")
 
 

@@ -230,7 +230,14 @@ def page(run):
 
 
 def write_report(run, path=None):
-    """Writes the page, FOLDER/report.html where no path is given; returns the path."""
-    path = path or run.folder / "report.html"
+    """Writes the page, FOLDER/report.html where no path is given; returns the path.
+
+    Raises ResultsError where that file is there and no page of this package: one with another title by earlier ones.
+    """
+    own = (markup.GENERATOR, "<title>gearfilm: ")
+    if path is None:
+        path = run.folder / "report.html"
+        if path.exists() and not any(mark in path.read_text(encoding="utf-8", errors="replace")[:1000] for mark in own):
+            raise ResultsError(f"{path} is no page of gearfilm; move it, or give another file by --output")
     path.write_text(page(run), encoding="utf-8")
     return path

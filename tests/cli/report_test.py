@@ -18,7 +18,8 @@ from vibration import MARCH
 sys.path.insert(0, str(SOURCE / "scripts"))
 import gearfilm  # noqa: E402  pylint: disable=wrong-import-position
 from gearfilm import defaults, quantities  # noqa: E402  pylint: disable=wrong-import-position
-from gearfilm.report import BARE, main_figures, page  # noqa: E402  pylint: disable=wrong-import-position
+from gearfilm.folder import ResultsError  # noqa: E402  pylint: disable=wrong-import-position
+from gearfilm.report import BARE, main_figures, page, write_report  # noqa: E402  pylint: disable=wrong-import-position
 
 COARSE = {"grid_nx": 65, "grid_ny": 33, "grid_y_half": 1.4}
 DRY = ["-model", "dry", "-dry_damping_ratio", 0.02]
@@ -113,6 +114,16 @@ class Report(ProgramTest):
             done = self.run_program(command, BARBIERI, *options, "-output_dir", command)
             self.assertEqual(done.status, 0, done)
             yield gearfilm.open(self.folder / command)
+
+    def test_a_page_of_somebody_else_stays(self):
+        run, own = self.steady(), self.folder / "steady/report.html"
+        own.write_text("<title>of a measurement</title>", encoding="utf-8")
+        with self.assertRaisesRegex(ResultsError, "report.html is no page of gearfilm.* --output"):
+            write_report(run)
+        self.assertEqual(own.read_text(encoding="utf-8"), "<title>of a measurement</title>")
+        own.unlink()
+        for _ in range(2):
+            self.assertIn("gearfilm", write_report(run).read_text(encoding="utf-8")[:400])
 
     def test_every_figure_has_a_meaning_and_internals_come_last(self):
         for run in self.runs():
