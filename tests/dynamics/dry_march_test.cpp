@@ -154,9 +154,10 @@ protected:
   }
 
   Case problem = table3_case();
-  MeshModel mesh{problem.scales,
-                 ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
-                 problem.scales.inertia(*problem.pair.equivalent_mass)};
+  MeshModel mesh{.scales = problem.scales,
+                 .path = ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
+                 .inertia = problem.scales.inertia(*problem.pair.equivalent_mass),
+                 .stiffness = problem.pair.stiffness};
   double H0_at_rest = -problem.scales.approach;
 };
 
