@@ -76,7 +76,7 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
   const FilmSwing swing = film_swing(problem, rest, watcher);
   summary["position"] = problem.steady.position;
   summary["contacts"] = rest.contacts();
-  summary["H0"] = rest.H0();
+  summary["H0"] = rest.displacement();
   add_swing(problem.scales, swing, summary);
   if (const std::string remark = swing_remark(swing, summary); !remark.empty()) remarks.push_back(remark);
   if (!swing.on_stiff_films()) {

@@ -24,7 +24,7 @@ public:
   LubricatedPair& pair() { return *pair_; }
   Vec state() const { return state_; }
   std::size_t contacts() const { return films_.size(); }
-  double H0() const { return H0_; }
+  double displacement() const { return H0_; }  ///< H_0 [-]
   /// Wider than that which was given, where a film had no room there.
   const SharedDiscretisation& discretisation() const { return discretisation_; }
 
