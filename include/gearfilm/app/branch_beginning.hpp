@@ -16,8 +16,8 @@ struct BranchBeginning {
   std::shared_ptr<const double> mesh_periods;  ///< marched by the map so far; null for the dry pair
 };
 
-/// Of the dry pair, watched at every evaluation of its map. The case must outlive what is returned. Throws SolveError
-/// where no periodic state is found, and what the watch throws.
+/// The beginning of the dry pair's branch, watched at every evaluation of its map. The case must outlive what is
+/// returned. Throws SolveError where no periodic state is found, and what the watch throws.
 BranchBeginning dry_beginning(const Case& problem, const DryWatch& watch);
 /// Of the pair on films of this discretisation, marched under a run, which must outlive it too. Throws SolveError where
 /// no periodic state is found, and Stopped.

@@ -1,7 +1,7 @@
 // The pair at rest on its films, and the mode in which it swings there, with what the grid leaves of errors.
 //
-// The same on every second node tells the error, and gives the first guess of the mode; where that grid carries no
-// film, the same on half of all nodes, in steps longer by the root of two. Where the pair swings many times while oil
+// The mode on every second node tells the error, and gives the first guess; where that grid carries no film, the mode
+// on half of all nodes, in steps longer by the root of two. Where the pair swings many times while oil
 // crosses a contact, the films have no time to flow: they are stiff springs between the bodies.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a run says at its end of results that leave the model's validity, or that other physics would change.
+// Warnings at the end of a run: results outside the model's validity, or that physics left out would change.
 #pragma once
 
 #include "gearfilm/input/case.hpp"

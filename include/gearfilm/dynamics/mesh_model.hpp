@@ -73,7 +73,7 @@ struct MeshModel {
 
   /// By the tooth force [W].
   double transmitted_power() const { return tooth_force * path.line().travel_velocity(path.pinion_speed()); }
-  /// Of the tooth force over the reference load: 1 but for a point load that stands for a line contact.
+  /// The tooth force over the reference load [-]: 1 but for a point load that stands for a line contact.
   double load_factor() const { return tooth_force / scales.operation.load; }
 
   /// [N/m]: c[-] = c[m/N] p_h R_x*.

@@ -1,4 +1,4 @@
-// What a figure on one grid and on a coarser one says of finer ones.
+// Error estimate of a quantity from its values on a grid and on a coarser one.
 //
 // Errors are of second order: with steps r times as long they are r^2 times as large, so that
 //   e = (f(h) - f(r h))/(r^2 - 1)
@@ -28,7 +28,7 @@ struct Estimate {
   double relative_rest() const;
 };
 
-/// Of a figure on a grid, and on one of `ratio` times the steps.
+/// The estimate from the values on a grid, and on one whose steps are `ratio` times as long.
 Estimate estimate(double fine, double coarse, double ratio = 2.0);
 
 /// Of a smallest film.
