@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int points = 600;  // on the fillet, and on the involute
+constexpr int outline_points = 600;  // on the fillet, and on the involute
 
 /// What a tooth lacks on the reference circle: half of the backlash, from the line of action [m].
 double thinning(const SpurGearPair& pair) { return 0.5 * pair.backlash.value_or(0.0) / std::cos(pair.pressure_angle); }
@@ -90,19 +90,19 @@ void ToothProfile::end_fillet_on_involute(double last) {
   if (std::hypot(joint.x, joint.y) < base_radius_ || std::abs(beyond(last)) > 1e-9) {
     undercut_ = true;
     int n = 0;
-    while (n <= points && beyond(last * n / points) < 0.0) ++n;
-    if (n == 0 || n > points) {
+    while (n <= outline_points && beyond(last * n / outline_points) < 0.0) ++n;
+    if (n == 0 || n > outline_points) {
       throw InputError(name_ + ": the rack cuts the whole involute away: raise " + name_ + "_root_radius or " + name_ +
                        "_profile_shift");
     }
-    double low = last * (n - 1) / points, high = last * n / points;
+    double low = last * (n - 1) / outline_points, high = last * n / outline_points;
     for (int bisection = 0; bisection < 60; ++bisection) {
       const double middle = 0.5 * (low + high);
       (beyond(middle) < 0.0 ? low : high) = middle;
     }
     end = high;
   }
-  for (int n = 0; n <= points; ++n) fillet_.push_back(fillet_point(end * n / points));
+  for (int n = 0; n <= outline_points; ++n) fillet_.push_back(fillet_point(end * n / outline_points));
   form_radius_ = std::hypot(fillet_.back().x, fillet_.back().y);
 }
 
@@ -126,8 +126,8 @@ std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
   // Equal steps in rho, in which the involute is smooth down to its foot.
   const double begin = std::sqrt(std::max(0.0, form_radius_ * form_radius_ - base_radius_ * base_radius_));
   if (end <= form_radius_) return outline;
-  for (int n = 1; n <= points; ++n) {
-    const double radius = std::hypot(base_radius_, begin + (rho - begin) * n / points), gamma = half_angle(radius);
+  for (int n = 1; n <= outline_points; ++n) {
+    const double radius = std::hypot(base_radius_, begin + (rho - begin) * n / outline_points), gamma = half_angle(radius);
     outline.push_back({radius * std::cos(gamma), radius * std::sin(gamma)});
   }
   return outline;

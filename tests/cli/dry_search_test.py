@@ -54,10 +54,9 @@ class DrySearches(VibrationTest):
             two = table_in(self.folder / "two", "sweep")
             numpy.testing.assert_allclose(two["force_ratio_max"], rows["force_ratio_max"], rtol=1e-9)
 
-    def test_continuation_says_how_far_it_is_and_stops_at_its_time_limit(self):
+    def test_continuation_stops_at_its_time_limit_and_keeps_its_points(self):
         run = self.run_ended("continuation", INPUT / "fzg_c.yaml", *DRY, "-continuation_from", 3000,
                                "-continuation_to", 6000, "-time_limit", 6, "-output_dir", "branch", status=3)
-        self.assertRegex(run.stdout, r"(?m)^\d+ s: branch 1 \(order 1\): \d+ points, at [\d.]+ rpm, force ratio ")
         self.assertIn("after the time limit of 6 s", run.stderr)
         self.assertIn("from the beginning", run.stderr)
         summary = summary_in(self.folder / "branch")

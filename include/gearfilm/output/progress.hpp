@@ -49,11 +49,11 @@ private:
   int last_part_ = 0;
 };
 
-/// Progress of work of which nobody knows how much is left: silent for five seconds, then what it is at. On a terminal
+/// Progress of work of which nobody knows how much is left: silent for some seconds, then what it is at. On a terminal
 /// one line that renews itself and is gone in the end; otherwise lines that become rarer, a minute apart at most.
 class LongWork {
 public:
-  explicit LongWork(MPI_Comm comm) : line_(comm) {}
+  explicit LongWork(MPI_Comm comm, double silent_seconds = 5.0) : line_(comm), due_(silent_seconds) {}
   ~LongWork() { line_.end(false); }
   LongWork(const LongWork&) = delete;
   LongWork& operator=(const LongWork&) = delete;
@@ -63,10 +63,8 @@ public:
   void note(const std::string& text) { line_.note(text); }
 
 private:
-  static constexpr double silent_seconds = 5.0;
-
   StatusLine line_;
-  double due_ = silent_seconds;  ///< seconds from the start to the next print
+  double due_;  ///< seconds from the start to the next print
 };
 
 }  // namespace gearfilm
