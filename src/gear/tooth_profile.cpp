@@ -127,7 +127,8 @@ std::vector<OutlinePoint> ToothProfile::outline_to(double rho) const {
   const double begin = std::sqrt(std::max(0.0, form_radius_ * form_radius_ - base_radius_ * base_radius_));
   if (end <= form_radius_) return outline;
   for (int n = 1; n <= outline_points; ++n) {
-    const double radius = std::hypot(base_radius_, begin + (rho - begin) * n / outline_points), gamma = half_angle(radius);
+    const double radius = std::hypot(base_radius_, begin + (rho - begin) * n / outline_points),
+                 gamma = half_angle(radius);
     outline.push_back({radius * std::cos(gamma), radius * std::sin(gamma)});
   }
   return outline;
