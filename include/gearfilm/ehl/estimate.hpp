@@ -31,7 +31,7 @@ struct Estimate {
 /// The estimate from the values on a grid, and on one whose steps are `ratio` times as long.
 Estimate estimate(double fine, double coarse, double ratio = 2.0);
 
-/// Of a smallest film.
+/// The estimate of a smallest film thickness.
 Estimate estimate_smallest(double fine, double coarse, double ratio = 2.0);
 
 /// Pressures on one grid, all in one unit.
@@ -40,13 +40,13 @@ struct PeakPressures {
   double spike = 0.0;     ///< height of the outlet's spike, zero where there is none
 };
 
-/// Of the spike's height; nothing where there is none on the finer grid.
+/// The estimate of the spike's height; nothing where there is none on the finer grid.
 std::optional<Estimate> estimate_spike(double fine, double coarse, double ratio = 2.0);
 
-/// Of a pressure beside a spike, such as that in the centre. `step`: of the finer grid along X, in units of a.
+/// The estimate of a pressure beside a spike, as in the centre. `step`: h_x of the finer grid, in units of a.
 Estimate estimate_beside_spike(const PeakPressures& fine, const PeakPressures& coarse, double step, double ratio = 2.0);
 
-/// Of the largest pressure, be it the centre's or the spike's.
+/// The estimate of the largest pressure, be it the centre's or the spike's.
 Estimate estimate_largest(const PeakPressures& fine, const PeakPressures& coarse, double step, double ratio = 2.0);
 
 }  // namespace gearfilm

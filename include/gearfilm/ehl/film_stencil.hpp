@@ -17,11 +17,11 @@ namespace gearfilm {
 /// Neighbours in the stencil of a node.
 enum Neighbour { west_west, west, centre, east, south, north, neighbour_count };
 
-/// What a shift is in a stencil of such values: complex for films that oscillate.
+/// Type of the time scheme's shift s: real for time steps, complex for films that oscillate.
 template <class Real>
 using ShiftOf = std::conditional_t<std::is_floating_point_v<Real>, double, std::complex<double>>;
 
-/// Of real and imaginary parts, or real values themselves.
+/// Type of the real and imaginary parts of a value; of a real value its own type.
 template <class Real>
 using PartOf = std::conditional_t<std::is_floating_point_v<Real>, Real, double>;
 
