@@ -61,6 +61,16 @@ class Rooms(unittest.TestCase):
                         self.assertIn(other, allowed, f"{relative(path)} includes {other}/")
 
 
+class Rows(unittest.TestCase):
+    def test_only_the_row_axis_knows_which_rows_are_edges_and_which_are_mirrored(self):
+        known = re.compile(r"rows\(\) - 1|y_begin\(\) == 0|2 \* (?:\w+\.)*rows|ny\(\) / 2|local_row\(0\)")
+        for path in sources(".hpp", ".cpp"):
+            if path.stem == "row_axis" or path.parts[len(SOURCE.parts)] == "tests":
+                continue
+            for number, line in enumerate(read(path).splitlines(), 1):
+                self.assertIsNone(known.search(line), f"{relative(path)}:{number}: {line.strip()}")
+
+
 class Files(unittest.TestCase):
     def test_files_are_short(self):
         lengths = {path: read(path).count("\n") for path in sources(".hpp", ".cpp", ".py", ".sh", ".txt")}

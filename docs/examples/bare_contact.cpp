@@ -24,7 +24,7 @@ int option(const char* name, int otherwise) {
 // The line Y = 0 inside the Hertz circle. It is the first row of the grid, which is cut across its
 // rows: one process has the whole line.
 void print_centre_line(const Grid& grid, const Scales& scales, const Field<double>& pressure) {
-  const int row = grid.local_row(0);
+  const int row = grid.local_row(grid.row_axis().central());
   if (row < 0) return;
   for (int i = 0; i < grid.nx(); ++i) {
     if (grid.x(i) < -1.0 || grid.x(i) > 1.0) continue;

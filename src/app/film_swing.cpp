@@ -47,10 +47,10 @@ std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDi
   GridShape shape = fine->grid().shape();
   NumericsCase numerics = problem.numerics;
   numerics.nx = shape.nx;
-  numerics.ny = shape.ny;
+  numerics.ny = shape.ny();
   const SlightlyCoarser coarser = slightly_coarser(numerics);
   shape.nx = coarser.numerics.nx;
-  shape.ny = coarser.numerics.ny;
+  shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
   if (shape.rows() < 2 * fine->grid().processes()) return {};
   return swing_on(problem, discretise(Grid(fine->grid().comm(), shape), problem.scales), coarser.ratio, watcher);
 }

@@ -197,10 +197,10 @@ Summary period_summary(const Scales& scales, const PeriodFigures& period) {
 
 Summary grid_summary(const Scales& scales, const GridShape& shape) {
   return {{"nx", shape.nx},
-          {"ny", shape.ny},
+          {"ny", shape.ny()},
           {"x_min", shape.x_min},
           {"x_max", shape.x_max},
-          {"y_half", scales.hertz.ellipticity * shape.y_half}};
+          {"y_half", scales.hertz.ellipticity * shape.row_axis.half_width()}};
 }
 
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {

@@ -21,7 +21,7 @@ PairState refitted(const PairState& state, MPI_Comm comm, const GridShape& shape
 PairState refined(const PairState& state, MPI_Comm comm) {
   PairState result{state.motion, {}, state.shape};
   result.shape.nx = 2 * state.shape.nx - 1;
-  result.shape.ny = 2 * state.shape.ny - 1;
+  result.shape.row_axis = state.shape.row_axis.refined();
   const Grid from(comm, state.shape), to(comm, result.shape), every_second = to.coarsened();
   Field<double> coarse(every_second), fine(to);
   for (const ContactFields& film : state.films) {

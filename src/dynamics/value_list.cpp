@@ -3,8 +3,10 @@
 namespace gearfilm {
 
 void append(std::vector<double>& values, const GridShape& shape) {
-  values.insert(values.end(),
-                {static_cast<double>(shape.nx), static_cast<double>(shape.ny), shape.x_min, shape.x_max, shape.y_half});
+  const RowAxis& rows = shape.row_axis;
+  values.insert(values.end(), {static_cast<double>(shape.nx), shape.x_min, shape.x_max, rows.mirrored() ? 1.0 : 0.0,
+                               static_cast<double>(rows.count())});
+  values.insert(values.end(), rows.y().begin(), rows.y().end());
 }
 
 std::span<const double> ValueReader::values(std::size_t count) {
@@ -15,7 +17,10 @@ std::span<const double> ValueReader::values(std::size_t count) {
 
 GridShape ValueReader::shape() {
   const std::span<const double> v = values(5);
-  return {static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4]};
+  const std::span<const double> y = values(static_cast<std::size_t>(v[4]));
+  const Edge lower = v[3] != 0.0 ? Edge::symmetry : Edge::ambient;
+  return {static_cast<int>(v[0]), v[1], v[2],
+          y.empty() ? RowAxis() : RowAxis({y.begin(), y.end()}, lower, Edge::ambient)};
 }
 
 }  // namespace gearfilm

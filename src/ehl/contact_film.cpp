@@ -208,10 +208,10 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
   // The smallest film is minus the largest negative one; one reduction serves all.
   enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
   double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.pressure), -INFINITY, -INFINITY, -INFINITY};
-  if (grid_.rank() == 0) {
+  if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
     const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
-    maxima[central_pressure] = state_.pressure.row(i_centre)[0];
-    maxima[central_film] = state_.thickness.row(i_centre)[0];
+    maxima[central_pressure] = state_.pressure.row(i_centre)[central];
+    maxima[central_film] = state_.thickness.row(i_centre)[central];
   }
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {

@@ -12,14 +12,14 @@ namespace {
 std::vector<int> even_ranges(MPI_Comm comm, const GridShape& shape) {
   const int processes = processes_in(comm);
   if (processes > shape.rows()) {
-    throw InputError("grid with ny = " + std::to_string(shape.ny) + " (" + std::to_string(shape.rows()) +
-                     " rows with Y >= 0) cannot be cut among " + std::to_string(processes) +
-                     " processes; use at most one process per row");
+    throw InputError("grid with ny = " + std::to_string(shape.ny()) + " (" + std::to_string(shape.rows()) +
+                     (shape.row_axis.mirrored() ? " rows with Y >= 0" : " rows") + ") cannot be cut among " +
+                     std::to_string(processes) + " processes; use at most one process per row");
   }
   return cut_evenly(shape.rows(), processes);
 }
 
-// Beyond the edge Y_half and across Y = 0 there are ghosts too, which no neighbour fills.
+// Beyond both edges there are ghosts too, which no neighbour fills.
 OwnedDM create_nodes(MPI_Comm comm, const GridShape& shape, const std::vector<int>& y_ranges) {
   const auto processes = static_cast<PetscInt>(y_ranges.size()) - 1;
   std::vector<PetscInt> counts(processes);
@@ -40,8 +40,12 @@ std::vector<int> cut_evenly(int items, int processes) {
   return ranges;
 }
 
-GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny) {
-  return {nx, ny, domain.x_min, domain.x_max, domain.y_half / ellipticity};
+GridShape rectangle(int nx, int ny, double x_min, double x_max, double y_half, Edge lower) {
+  return {nx, x_min, x_max, RowAxis::equal(ny, y_half, lower)};
+}
+
+GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny, Edge lower) {
+  return rectangle(nx, ny, domain.x_min, domain.x_max, domain.y_half / ellipticity, lower);
 }
 
 Grid::Grid(MPI_Comm comm, const GridShape& shape) : Grid(comm, shape, even_ranges(comm, shape)) {}
@@ -51,9 +55,10 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
       rank_(rank_in(comm)),
       shape_(shape),
       h_x_(shape.h_x()),
-      h_y_(shape.h_y()),
       y_ranges_(std::move(y_ranges)),
-      nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {}
+      nodes_(std::make_shared<const OwnedDM>(create_nodes(comm, shape, y_ranges_))) {
+  for (int j = 0; j < y_count(); ++j) row_weights_.push_back(row_axis().weight(y_begin() + j));
+}
 
 OwnedVec Grid::create_vec() const {
   OwnedVec vec;
@@ -63,7 +68,7 @@ OwnedVec Grid::create_vec() const {
 
 bool Grid::can_coarsen(Coarsening along) const {
   const bool in_x = (nx() - 1) % 2 == 0 && (nx() - 1) / 2 + 1 >= 5;
-  const bool in_y = (ny() - 1) % 4 == 0 && (ny() - 1) / 2 + 1 >= 3;
+  const bool in_y = row_axis().can_coarsen();
   return (in_x || along == Coarsening::y_only) && (in_y || along == Coarsening::x_only);
 }
 
@@ -78,7 +83,7 @@ Grid Grid::coarsened(Coarsening along) const {
   std::vector<int> ranges(y_ranges_);
   if (along != Coarsening::y_only) shape.nx = (nx() - 1) / 2 + 1;
   if (along != Coarsening::x_only) {
-    shape.ny = (ny() - 1) / 2 + 1;
+    shape.row_axis = row_axis().coarsened();
     for (int& first : ranges) first = (first + 1) / 2;
   }
   return Grid(comm_, shape, std::move(ranges));

@@ -2,8 +2,8 @@
 
 namespace gearfilm {
 
-Halo::Halo(const Grid& grid) : comm_(grid.comm()), first_(grid.rank() == 0) {
-  if (!first_) neighbours_.push_back({grid.rank() - 1, 0, -1});
+Halo::Halo(const Grid& grid) : comm_(grid.comm()), mirror_row_(grid.mirror_row()) {
+  if (grid.rank() > 0) neighbours_.push_back({grid.rank() - 1, 0, -1});
   if (grid.rank() + 1 < grid.processes()) {
     neighbours_.push_back({grid.rank() + 1, grid.y_count() - 1, grid.y_count()});
   }

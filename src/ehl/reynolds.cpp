@@ -1,5 +1,6 @@
 #include "gearfilm/ehl/reynolds.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "gearfilm/lubricant/independent_iterations.hpp"
@@ -44,16 +45,17 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
 
 /// Where oil is pushed over the front of a wet region, it goes as far as what it meets has room for: nodes there, wet
 /// or not by themselves, are wet. By itself the front would come forward by one node an iteration.
-void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residual, int rows_inside) {
+void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residual) {
+  const RowRange rows = grid.inner_rows();
   const auto sweep = [&](int first, int last, int way) {
-    std::vector<double> pushed(rows_inside, 0.0);
+    std::vector<double> pushed(grid.y_count(), 0.0);
     for (int i = first; i != last; i += way) {
       const double *pressure = state.pressure.row(i), *behind = state.pressure.row(i - way);
       double* wet = state.wet.row(i);
       const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
       double* over = pushed.data();
       GEARFILM_INDEPENDENT_ITERATIONS
-      for (int j = 0; j < rows_inside; ++j) {
+      for (int j = rows.begin; j < rows.end; ++j) {
         const bool empty = pressure[j] <= 0.0;
         const bool front = empty & (line[j] < 0.0) & (behind[j] > 0.0);
         const bool filled = empty & (line[j] >= 0.0) & (line[j] <= over[j]);
@@ -75,7 +77,7 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
   const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
   const int rows = grid.y_count();
   std::vector<double> line(rows);
-  const int edge = grid.local_row(grid.rows() - 1);
+  const RowRange inner = grid.inner_rows();
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
     const double* pressure = state.pressure.row(i);
@@ -99,9 +101,10 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
       wet[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
       out[j] = found[j];
     }
-    if (edge >= 0) wet[edge] = 0.0;
+    std::fill(wet, wet + inner.begin, 0.0);
+    std::fill(wet + inner.end, wet + rows, 0.0);
   }
-  advance_fronts(grid, state, residual, edge >= 0 ? edge : rows);
+  advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
     const double *pressure = state.pressure.row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;

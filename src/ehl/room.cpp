@@ -52,24 +52,24 @@ Room united(const Room& a, const Room& b) {
 }
 
 bool has_room(const GridShape& shape, const Room& needed) {
-  return needed.inlet <= -shape.x_min && needed.outlet <= shape.x_max && needed.side <= shape.y_half;
+  return needed.inlet <= -shape.x_min && needed.outlet <= shape.x_max && needed.side <= shape.row_axis.half_width();
 }
 
 GridShape widened(const GridShape& shape, const Room& needed, const RoomRule& rule) {
-  const double h_x = shape.h_x(), h_y = shape.h_y();
-  const int block_x = block_of(shape.nx - 1), block_y = block_of(shape.rows() - 1);
+  const RowAxis& rows = shape.row_axis;
+  const double h_x = shape.h_x(), h_y = rows.equal_step(), half_width = rows.half_width();
+  const int block_x = block_of(shape.nx - 1), block_y = block_of(rows.cells_outwards());
   const auto spared = [](double present, double wanted) { return wanted > present ? in_spare * wanted : present; };
   GridShape wide = shape;
   const int before = cells_to(-shape.x_min, spared(-shape.x_min, needed.inlet), h_x, block_x);
   const int after = cells_to(shape.x_max, spared(shape.x_max, needed.outlet), h_x, block_x);
   // Beyond the face there is no tooth: less than a block serves there.
-  int across = cells_to(shape.y_half, spared(shape.y_half, needed.side), h_y, block_y);
-  while (across > 0 && shape.y_half + (across - 1) * h_y >= rule.face) --across;
+  int across = cells_to(half_width, spared(half_width, needed.side), h_y, block_y);
+  while (across > 0 && half_width + (across - 1) * h_y >= rule.face) --across;
   wide.nx += before + after;
-  wide.ny += 2 * across;
   wide.x_min -= before * h_x;
   wide.x_max += after * h_x;
-  wide.y_half += across * h_y;
+  if (across > 0) wide.row_axis = rows.extended(across);
   return wide;
 }
 

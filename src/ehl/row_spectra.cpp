@@ -13,8 +13,8 @@ template <class Real>
 RowSpectra<Real>::RowSpectra(const Grid& grid)
     : nx_(grid.nx()),
       own_rows_(grid.y_count()),
-      first_(grid.y_begin() == 0),
-      last_(grid.y_begin() + grid.y_count() == grid.rows()),
+      inner_(grid.inner_rows()),
+      mirror_row_(grid.mirror_row()),
       pairs_(uneven_stride((own_rows_ + 1) / 2)),
       length_(fftw::fast_length(2 * grid.nx() - 3, true)),
       lines_(static_cast<std::size_t>(length_) * pairs_) {
@@ -34,8 +34,9 @@ void RowSpectra<Real>::transform(const Field<Real>& field) {
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* row = line(i);
     std::fill(std::copy_n(field.row(i), own_rows_, row), line(i + 1), Real(0));
-    if (first_) row[0] *= Real(0.5);
-    if (last_) row[own_rows_ - 1] = Real(0);
+    if (mirror_row_ >= 0) row[mirror_row_] *= Real(0.5);
+    std::fill(row, row + inner_.begin, Real(0));
+    std::fill(row + inner_.end, row + own_rows_, Real(0));
   }
   std::fill(line(nx_ - 1), line(length_), Real(0));
   forward_.execute();

@@ -52,7 +52,7 @@ RowSums<Real>::RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Rea
     : comm_(grid.comm()),
       rank_(grid.rank()),
       waves_(spectra.waves()),
-      sources_(grid.rows() - 1),
+      sources_(grid.row_axis().inner({0, grid.rows()}).end),
       width_(grid.y_count() <= few ? few : many),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       pieces_(pieces(waves_, (grid.rows() + grid.processes() - 1) / grid.processes())),
@@ -60,11 +60,11 @@ RowSums<Real>::RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Rea
       spectra_(static_cast<std::size_t>(waves_) * grid.rows()),
       sums_(static_cast<std::size_t>(waves_) * 2 * width_),
       result_(grid.y_count()) {
-  fill_matrix(kernel, spectra);
+  fill_matrix(grid.row_axis(), kernel, spectra);
 }
 
 template <class Real>
-void RowSums<Real>::fill_matrix(const Influence& kernel, RowSpectra<Real>& spectra) {
+void RowSums<Real>::fill_matrix(const RowAxis& rows, const Influence& kernel, RowSpectra<Real>& spectra) {
   const int distances = 2 * sources_ + 1, own = spectra.own_rows(), begin = y_ranges_[rank_];
   const Real scale = Real(1.0 / spectra.length());
   std::vector<Real> transforms(static_cast<std::size_t>(waves_) * distances);  // [wave number][distance]
@@ -82,7 +82,8 @@ void RowSums<Real>::fill_matrix(const Influence& kernel, RowSpectra<Real>& spect
   for (int k = 0; k < waves_; ++k) {
     for (int l = 0; l < sources_; ++l, entry += width_) {
       for (int j = 0; j < own; ++j) {
-        entry[j] = transform(k, std::abs(begin + j - l)) + transform(k, begin + j + l);
+        entry[j] = transform(k, std::abs(begin + j - l));
+        if (const auto distance = rows.distance_to_image(begin + j, l)) entry[j] += transform(k, *distance);
       }
     }
   }

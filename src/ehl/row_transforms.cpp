@@ -15,9 +15,11 @@ RowTransforms<Real>::RowTransforms(const Grid& grid, const Influence& kernel, Ro
     : comm_(grid.comm()),
       rank_(grid.rank()),
       rows_(grid.rows()),
+      sources_(grid.row_axis().inner({0, rows_}).end),
+      mirrored_(grid.row_axis().mirrored()),
       own_rows_(grid.y_count()),
       row_begin_(grid.y_begin()),
-      length_(fftw::fast_length(2 * (grid.rows() - 1), false)),
+      length_(fftw::fast_length(2 * sources_, false)),
       wave_ranges_(cut_evenly(spectra.waves(), grid.processes())),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       spectrum_(alone() ? 0 : static_cast<std::size_t>(wave_ranges_.back()) * own_rows_),
@@ -46,36 +48,39 @@ void RowTransforms<Real>::plan_transforms() {
 // zeros.
 template <class Real>
 void RowTransforms<Real>::transform_kernel(const Influence& kernel, RowSpectra<Real>& spectra) {
-  const int loaded = rows_ - 1, kept = length_ / 2 + 1;
+  const int kept = length_ / 2 + 1;
   const Real scale = Real(1.0 / (static_cast<double>(spectra.length()) * length_));
   const auto clear_lines = [&] { std::fill_n(lines_.data(), static_cast<std::size_t>(bundle) * length_, Complex(0)); };
   const auto gather_kernel = [&](int first) {
     spectra.transform_even([&](int i, int j) { return kernel(i, first + row_begin_ + j); });
     gather(spectra);
   };
-  // The distances in y from M on are needed last.
-  gather_kernel(loaded);
-  std::vector<Complex> distant(static_cast<std::size_t>(wave_count()) * rows_);
+  // The distances in y from M on are needed last, and by V alone.
+  std::vector<Complex> distant(mirrored_ ? static_cast<std::size_t>(wave_count()) * rows_ : 0);
   const auto distant_line = [&](int k) { return distant.data() + static_cast<std::size_t>(k) * rows_; };
-  for (int k = 0; k < wave_count(); ++k) load(spectra, k, distant_line(k));
+  if (mirrored_) {
+    gather_kernel(sources_);
+    for (int k = 0; k < wave_count(); ++k) load(spectra, k, distant_line(k));
+  }
   gather_kernel(0);
   kernel_.resize(kernel_at(wave_count()));
-  mirror_kernel_.resize(kernel_at(wave_count()));
+  mirror_kernel_.resize(mirrored_ ? kernel_.size() : 0);
   for_each_bundle([&](int first, int count) {
     clear_lines();
     // W, of the distances -M..M.
     for (int n = 0; n < count; ++n) {
       load(spectra, first + n, line(n));
-      for (int j = 1; j < loaded; ++j) line(n)[length_ - j] = line(n)[j];
+      for (int j = 1; j < sources_; ++j) line(n)[length_ - j] = line(n)[j];
     }
     forward_.execute();
     for (int n = 0; n < count; ++n) {
       Real* transform = kernel_.data() + kernel_at(first + n);
       for (int m = 0; m < kept; ++m) transform[m] = scale * wave(n)[m].real();
     }
+    if (!mirrored_) return;
     // V, of the distances 0..2M-1.
     for (int n = 0; n < count; ++n) {
-      std::fill(std::copy_n(distant_line(first + n), loaded, line(n) + loaded), line(n + 1), Complex(0));
+      std::fill(std::copy_n(distant_line(first + n), sources_, line(n) + sources_), line(n + 1), Complex(0));
     }
     forward_.execute();
     for (int n = 0; n < count; ++n) {
@@ -90,6 +95,10 @@ void RowTransforms<Real>::transform_kernel(const Influence& kernel, RowSpectra<R
 template <class Real>
 void RowTransforms<Real>::multiply_by_kernel(int k, Complex* line) const {
   const Real* kernel = kernel_.data() + kernel_at(k);
+  if (!mirrored_) {
+    for (int n = 0; n < length_; ++n) line[n] *= kernel[std::min(n, length_ - n)];
+    return;
+  }
   const Complex* mirror_kernel = mirror_kernel_.data() + kernel_at(k);
   for (int n = 0; 2 * n <= length_; ++n) {
     const int opposite = n == 0 ? 0 : length_ - n;

@@ -71,13 +71,11 @@ void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Fie
   const Halo halo(coarse_grid);
   Field<double> values(coarse), bend_x(coarse_grid), bend_y(coarse_grid), bend_xy(coarse_grid);
   halo.exchange(values);
-  const int last = coarse_grid.rows() - 1;
+  const RowRange inner = coarse_grid.inner_rows();
   const Ratio ratio(fine_grid, coarse_grid);
   const auto bend_along_y = [&](const Field<double>& from, Field<double>& to) {
     for (int I = 0; I < coarse_grid.nx(); ++I) {
-      for (int J = 0; J < coarse_grid.y_count(); ++J) {
-        const int row = coarse_grid.y_begin() + J;
-        if (row == last) continue;
+      for (int J = inner.begin; J < inner.end; ++J) {
         to.row(I)[J] = from.row(I)[J - 1] - 2.0 * from.row(I)[J] + from.row(I)[J + 1];
       }
     }

@@ -21,7 +21,7 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
     throw SolveError(message.str());
   };
   const GridShape& shape = grid.shape();
-  require(ellipse.b / scales.hertz.b, scales.hertz.ellipticity * shape.y_half, "side", "grid_y_half");
+  require(ellipse.b / scales.hertz.b, scales.hertz.ellipticity * shape.row_axis.half_width(), "side", "grid_y_half");
   require(ellipse.a / scales.hertz.a + conditions.nearest.X, shape.x_max, "outlet", "grid_x_max");
   require(ellipse.a / scales.hertz.a - conditions.nearest.X, shape.x_min, "inlet", "grid_x_min");
 }

@@ -24,8 +24,8 @@ void require_tooth_force(const Case& problem, const std::string& what) {
   std::ostringstream message;
   message.precision(4);
   message << problem.parameters.origin(name) << ": '" << name << "' is line_equivalent, with which the contact carries "
-          << problem.scales.operation.load << " N in the place of the tooth's " << problem.pair.tooth_force << " N, but "
-          << what << " needs the whole force; set it to point";
+          << problem.scales.operation.load << " N in the place of the tooth's " << problem.pair.tooth_force
+          << " N, but " << what << " needs the whole force; set it to point";
   throw InputError(message.str());
 }
 
@@ -113,12 +113,12 @@ int heated_points(const Case& problem) {
 
 void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts, int points) {
   try {
-    require_memory(comm, shape.nx, shape.ny, contacts, points);
+    require_memory(comm, shape.nx, shape.ny(), contacts, points);
   } catch (const InputError& error) {
     throw SolveError(std::string("the grid cannot be widened: ") + error.what());
   }
   petsc_check(PetscPrintf(comm, "the grid is widened to %.3f < X < %.3f a, |y| < %.3f b: %d x %d nodes\n", shape.x_min,
-                          shape.x_max, scales.hertz.ellipticity * shape.y_half, shape.nx, shape.ny));
+                          shape.x_max, scales.hertz.ellipticity * shape.row_axis.half_width(), shape.nx, shape.ny()));
 }
 
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,

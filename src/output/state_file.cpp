@@ -178,7 +178,9 @@ void write_state(const Grid& grid, const std::filesystem::path& path, Summary de
   description["format"] = restart_format;
   description["fields"] = fields.size();
   description["nodes"] = {grid.nx(), grid.rows()};
-  description["edges"] = {grid.shape().x_min, grid.shape().x_max, grid.shape().y_half};
+  description["lines"] = {grid.shape().x_min, grid.shape().x_max};
+  description["rows"] = grid.row_axis().y();
+  description["mirrored"] = grid.row_axis().mirrored();
   description["checksum"] = checksum_of(grid, fields);
   std::string text = description.dump();
   broadcast(grid.comm(), text);  // all count from its end
@@ -200,9 +202,10 @@ std::optional<StateFile> read_state(MPI_Comm comm, const std::filesystem::path& 
   if (text.empty()) return {};
   StateFile state{Summary::parse(text), {}, {}};
   require_restart_format(state.description, path);
-  const Summary &nodes = state.description["nodes"], &edges = state.description["edges"];
-  state.shape = {nodes[0].get<int>(), 2 * nodes[1].get<int>() - 1, edges[0].get<double>(), edges[1].get<double>(),
-                 edges[2].get<double>()};
+  const Summary &nodes = state.description["nodes"], &lines = state.description["lines"];
+  const Edge lower = state.description["mirrored"].get<bool>() ? Edge::symmetry : Edge::ambient;
+  state.shape = {nodes[0].get<int>(), lines[0].get<double>(), lines[1].get<double>(),
+                 RowAxis(state.description["rows"].get<std::vector<double>>(), lower, Edge::ambient)};
   const Grid grid(comm, state.shape);
   if (const auto count = state.description["fields"].get<std::size_t>(); count > 0) {
     std::optional<CompactFields> fields = extract_fields(grid, path, fields_begin(text.size()), count);

@@ -1,7 +1,6 @@
 #include "gearfilm/output/whole_domain.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace gearfilm {
 
@@ -24,7 +23,7 @@ WholeDomain::WholeDomain(const Grid& grid)
 /// Where the grid's vectors have the value of a node of the whole domain.
 PetscInt WholeDomain::index_on_grid(int i, int row) const {
   const std::span<const int> cuts = grid_.y_ranges();
-  const int stored_row = std::abs(from_middle(row));
+  const int stored_row = grid_.row_axis().stored_row(row);
   const auto owner = std::upper_bound(cuts.begin(), cuts.end(), stored_row) - 1;
   const int begin = owner[0], count = owner[1] - owner[0];
   return static_cast<PetscInt>(grid_.nx()) * begin + i * count + stored_row - begin;

@@ -23,7 +23,7 @@ void begin_grid(std::ostream& file, const std::string& name, double time, const 
 
 void write_contact(std::ostream& file, const std::string& grid, double time, const std::string& results_name,
                    const FieldGroup& group) {
-  const std::string size = std::to_string(group.shape.nx) + " " + std::to_string(group.shape.ny);
+  const std::string size = std::to_string(group.shape.nx) + " " + std::to_string(group.shape.ny());
   begin_grid(file, grid, time, size);
   write_data(file, size + " 2", results_name + ":" + group.mesh);
   file << "</Geometry>\n";

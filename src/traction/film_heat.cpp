@@ -22,6 +22,7 @@ public:
   HeatMarch(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities, FilmFlow flow,
             FilmHeat& heat, std::optional<double> time_step = {})
       : grid_(film.grid()),
+        solved_(grid_.inner_rows()),
         film_(film),
         model_(model),
         velocities_(velocities),
@@ -63,7 +64,6 @@ public:
   }
 
   TractionFields march() {
-    const int edge = grid_.local_row(grid_.rows() - 1);  // nothing happens there
     line_.load(0);
     for (int j = 0; j < rows(); ++j) {
       store_entering(0, j);
@@ -73,9 +73,8 @@ public:
       }
     }
     for (int i = 1; i < grid_.nx(); ++i) {
-      if (edge >= 0) {
-        for (int k = 0; k < points(); ++k) temperatures(i, k)[edge] = temperatures(0, k)[edge];
-        store_entering(i, edge);
+      for (int j = 0; j < rows(); ++j) {
+        if (j < solved_.begin || j >= solved_.end) pass_unheated(i, j);
       }
       solve_line(i);
     }
@@ -83,9 +82,9 @@ public:
     // far as a step takes it.
     returning_ = true;
     for (int i = storage_ > 0.0 ? 0 : last_returning_; i > 0; --i) solve_line(i);
-    if (grid_.local_row(0) == 0) {
+    if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
       for (int i = 0; i < grid_.nx(); ++i) {
-        for (int k = 0; k < points(); ++k) fields_.across.push_back(temperatures(i, k)[0]);
+        for (int k = 0; k < points(); ++k) fields_.across.push_back(temperatures(i, k)[central]);
       }
     }
     return std::move(fields_);
@@ -93,7 +92,6 @@ public:
 
 private:
   int rows() const { return grid_.y_count(); }
-  int solved_rows() const { return grid_.local_row(grid_.rows() - 1) >= 0 ? rows() - 1 : rows(); }
   int points() const { return model_.heat->points; }
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * rows() + j; }
   std::size_t at_point(int i, int k) const { return rows_at_point(i, k, points(), rows()); }
@@ -107,13 +105,19 @@ private:
     line_.load(i);
     source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
     source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
-    for (int first = 0; first < solved_rows(); first += AcrossFilm::lanes) solve_rows(i, first);
+    for (int first = solved_.begin; first < solved_.end; first += AcrossFilm::lanes) solve_rows(i, first);
+  }
+
+  /// In a row on an edge of the grid oil keeps the temperatures with which it entered.
+  void pass_unheated(int i, int j) {
+    for (int k = 0; k < points(); ++k) temperatures(i, k)[j] = temperatures(0, k)[j];
+    store_entering(i, j);
   }
 
   void solve_rows(int i, int first) {
     // Lanes beyond the last row repeat it.
     for (int l = 0; l < AcrossFilm::lanes; ++l) {
-      const int j = std::min(first + l, solved_rows() - 1);
+      const int j = std::min(first + l, solved_.end - 1);
       load_lane(l, j);
       if (own_) {
         load_own_flow(l, i, j);
@@ -121,10 +125,10 @@ private:
         load_isothermal_flow(l, i, j);
       }
     }
-    if (first + AcrossFilm::lanes <= solved_rows()) {
+    if (first + AcrossFilm::lanes <= solved_.end) {
       load_profiles(i, [first](int l) { return first + l; });
     } else {
-      load_profiles(i, [first, last = solved_rows() - 1](int l) { return std::min(first + l, last); });
+      load_profiles(i, [first, last = solved_.end - 1](int l) { return std::min(first + l, last); });
     }
     try {
       across_.solve();
@@ -134,7 +138,7 @@ private:
               << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
-    const int count = std::min(AcrossFilm::lanes, solved_rows() - first);
+    const int count = std::min(AcrossFilm::lanes, solved_.end - first);
     store_profiles(i, first, count);
     for (int l = 0; l < count; ++l) {
       if (changes(first + l)) store_lane(l, i, first + l);
@@ -324,6 +328,7 @@ private:
   }
 
   const Grid& grid_;
+  RowRange solved_;  ///< own rows that are not on an edge of the grid
   const ContactFilm& film_;
   const TractionModel& model_;
   SurfaceVelocities velocities_;

@@ -16,7 +16,7 @@ namespace {
 /// A folder of the test's own, common to all processes.
 class CheckpointTest : public testing::Test {
 protected:
-  CheckpointTest() : grid_(PETSC_COMM_WORLD, {33, 17, -2.0, 1.5, 1.2}) {
+  CheckpointTest() : grid_(PETSC_COMM_WORLD, rectangle(33, 17, -2.0, 1.5, 1.2)) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::temp_directory_path() /
               ("gearfilm_" + std::string(test->name()) + "_" + std::to_string(grid_.processes()));

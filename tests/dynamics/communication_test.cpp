@@ -92,7 +92,7 @@ TEST_F(Communication, of_ghosts_and_of_a_convolution_is_the_model) {
   };
   exchange();  // the first one sets up its messages
   expect_equal(traffic_of(exchange), halo(1, in_single) + halo(2, in_double));
-  const Grid many_rows(PETSC_COMM_WORLD, {65, 129, -2.0, 1.25, 1.1});
+  const Grid many_rows(PETSC_COMM_WORLD, rectangle(65, 129, -2.0, 1.25, 1.1));
   for (const Grid* on : {&grid, &many_rows}) {
     const Deformation<float> deformation(*on, 1.0);
     Field<float> field(*on), deformed(*on);

@@ -18,8 +18,8 @@ EndOfMarch march_of(const Settings& settings, const std::string& dT, double T_en
 
 // Levels with half the rows do not solve time steps of long cells while a contact enters, however short they are.
 TEST(StepLevels, are_one_for_short_steps_of_long_cells) {
-  const Grid slender(PETSC_COMM_WORLD, {529, 129, -2.166, 1.25, 59.8}),
-      square(PETSC_COMM_WORLD, {257, 257, -2.5, 1.5, 1.5});
+  const Grid slender(PETSC_COMM_WORLD, rectangle(529, 129, -2.166, 1.25, 59.8)),
+      square(PETSC_COMM_WORLD, rectangle(257, 257, -2.5, 1.5, 1.5));
   EXPECT_EQ(step_levels(slender, 1.3 * slender.h_x()), 1);
   EXPECT_EQ(step_levels(slender, 2.5 * slender.h_x()), 0);
   EXPECT_EQ(step_levels(square, 1.3 * square.h_x()), 0);

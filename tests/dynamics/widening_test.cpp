@@ -43,8 +43,8 @@ TEST_F(Widening, gives_the_forces_of_a_grid_that_was_wide_from_the_start) {
   };
   const auto [widened_shape, widened_records] = marches(narrow);
   const auto [wide_shape, wide_records] = marches(wide);
-  EXPECT_GT(widened_shape.ny, 45);
-  EXPECT_EQ(wide_shape.ny, 57);
+  EXPECT_GT(widened_shape.ny(), 45);
+  EXPECT_EQ(wide_shape.ny(), 57);
   double largest = 0.0;
   for (const StepRecord& record : widened_records) {
     const auto same_time = [&](const StepRecord& other) {
@@ -54,7 +54,7 @@ TEST_F(Widening, gives_the_forces_of_a_grid_that_was_wide_from_the_start) {
     if (record.dT == 0.0 || other == wide_records.end()) continue;
     largest = std::max(largest, std::abs(record.pressure_integral() - other->pressure_integral()));
   }
-  report("widened to %d rows; forces differ by %.1e of the static force", widened_shape.ny,
+  report("widened to %d rows; forces differ by %.1e of the static force", widened_shape.ny(),
          largest / narrow.scales.static_force);
   EXPECT_GT(largest, 0.0);
   EXPECT_LT(largest, 3e-4 * narrow.scales.static_force);
@@ -109,7 +109,7 @@ TEST_F(Widening, is_told_of_before) {
   options.on_widening = [&](MPI_Comm, const GridShape& next) {
     ++told;
     EXPECT_GE(next.nx, shape.nx);
-    EXPECT_GE(next.ny, shape.ny);
+    EXPECT_GE(next.ny(), shape.ny());
     EXPECT_NE(next, shape);
     shape = next;
   };
@@ -121,7 +121,7 @@ TEST_F(Widening, is_told_of_before) {
 }
 
 TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
-  const GridShape coarse{17, 13, -2.0, 1.2, 1.5};
+  const GridShape coarse = rectangle(17, 13, -2.0, 1.2, 1.5);
   const auto bump = [](double x, double y) { return 1.0 + 0.3 * x - 0.2 * y * y + 0.1 * x * x * y * y; };
   const auto on = [&](const Grid& grid) {
     Field<double> field(grid);
@@ -133,7 +133,7 @@ TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
   PairState state{{-1.0, 0.2}, {{}}, coarse};
   state.films[0].emplace(field::pressure.name, on(Grid(PETSC_COMM_WORLD, coarse)));
   const PairState fine = refined(state, PETSC_COMM_WORLD);
-  EXPECT_EQ(fine.shape, (GridShape{33, 25, -2.0, 1.2, 1.5}));
+  EXPECT_EQ(fine.shape, (rectangle(33, 25, -2.0, 1.2, 1.5)));
   EXPECT_EQ(fine.motion.H0, -1.0);
   const Grid grid(PETSC_COMM_WORLD, fine.shape);
   const std::vector<double>& values = values_of(fine.films[0], field::pressure);

@@ -64,7 +64,7 @@ TEST(Estimate, of_a_spike_does_not_depend_on_the_ratio_of_the_grids) {
 
 /// Largest over all processes, of a pressure given along X on the first row and a tenth of it on the others.
 double spike_of(const std::vector<double>& line) {
-  const Grid grid(PETSC_COMM_WORLD, GridShape{static_cast<int>(line.size()), 17, -2.0, 1.2, 1.0});
+  const Grid grid(PETSC_COMM_WORLD, rectangle(static_cast<int>(line.size()), 17, -2.0, 1.2, 1.0));
   Field<double> pressure(grid);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) pressure.row(i)[j] = (grid.y_begin() + j == 0 ? 1.0 : 0.1) * line[i];

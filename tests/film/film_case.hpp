@@ -19,7 +19,9 @@ struct FilmCase {
   Scales scales;
   Domain domain;
 
-  GridShape shape(int nx, int ny) const { return grid_shape(domain, scales.hertz.ellipticity, nx, ny); }
+  GridShape shape(int nx, int ny, Edge lower = Edge::symmetry) const {
+    return grid_shape(domain, scales.hertz.ellipticity, nx, ny, lower);
+  }
 };
 
 /// Pitch point of Table 3 (tests/unit/table3.hpp).
@@ -54,8 +56,9 @@ inline FilmCase circular_contact() {
 
 /// The stationary film of a case, from nothing.
 struct SolvedFilm {
-  SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {})
-      : grid(comm, film_case.shape(nx, ny)),
+  SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {},
+             Edge lower = Edge::symmetry)
+      : grid(comm, film_case.shape(nx, ny, lower)),
         film(discretise(grid, film_case.scales), film_case.scales, options.multigrid),
         result(solve_stationary(film, LoadCondition::force(film_case.scales.static_force), options)) {}
 
@@ -142,6 +145,19 @@ inline double relative_difference(const std::vector<double>& computed, const std
   for (std::size_t n = 0; n < expected.size(); ++n)
     difference = std::max(difference, std::abs(computed[n] - expected[n]));
   return difference / largest(expected);
+}
+
+/// A field of all rows and that of the rows at Y >= 0 are the same but for so much of its largest value; whole arrays.
+inline void expect_whole_is_half(const Grid& all, const std::vector<double>& computed, const Grid& half,
+                                 const std::vector<double>& expected, double tolerance) {
+  ASSERT_EQ(all.rows(), half.ny());
+  std::vector<double> unfolded(computed.size());
+  for (int i = 0; i < all.nx(); ++i) {
+    for (int row = 0; row < all.rows(); ++row) {
+      unfolded[i * all.rows() + row] = expected[i * half.rows() + half.row_axis().stored_row(row)];
+    }
+  }
+  EXPECT_LT(relative_difference(computed, unfolded), tolerance);
 }
 
 /// A reproducible white noise in [-1, 1] over the nodes, the same on any number of processes.

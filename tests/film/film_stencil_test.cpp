@@ -55,7 +55,7 @@ protected:
   }
 
   static constexpr double entrainment = 1.1;
-  Grid grid{PETSC_COMM_WORLD, {17, 13, -1.5, 1.0, 1.2}};
+  Grid grid{PETSC_COMM_WORLD, rectangle(17, 13, -1.5, 1.0, 1.2)};
   Halo halo{grid};
   FilmState state{grid};
   Field<double> v{grid}, u{grid}, rows{grid};

@@ -12,9 +12,10 @@
 namespace gearfilm {
 
 struct PlacedFilm {
-  PlacedFilm(double xi, double force_ratio, int nx = 129, int ny = 65, Domain domain = paper_domain(2400.0))
+  PlacedFilm(double xi, double force_ratio, int nx = 129, int ny = 65, Domain domain = paper_domain(2400.0),
+             Edge lower = Edge::symmetry)
       : pitch{table3_pitch().scales, domain},
-        grid(PETSC_COMM_WORLD, pitch.shape(nx, ny)),
+        grid(PETSC_COMM_WORLD, pitch.shape(nx, ny, lower)),
         load(LoadCondition::force(force_ratio * pitch.scales.static_force)) {
     const LineOfAction line(table3::gear_pair());
     const double u_m = pitch.scales.operation.entrainment_velocity;

@@ -60,7 +60,7 @@ protected:
 
   /// Largest error of the manufactured residual on the inner nodes of lines first..last.
   double manufactured_error(int cells, bool first_line) {
-    const Grid grid(PETSC_COMM_WORLD, {cells + 1, cells + 1, -1.5, 1.0, 1.2});
+    const Grid grid(PETSC_COMM_WORLD, rectangle(cells + 1, cells + 1, -1.5, 1.0, 1.2));
     FilmState state(grid);
     const auto residual = residual_of(
         grid, state, [](double x, double y) { return pressure_at(x, y).value; },
@@ -76,7 +76,7 @@ protected:
     return maximum(error);
   }
 
-  Grid grid_{PETSC_COMM_WORLD, {17, 13, -1.5, 1.0, 1.2}};
+  Grid grid_{PETSC_COMM_WORLD, rectangle(17, 13, -1.5, 1.0, 1.2)};
   FilmState state_{grid_};
 };
 
@@ -218,7 +218,7 @@ TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
 
 TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
   const Scales scales = table3_pitch().scales;
-  const Grid grid(PETSC_COMM_WORLD, {9, 9, -1.0, 1.0, 1.0});
+  const Grid grid(PETSC_COMM_WORLD, rectangle(9, 9, -1.0, 1.0, 1.0));
   const FilmProperties properties(scales);
   const auto state_at = [&](double pressure_change, double film_change) {
     FilmState state(grid);
@@ -253,7 +253,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
 }
 
 TEST(FilmProperties, film_below_zero_conducts_nothing) {
-  const Grid grid(PETSC_COMM_WORLD, {5, 9, -1.0, 1.0, 1.0});
+  const Grid grid(PETSC_COMM_WORLD, rectangle(5, 9, -1.0, 1.0, 1.0));
   FilmState state(grid);
   fill(grid, state.thickness, [](double x, double) { return x - 2.0; });
   FilmProperties(table3_pitch().scales).evaluate(state);

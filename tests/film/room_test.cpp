@@ -24,9 +24,9 @@ protected:
     return compact;
   }
 
-  const Grid narrow{PETSC_COMM_WORLD, {33, 31, -2.0, 1.2, 1.5}};
+  const Grid narrow{PETSC_COMM_WORLD, rectangle(33, 31, -2.0, 1.2, 1.5)};
   // 3 lines before, 5 behind, 4 rows on either side; cut elsewhere among the processes.
-  const Grid wide{PETSC_COMM_WORLD, {41, 39, -2.3, 1.7, 1.9}};
+  const Grid wide{PETSC_COMM_WORLD, rectangle(41, 39, -2.3, 1.7, 1.9)};
   static constexpr double round_off = 1e-12;
 };
 
@@ -57,19 +57,19 @@ TEST_F(Refit, goes_on_beyond_the_edges_as_the_field_is_there) {
 }
 
 TEST_F(Refit, union_holds_both) {
-  const GridShape longer{36, 31, -2.3, 1.2, 1.5}, broader{38, 39, -2.0, 1.7, 1.9};
+  const GridShape longer = rectangle(36, 31, -2.3, 1.2, 1.5), broader = rectangle(38, 39, -2.0, 1.7, 1.9);
   const GridShape all = united(longer, broader);
   EXPECT_EQ(all.nx, wide.nx());
-  EXPECT_EQ(all.ny, wide.ny());
+  EXPECT_EQ(all.ny(), wide.ny());
   EXPECT_TRUE(same_lattice(all, wide.shape()));
   EXPECT_EQ(united(all, narrow.shape()), all);
   EXPECT_EQ(united(narrow.shape(), narrow.shape()), narrow.shape());
 }
 
 TEST_F(Refit, other_steps_or_places_are_another_lattice) {
-  EXPECT_FALSE(same_lattice(narrow.shape(), {32, 31, -2.0, 1.2, 1.5}));
-  EXPECT_FALSE(same_lattice(narrow.shape(), {33, 31, -2.05, 1.15, 1.5}));
-  EXPECT_FALSE(same_lattice(narrow.shape(), {33, 33, -2.0, 1.2, 1.5}));
+  EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(32, 31, -2.0, 1.2, 1.5)));
+  EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(33, 31, -2.05, 1.15, 1.5)));
+  EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(33, 33, -2.0, 1.2, 1.5)));
 }
 
 class RoomOf : public testing::Test {
@@ -99,7 +99,7 @@ TEST_F(RoomOf, widened_grid_has_it_on_the_same_lattice) {
     EXPECT_TRUE(same_lattice(shape, wide)) << ratio;
     EXPECT_EQ(united(shape, wide), wide) << ratio;
     EXPECT_EQ((wide.nx - 1) % 16, 0) << ratio;  // 129 and 65 nodes can be halved; so can these
-    EXPECT_EQ((wide.ny - 1) % 8, 0) << ratio;
+    EXPECT_EQ((wide.ny() - 1) % 8, 0) << ratio;
     if (ratio == 1.0) {
       EXPECT_EQ(wide, shape);
     }
@@ -112,7 +112,7 @@ TEST_F(RoomOf, ends_at_the_edges_of_the_teeth) {
   EXPECT_EQ(needed(1.5).side, rule.face);
   const GridShape wide = widened(shape, needed(1.5), rule);
   EXPECT_TRUE(has_room(wide, needed(1.5)));
-  EXPECT_LT(wide.y_half, rule.face + wide.h_y());
+  EXPECT_LT(wide.row_axis.half_width(), rule.face + wide.row_axis.equal_step());
   try {
     needed(1.6);
     FAIL() << "the ellipse is longer than the face is wide";

@@ -191,8 +191,8 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
   const auto result = solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{});
 
   const double ratio = pitch.scales.length / own.length;
-  const Grid own_grid(PETSC_COMM_WORLD,
-                      {shape.nx, shape.ny, ratio * shape.x_min, ratio * shape.x_max, ratio * shape.y_half});
+  const Grid own_grid(PETSC_COMM_WORLD, rectangle(shape.nx, shape.ny(), ratio * shape.x_min, ratio * shape.x_max,
+                                                  ratio * shape.row_axis.half_width()));
   ContactFilm own_film(discretise(own_grid, own), own, MultigridOptions{});
   const auto own_result = solve_stationary(own_film, LoadCondition::force(own.static_force), SolverOptions{});
 

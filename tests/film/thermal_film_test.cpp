@@ -93,8 +93,9 @@ TractionModel in_film(TractionModel model) {
 
 /// The thermal film at a place.
 struct HotFilm : PlacedFilm {
-  HotFilm(double xi, int nx, int ny, const TractionModel& model = heated(), Domain domain = wide)
-      : PlacedFilm(xi, 1.0, nx, ny, domain),
+  HotFilm(double xi, int nx, int ny, const TractionModel& model = heated(), Domain domain = wide,
+          Edge lower = Edge::symmetry)
+      : PlacedFilm(xi, 1.0, nx, ny, domain, lower),
         thermal(solve_coupled(*film, load, SolverOptions{}, in_film(model), velocities, result)) {}
 
   double factor() const { return thermal.film.figures.central_film / result.figures.central_film; }
@@ -158,6 +159,22 @@ TEST(ThermalFilm, that_expands_is_thicker) {
   const HotFilm rigid(0.002, 65, 33, heated(), narrow), hot(0.002, 65, 33, expanding, narrow);
   EXPECT_GT(hot.factor(), 1.05 * rigid.factor());
   EXPECT_LT(hot.factor(), 1.25 * rigid.factor());
+}
+
+TEST(ThermalFilm, on_all_rows_is_that_on_half_of_them) {
+  const Domain narrow = paper_domain(2400.0);
+  const HotFilm half(0.002, 65, 33, heated(), narrow), all(0.002, 65, 33, heated(), narrow, Edge::ambient);
+  const auto same = [&](const std::vector<double>& computed, const std::vector<double>& expected) {
+    // The turns between film and heat end at a change of 1e-4.
+    expect_whole_is_half(all.grid, whole_of(all.grid, computed), half.grid, whole_of(half.grid, expected), 1e-4);
+  };
+  same(all.thermal.film.solution.pressure, half.thermal.film.solution.pressure);
+  same(all.thermal.traction.fields.temperature_mean, half.thermal.traction.fields.temperature_mean);
+  same(all.thermal.traction.fields.shear_stress, half.thermal.traction.fields.shear_stress);
+  const TractionFigures &whole = all.thermal.traction.figures, &mirrored = half.thermal.traction.figures;
+  EXPECT_NEAR(whole.sliding_force, mirrored.sliding_force, 1e-5 * std::abs(mirrored.sliding_force));
+  EXPECT_NEAR(whole.heat_oil, mirrored.heat_oil, 1e-4 * std::abs(mirrored.heat_oil));
+  EXPECT_EQ(all.thermal.turns, half.thermal.turns);
 }
 
 TEST(ThermalFilm, jacobian_knows_the_correction) {

@@ -31,7 +31,7 @@ protected:
     return wet;
   }
 
-  Grid fine{PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5}};
+  Grid fine{PETSC_COMM_WORLD, rectangle(33, 29, -2.0, 1.2, 1.5)};
   Grid coarse = fine.coarsened(Kind::along);
   Halo fine_halo{fine};
   Halo coarse_halo{coarse};
@@ -195,7 +195,7 @@ protected:
     return maximum(error);
   }
 
-  Grid fine{PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5}};
+  Grid fine{PETSC_COMM_WORLD, rectangle(33, 29, -2.0, 1.2, 1.5)};
   Grid coarse = fine.coarsened();
   static constexpr double round_off = 1e-13;  // a dozen operations on values of order ten
 };
@@ -228,7 +228,7 @@ TEST_F(CubicInterpolation, leaves_lines_alone_that_the_coarse_grid_has_all) {
 }
 
 TEST(InjectedState, takes_every_field_at_the_same_point) {
-  const Grid fine(PETSC_COMM_WORLD, {33, 29, -2.0, 1.2, 1.5});
+  const Grid fine(PETSC_COMM_WORLD, rectangle(33, 29, -2.0, 1.2, 1.5));
   const Grid coarse = fine.coarsened();
   FilmState fine_state(fine);
   const auto value = [](std::size_t n, double x, double y) { return n + 1.0 + 0.3 * x - 0.2 * y; };

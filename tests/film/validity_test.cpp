@@ -104,9 +104,8 @@ TEST(StationaryFailure, more_processes_than_rows_is_a_wrong_input) {
   int processes = 1;
   MPI_Comm_size(PETSC_COMM_WORLD, &processes);
   if (processes < 3) GTEST_SKIP() << "needs 3 processes";
-  const std::string message = table3::input_error_of([&] {
-    Grid(PETSC_COMM_WORLD, {33, 2 * processes - 3, -2.0, 1.0, 1.0});
-  });
+  const std::string message =
+      table3::input_error_of([&] { Grid(PETSC_COMM_WORLD, rectangle(33, 2 * processes - 3, -2.0, 1.0, 1.0)); });
   expect_mentions(message, "ny = " + std::to_string(2 * processes - 3));
 }
 

@@ -6,7 +6,8 @@
 // and a discrete convolution, done as a zero-padded Fourier transform in O(N log N). P = 0 on the boundary: what a
 // field has there is not read, so that 2^n + 1 nodes need transforms of length 2^(n+1).
 //
-// P is its own mirror image in Y = 0. With q its values at Y >= 0, those at Y = 0 halved, row j of the deformation is
+// Where rows are mirrored in Y = 0 (row_axis.hpp), with q the values of P at Y >= 0, those at Y = 0 halved, row j of
+// the deformation is
 //   sum_l ( K(j-l) + K(j+l) ) q(l) .
 //
 // Rows are transformed in x (row_spectra.hpp; local, the grid is cut in y). In y few rows are summed over

@@ -11,7 +11,7 @@
 namespace gearfilm {
 
 /// nx lines of y_count values, y contiguous; row(i)[j] with -1 <= j <= y_count. Ghosts are zero until exchanged
-/// (halo.hpp) and stay zero beyond the edge Y_half of the grid.
+/// (halo.hpp) and stay zero beyond ambient edges of the grid.
 template <class Real>
 class Field {
 public:

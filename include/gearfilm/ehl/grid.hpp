@@ -1,8 +1,7 @@
 // Uniform vertex-centred grid of one contact, cut in y among the processes.
 //
-// A spur gear's film is its own mirror image in Y = 0: of the nodes between -Y_half and Y_half only those with Y >= 0
-// are stored. Nodes (i, j), i = 0..nx-1 from X_min to X_max, j = 0..rows-1 from 0 to Y_half; boundary nodes are
-// included, and row 0 has its neighbour 1 on either side.
+// Nodes (i, j), i = 0..nx-1 from X_min to X_max, j = 0..rows-1 along the row axis; boundary nodes are included. A spur
+// gear's film is its own mirror image in Y = 0, and only its rows with Y >= 0 are stored (row_axis.hpp).
 // A process owns all x for a range of j, so that x-lines and x-transforms are local. In memory y is contiguous
 // (index i*y_count + j): all x-lines are then processed together, with vector instructions across the lines.
 //
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "gearfilm/ehl/domain.hpp"
+#include "gearfilm/ehl/row_axis.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
@@ -22,23 +22,25 @@ namespace gearfilm {
 /// Size and extent of the whole domain; lengths in units of the Hertz half-axis a in both directions.
 struct GridShape {
   int nx = 0;
-  int ny = 0;  ///< odd, so that nodes lie on Y = 0
   double x_min = 0.0;
   double x_max = 0.0;
-  double y_half = 0.0;
+  RowAxis row_axis{};
 
-  /// Nodes with Y >= 0 in a line along Y.
-  int rows() const { return (ny + 1) / 2; }
+  /// Rows of the whole domain, and those that are stored.
+  int ny() const { return row_axis.whole_count(); }
+  int rows() const { return row_axis.count(); }
   double h_x() const { return (x_max - x_min) / (nx - 1); }
-  double h_y() const { return 2.0 * y_half / (ny - 1); }
   bool operator==(const GridShape&) const = default;
 };
 
 /// First item of every process, and their number, when items are cut as evenly as possible.
 std::vector<int> cut_evenly(int items, int processes);
 
+/// Equal steps from x_min to x_max and from -y_half to y_half, all lengths in units of a; with a lower edge of symmetry
+/// ny is odd.
+GridShape rectangle(int nx, int ny, double x_min, double x_max, double y_half, Edge lower = Edge::symmetry);
 /// The grid of a domain whose y extent is given in units of b = a/ellipticity.
-GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny);
+GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny, Edge lower = Edge::symmetry);
 
 /// In which directions only every second node is kept.
 enum class Coarsening { both, x_only, y_only };
@@ -53,20 +55,31 @@ public:
   int processes() const { return static_cast<int>(y_ranges_.size()) - 1; }
   const GridShape& shape() const { return shape_; }
   int nx() const { return shape_.nx; }
-  /// Nodes across the whole domain, and those that are stored.
-  int ny() const { return shape_.ny; }
+  const RowAxis& row_axis() const { return shape_.row_axis; }
+  /// Rows of the whole domain, and those that are stored.
+  int ny() const { return shape_.ny(); }
   int rows() const { return shape_.rows(); }
   double h_x() const { return h_x_; }
-  double h_y() const { return h_y_; }
+  /// The step of equal rows.
+  double h_y() const { return row_axis().equal_step(); }
   double x(int i) const { return shape_.x_min + h_x_ * i; }
   /// Y of the local row j (0 <= j < y_count).
-  double y(int j) const { return h_y_ * (y_begin() + j); }
+  double y(int j) const { return row_axis().y(y_begin() + j); }
   int y_begin() const { return y_ranges_[rank_]; }
   int y_count() const { return y_ranges_[rank_ + 1] - y_ranges_[rank_]; }
   /// First row of every process, and their number.
   std::span<const int> y_ranges() const { return y_ranges_; }
   int local_size() const { return nx() * y_count(); }
-  bool is_boundary(int i, int j) const { return i == 0 || i == nx() - 1 || y_begin() + j == rows() - 1; }
+  bool is_boundary(int i, int j) const { return i == 0 || i == nx() - 1 || row_axis().is_ambient(y_begin() + j); }
+  /// The local rows in which P is an unknown.
+  RowRange inner_rows() const {
+    const RowRange inner = row_axis().inner({y_begin(), y_begin() + y_count()});
+    return {inner.begin - y_begin(), inner.end - y_begin()};
+  }
+  /// Weights of the own rows in integrals over the whole domain [a] (RowAxis::weight).
+  std::span<const double> row_weights() const { return row_weights_; }
+  /// The local row in which fields are mirrored, or -1 where this process has none.
+  int mirror_row() const { return local_row(row_axis().mirror_row()); }
   /// Local row of the global row, or -1 where another process owns it.
   int local_row(int global_row) const {
     return global_row >= y_begin() && global_row < y_begin() + y_count() ? global_row - y_begin() : -1;
@@ -77,7 +90,7 @@ public:
   /// A PETSc vector laid out like compact fields.
   OwnedVec create_vec() const;
 
-  /// True when every second node, those on Y = 0 among them, is a grid of at least 5 x 3 nodes again.
+  /// True when every second node, those on the edges among them, is a grid of at least 5 x 3 nodes again.
   bool can_coarsen(Coarsening along = Coarsening::both) const;
   /// Rows that the process with the fewest would own on the coarsened grid.
   int fewest_coarse_rows() const;
@@ -93,8 +106,8 @@ private:
   int rank_ = 0;
   GridShape shape_;
   double h_x_;
-  double h_y_;
   std::vector<int> y_ranges_;
+  std::vector<double> row_weights_;
   std::shared_ptr<const OwnedDM> nodes_;
 };
 

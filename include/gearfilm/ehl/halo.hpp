@@ -1,4 +1,4 @@
-// Exchange of the ghost rows of a Field between neighbouring processes, and their mirror image across Y = 0.
+// Exchange of the ghost rows of a Field between neighbouring processes, and their mirror image in a row of symmetry.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ public:
   void exchange(Field<Real>& first, More&... more) const {
     const std::array<Field<Real>*, 1 + sizeof...(More)> fields{&first, &more...};
     if (!neighbours_.empty()) travel<Real>(fields);
-    if (first_) reflect<Real>(fields);
+    if (mirror_row_ >= 0) reflect<Real>(fields);
   }
 
 private:
@@ -47,14 +47,14 @@ private:
   void travel(std::span<Field<Real>* const> fields) const;
 
   template <class Real>
-  static void reflect(std::span<Field<Real>* const> fields) {
+  void reflect(std::span<Field<Real>* const> fields) const {
     for (Field<Real>* field : fields) {
-      for (int i = 0; i < field->nx(); ++i) field->row(i)[-1] = field->row(i)[1];
+      for (int i = 0; i < field->nx(); ++i) field->row(i)[mirror_row_ - 1] = field->row(i)[mirror_row_ + 1];
     }
   }
 
   MPI_Comm comm_;
-  bool first_;  ///< holds row 0
+  int mirror_row_;  ///< of this process, or -1
   std::vector<Neighbour> neighbours_;
 };
 

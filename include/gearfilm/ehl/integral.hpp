@@ -8,8 +8,8 @@
 
 namespace gearfilm {
 
-/// h_x h_y times the sum of the values of this process, those of the others, and their mirror images: the own
-/// nodes of one field, compact. Collective.
+/// Of the compact own nodes of one field: the sum of the values, each times h_x and the weight of its row, over all
+/// processes. Collective.
 double integral(const Grid& grid, std::span<const double> values);
 /// The same of each of some fields, one after the other.
 std::vector<double> integrals(const Grid& grid, std::span<const double> values, std::size_t fields);

@@ -1,4 +1,4 @@
-// Transforms in x of the own rows of a field at Y >= 0, for a convolution (deformation.hpp).
+// Transforms in x of the own rows of a field, for a convolution (deformation.hpp).
 //
 // Zero-padded. Two rows are transformed as one complex row, which FFTW does with vector instructions and two real ones
 // it does not:
@@ -23,7 +23,7 @@ public:
   /// Wave numbers 0, 1, ... of real rows.
   int waves() const { return length_ / 2 + 1; }
 
-  /// Of a field that is its own mirror image in Y = 0: the row at Y = 0 counts half. What it has at the boundary, where
+  /// A row of symmetry counts half, for it coincides with its mirror image. What the field has at the boundary, where
   /// it is to be zero, is not read.
   void transform(const Field<Real>& field);
   /// Of rows that are even in x: value(i, j) at a distance of i lines in the own row j.
@@ -54,9 +54,9 @@ private:
 
   int nx_;
   int own_rows_;
-  bool first_;  ///< has the row at Y = 0
-  bool last_;   ///< has the row at the boundary
-  int pairs_;   ///< of own rows; the last row may be alone, the last pair empty
+  RowRange inner_;  ///< own rows that are not at the boundary
+  int mirror_row_;  ///< own row of symmetry, or -1
+  int pairs_;       ///< of own rows; the last row may be alone, the last pair empty
   int length_;
   fftw::Buffer<Complex> lines_;  ///< [length][pairs], transformed in place; padded from nx - 1 on
   fftw::Plan<Real> forward_, backward_;

@@ -1,7 +1,7 @@
 // Few rows: the convolution in y as sums over rows, wave number by wave number in x.
 //
-// K is even, and so its transforms in x are real: with q the rows at Y >= 0 (deformation.hpp)
-//   D(j) = sum_l G(j, l) q(l) ,  G(j, l) = K(j-l) + K(j+l)
+// K is even, and so its transforms in x are real: with q the stored rows (deformation.hpp)
+//   D(j) = sum_l G(j, l) q(l) ,  G(j, l) = K(j-l) + K(j+l)     the second term where rows are mirrored in the first one
 // is a product of a real matrix and a complex vector, without padding. Transforms in y cost less only where there are
 // many rows.
 //
@@ -28,7 +28,7 @@ public:
 
 private:
   using Complex = std::complex<Real>;
-  void fill_matrix(const Influence& kernel, RowSpectra<Real>& spectra);
+  void fill_matrix(const RowAxis& rows, const Influence& kernel, RowSpectra<Real>& spectra);
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;
   /// Sums as the complex values of rows.
@@ -47,7 +47,7 @@ private:
   MPI_Comm comm_;
   int rank_;
   int waves_;
-  int sources_;  ///< rows that deform: all but that at the boundary
+  int sources_;  ///< rows that may deform: all but the last, where P = 0
   int width_;    ///< own rows, and some more to fill vectors
   std::vector<int> y_ranges_;
   int pieces_;

@@ -1,7 +1,8 @@
 // Many rows: the convolution in y by transforms of padded lines.
 //
-// With q the rows at Y >= 0, both sums of a deformation (deformation.hpp) come from transforms of half the length, q^
-// in y:  W(n) q^(n) + V(n) q^(-n) , W and V being the transforms of K at the distances -M..M and 0..2M-1 of M rows.
+// With q the stored rows, both sums of a deformation (deformation.hpp) come from transforms of rows padded to twice
+// their number, q^ in y:  W(n) q^(n) + V(n) q^(-n) , W and V being the transforms of K at the distances -M..M and
+// 0..2M-1 of M rows. Rows that are not mirrored have no V.
 //
 // Among processes what the rows have is transposed, and back: then each has all rows at some wave numbers. A few of
 // these at a time are transformed, so that what is padded in y is neither communicated nor stored as a whole.
@@ -55,7 +56,9 @@ private:
 
   MPI_Comm comm_;
   int rank_;
-  int rows_;  ///< of all processes
+  int rows_;     ///< of all processes
+  int sources_;  ///< rows that may deform: all but the last, where P = 0
+  bool mirrored_;
   int own_rows_;
   int row_begin_;
   int length_;                    ///< of the padded lines in y
@@ -70,7 +73,7 @@ private:
   fftw::Buffer<Complex> waves_;      ///< its transform, and the result's back in place
   // [own wave numbers][length/2 + 1], with the factor of the inverse transforms.
   std::vector<Real> kernel_;            ///< W, real and even since K is
-  std::vector<Complex> mirror_kernel_;  ///< V
+  std::vector<Complex> mirror_kernel_;  ///< V; empty where rows are not mirrored
   fftw::Plan<Real> forward_, backward_;
 };
 
