@@ -46,7 +46,7 @@ Position steady_position(const Case& problem) {
   }
   if (!problem.pair.line) {
     const double u_m = problem.scales.operation.entrainment_velocity;
-    position.contact.sliding = problem.parameters.real("contact.sliding_velocity") / u_m;
+    position.contact.conditions.sliding = problem.parameters.real("contact.sliding_velocity") / u_m;
   }
   position.solids = solids_of(problem.scales, position.contact.conditions);
   position.operation = problem.scales.operation;
@@ -250,7 +250,7 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
   FilmOnGrid solved;
   solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem.scales), problem.scales,
                                               problem.numerics.solver.multigrid);
-  solved.film->set_conditions(position.contact.conditions);
+  move_surfaces(*solved.film, position.contact.conditions);
   const LoadCondition load =
       LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance);
   solved.result =

@@ -103,7 +103,7 @@ void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
 }
 
 void LubricatedPair::place(double T) {
-  for (std::size_t k = 0; k < films_.size(); ++k) films_[k]->set_conditions(mesh_.contact(numbers_[k], T).conditions);
+  for (std::size_t k = 0; k < films_.size(); ++k) move_surfaces(*films_[k], mesh_.contact(numbers_[k], T).conditions);
   FilmSystem::OpposingForce back_flanks;
   if (mesh_.teeth.backlash()) {
     back_flanks = [this, T](double H0) {

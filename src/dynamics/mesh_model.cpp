@@ -10,20 +10,20 @@ MeshedContact meshed_contact(const LineOfAction& line, const Scales& scales, dou
   const double u_m = scales.operation.entrainment_velocity;
   return {.position = xi,
           .conditions = {.relative_radius = line.radius_x(inside) / scales.solids.radius_x,
-                         .entrainment = line.entrainment_velocity(inside, pinion_speed) / u_m},
-          .sliding = line.sliding_velocity(xi, pinion_speed) / u_m};
+                         .entrainment = line.entrainment_velocity(inside, pinion_speed) / u_m,
+                         .sliding = line.sliding_velocity(xi, pinion_speed) / u_m}};
 }
 
 SurfaceVelocities velocities_of(const Scales& scales, const MeshedContact& contact) {
   const double u_m = scales.operation.entrainment_velocity;
-  return {.mean = u_m * contact.conditions.entrainment, .sliding = u_m * contact.sliding};
+  return {.mean = u_m * contact.conditions.entrainment, .sliding = u_m * contact.conditions.sliding};
 }
 
 MeshedContact MeshModel::contact(int number, double T) const {
   MeshedContact contact = contact_at(number, path.position(number, T));
   const double speed = path.course().speed(T);
   contact.conditions.entrainment *= speed;
-  contact.sliding *= speed;
+  contact.conditions.sliding *= speed;
   return contact;
 }
 

@@ -35,7 +35,7 @@ std::vector<double> MeshedFilms::displacements() const {
 std::vector<ContactFilm*> MeshedFilms::present_films() const {
   std::vector<ContactFilm*> films;
   for (const LiveContact& contact : contacts_) {
-    contact.film->set_conditions(mesh_.contact(contact.number, T_).conditions);
+    move_surfaces(*contact.film, mesh_.contact(contact.number, T_).conditions);
     films.push_back(contact.film);
   }
   return films;
@@ -135,7 +135,7 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
   const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(own));
   for (;;) {
     ContactFilm* film = free_film();
-    film->set_conditions(mesh_.contact(number, T_).conditions);
+    move_surfaces(*film, mesh_.contact(number, T_).conditions);
     StationaryResult entered =
         located(label(number) + ", entering", [&] { return entering_.solve(*film, load, options_.films); });
     const Room needed = needed_room(number, entered.figures.pressure_integral);
@@ -167,7 +167,7 @@ void MeshedFilms::balance_at_rest() {
   motion_ = {};
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     ContactFilm* film = free_film();
-    film->set_conditions(mesh_.contact(numbers[k], T_).conditions);
+    move_surfaces(*film, mesh_.contact(numbers[k], T_).conditions);
     const bool carries = dry_forces[k] > 0.01 * force;
     const LoadCondition load =
         carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
@@ -279,7 +279,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
     for (std::size_t k = 0; k < films.size(); ++k) {
       ContactConditions conditions = films[k]->conditions();
       conditions.gap_offset += part * held_back[k];
-      films[k]->set_conditions(conditions);
+      move_surfaces(*films[k], conditions);
     }
     FilmSolution moved{values(field::pressure), motion_.H0};
     if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;

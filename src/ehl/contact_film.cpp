@@ -26,18 +26,20 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       grid_(discretisation_->grid()),
       deformation_(discretisation_->deformation<double>()),
       scales_(scales),
+      surfaces_(surfaces_of(grid_, scales, {})),
       properties_(scales),
       state_(grid_),
       options_(options),
       longest_step_(longest_level_step(scales)),
       as_ordered_(make_linearised_film(*discretisation_, options, longest_step_)),
       displacement_column_(grid_.local_size()),
+      smallest_scales_(grid_.y_count()),
       weights_(displacement_column_.size()),
       conductance_(displacement_column_.size()) {}
 
-void ContactFilm::set_conditions(const ContactConditions& conditions) {
-  if (conditions == conditions_) return;
-  conditions_ = conditions;
+void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
+  surfaces_ = std::move(surfaces);
+  set_entrained();
   evaluated_ = false;
 }
 
@@ -45,12 +47,22 @@ void ContactFilm::set_correction(FlowCorrection correction) {
   correction_ = std::move(correction);
   state_.isotropic = !correction_.sheared;
   if (correction_.empty()) {
-    state_.entrained.fill(1.0);
     state_.across.fill(1.0);
   } else {
     state_.across.load(correction_.across);
   }
+  set_entrained();
   evaluated_ = false;
+}
+
+void ContactFilm::set_entrained() {
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* entrained = state_.entrained.row(i);
+    std::ranges::copy(surfaces_.entrainment, entrained);
+    if (correction_.empty()) continue;
+    const double* wedge = correction_.wedge.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) entrained[j] += wedge[j];
+  }
 }
 
 // The processes must agree, since an evaluation is collective.
@@ -71,18 +83,8 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     double* thickness = state_.thickness.row(i);
-    const double x = grid_.x(i);
-    const double gap = H0 + conditions_.gap_offset + 0.5 * x * x / conditions_.relative_radius +
-                       conditions_.local(x * scales_.length) / scales_.thickness;
-    for (int j = 0; j < grid_.y_count(); ++j) {
-      const double y = grid_.y(j);
-      thickness[j] += gap + 0.5 * scales_.radius_ratio * y * y;
-    }
-  }
-  for (int i = 0; i < grid_.nx() && !correction_.empty(); ++i) {
-    double* entrained = state_.entrained.row(i);
-    const double* wedge = correction_.wedge.data() + static_cast<std::size_t>(i) * grid_.y_count();
-    for (int j = 0; j < grid_.y_count(); ++j) entrained[j] = 1.0 + wedge[j] / conditions_.entrainment;
+    const double* gap = surfaces_.gap.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) thickness[j] += H0 + gap[j];
   }
   properties_.evaluate(state_, correction_);
   exchange_ghosts(discretisation_->halo(), state_);
@@ -95,7 +97,7 @@ void ContactFilm::residual(std::span<const double> pressure, double H0, const Sq
                            std::span<double> rows) {
   evaluate(pressure, H0);
   at_linearised_ = false;
-  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, rows);
+  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, rows);
 }
 
 void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass) {
@@ -112,7 +114,7 @@ void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<do
 // this ratio to the wedge Newton's method fails where pressures change fast.
 LinearisedFilm& ContactFilm::linearisation_for(double shift) {
   constexpr double stiff = 8.0;
-  if (options_.precision == Precision::double_precision || shift * grid_.h_x() < stiff * conditions_.entrainment) {
+  if (options_.precision == Precision::double_precision || shift * grid_.h_x() < stiff * conditions().entrainment) {
     return *as_ordered_;
   }
   if (!for_stiff_) {
@@ -125,18 +127,19 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift) {
   evaluate(pressure, H0);
-  reynolds_residual(grid_, conditions_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
+  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
   linearised_ = &linearisation_for(shift);
-  linearised_->update(state_, conditions_.entrainment, shift);
+  linearised_->update(state_, shift);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
-  smallest_scale_ = ReynoldsWeights(grid_, conditions_.entrainment, shift).row_scale(0.0);
+  const ReynoldsWeights scale_weights(grid_, surfaces_.entrainment, shift);
+  for (int j = 0; j < grid_.y_count(); ++j) smallest_scales_[j] = scale_weights.row_scale(j, 0.0);
   for (int i = 0; i < grid_.nx(); ++i) {
     const double *scale = state_.row_scale.row(i), *conductance = state_.conductance.row(i);
     const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
     float *weight = weights_.data() + first, *kept = conductance_.data() + first;
     for (int j = 0; j < grid_.y_count(); ++j) {
-      weight[j] = static_cast<float>(smallest_scale_ / std::max(scale[j], smallest_scale_));
+      weight[j] = static_cast<float>(smallest_scales_[j] / std::max(scale[j], smallest_scales_[j]));
       kept[j] = static_cast<float>(conductance[j]);
     }
   }
@@ -183,7 +186,7 @@ bool ContactFilm::ease(std::span<double> change, std::span<const double> whole, 
     for (int j = 0; j < grid_.y_count(); ++j) {
       const std::size_t n = static_cast<std::size_t>(i) * grid_.y_count() + j;
       if (change[n] <= 0.0 || conductance_[n] <= 0.0F) continue;  // pressures fall by positive changes
-      const Overshoot node{.expected = smallest_scale_ / weights_[n] * whole[n],
+      const Overshoot node{.expected = smallest_scales_[j] / weights_[n] * whole[n],
                            .taken = change[n] / whole[n],
                            .before = before[n],
                            .after = after[n],

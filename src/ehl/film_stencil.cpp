@@ -6,7 +6,7 @@
 namespace gearfilm {
 namespace {
 
-/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: of the wedge, before its correction, and of the
+/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: of the wedge, to be multiplied by U + W, and of the
 /// squeeze term.
 template <class Shift>
 struct MassWeights {
@@ -60,12 +60,13 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
     u[n] = linear.by_thickness[n].row(i);
   }
   const int count = state.thickness.y_count();
-  const double x_weight = weights.inverse_h_x2, y_weight = weights.inverse_h_y2;
+  const double x_weight = weights.inverse_h_x2;
+  const double *south_weight = weights.south.data(), *north_weight = weights.north.data();
   // The lines of state and stencil are different memory.
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const Face to_west(c, w, j, x_weight), to_east(c, e, j, x_weight);
-    const Face to_south(c, j, j - 1, y_weight), to_north(c, j, j + 1, y_weight);
+    const Face to_south(c, j, j - 1, south_weight[j]), to_north(c, j, j + 1, north_weight[j]);
     const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
     const double slopes =
         to_west.half_slope + to_east.half_slope + c.across[j] * (to_south.half_slope + to_north.half_slope);
@@ -102,11 +103,10 @@ void linearise_edge(const FilmState& state, int i, FilmStencil<Real>& linear) {
 }  // namespace
 
 template <class Real>
-void linearise(const Grid& grid, double entrainment, ShiftOf<Real> shift, const FilmState& state,
-               FilmStencil<Real>& linear) {
+void linearise(const Grid& grid, ShiftOf<Real> shift, const FilmState& state, FilmStencil<Real>& linear) {
   const ScopedEvent event(Kernel::linearise);
-  const ReynoldsWeights weights(grid, entrainment);
-  const double wedge = weights.wedge;
+  const ReynoldsWeights weights(grid, {});
+  const double wedge = weights.inverse_h_x;
   linearise_edge(state, 0, linear);
   for (int i = 1; i < grid.nx() - 1; ++i) {
     const MassWeights<ShiftOf<Real>> mass =
@@ -178,10 +178,9 @@ void displacement_column(const FilmStencil<Real>& linear, std::span<double> colu
   }
 }
 
-template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<float>&);
-template void linearise(const Grid&, double, double, const FilmState&, FilmStencil<double>&);
-template void linearise(const Grid&, double, std::complex<double>, const FilmState&,
-                        FilmStencil<std::complex<double>>&);
+template void linearise(const Grid&, double, const FilmState&, FilmStencil<float>&);
+template void linearise(const Grid&, double, const FilmState&, FilmStencil<double>&);
+template void linearise(const Grid&, std::complex<double>, const FilmState&, FilmStencil<std::complex<double>>&);
 template void displacement_column(const FilmStencil<float>&, std::span<double>);
 template void displacement_column(const FilmStencil<double>&, std::span<double>);
 template void apply_stencil(const FilmStencil<float>&, const Field<float>&, const Field<float>&, Field<float>&);

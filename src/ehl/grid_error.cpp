@@ -48,7 +48,7 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   const double step = film.grid().h_x();
   if (!couple && result.before && fine.before() == coarser) return errors_between(result.figures, *result.before, step);
   ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
-  coarse.set_conditions(film.conditions());
+  coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
   try {
     const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
     return errors_between(result.figures, couple ? couple(coarse, alone).figures : alone.figures, step);

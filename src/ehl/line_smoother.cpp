@@ -101,13 +101,16 @@ void LineSmoother<Real>::assemble_diagonal(const FilmStencil<Real>& linear, int 
 }
 
 template <class Real>
-void LineSmoother<Real>::add_distant_deformation(const FilmState& state, double entrainment, int i) {
-  const double weight = distant_share * entrainment * long_wave_deformation_;
+void LineSmoother<Real>::add_distant_deformation(const FilmState& state, int i) {
+  const double weight = distant_share * long_wave_deformation_;
   const double* __restrict density = state.density.row(i);
+  const double* __restrict entrained = state.entrained.row(i);
   const Part* __restrict wet = wet_.row(i);
   const Part* __restrict distributive = distributive_.row(i);
   Real* __restrict entry = band(i, 0);
-  for (int j = 0; j < rows_; ++j) entry[j] += static_cast<Part>(weight * density[j]) * (wet[j] - distributive[j]);
+  for (int j = 0; j < rows_; ++j) {
+    entry[j] += static_cast<Part>(weight * std::abs(entrained[j]) * density[j]) * (wet[j] - distributive[j]);
+  }
 }
 
 template <class Real>
@@ -117,13 +120,12 @@ void LineSmoother<Real>::assemble_line(const FilmStencil<Real>& linear, int i, s
 }
 
 template <class Real>
-void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment,
-                                double oscillation) {
+void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation) {
   const ScopedEvent event(Kernel::smoother_factor);
   choose_unknowns(state, oscillation);
   for (int i = 1; i < nx_ - 1; ++i) {
     assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
-    add_distant_deformation(state, entrainment, i);
+    add_distant_deformation(state, i);
   }
   factor_bands();
 }

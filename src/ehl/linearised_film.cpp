@@ -29,9 +29,7 @@ public:
     build_cycle();
   }
 
-  void update(const FilmState& state, double entrainment, double shift) override {
-    update_from(0, state, entrainment, shift);
-  }
+  void update(const FilmState& state, double shift) override { update_from(0, state, shift); }
 
   void apply(std::span<const double> residual, std::span<double> change) override {
     petsc_check(VecPlaceArray(right_side_, residual.data()));
@@ -69,8 +67,8 @@ private:
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
   /// This level and all coarser ones, which see the state injected.
-  void update_from(std::size_t level, const FilmState& state, double entrainment, double shift);
-  void update_gathered(const FilmState& state, double entrainment, double shift);
+  void update_from(std::size_t level, const FilmState& state, double shift);
+  void update_gathered(const FilmState& state, double shift);
   OwnedMat level_operator(Shell& shell) const;
   OwnedMat transfer(Shell& shell, bool interpolation) const;
 
@@ -282,19 +280,18 @@ void FilmMultigrid<Real>::build_cycle() {
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double entrainment, double shift) {
-  levels_[level]->update(state, entrainment, shift);
+void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double shift) {
+  levels_[level]->update(state, shift);
   if (level + 1 < levels_.size()) {
     const Discretisation& coarser = levels_[level + 1]->discretisation();
-    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), entrainment,
-                shift);
+    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), shift);
   } else if (whole_) {
-    update_gathered(state, entrainment, shift);
+    update_gathered(state, shift);
   }
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_gathered(const FilmState& state, double entrainment, double shift) {
+void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) {
   const Discretisation& everywhere = *levels_.back()->discretisation().whole();
   FilmState whole_state(everywhere.grid());
   std::vector<double> own(levels_.back()->grid().local_size());
@@ -306,7 +303,7 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double entrain
   }
   whole_state.isotropic = state.isotropic;
   exchange_ghosts(everywhere.halo(), whole_state);
-  whole_->update(whole_state, entrainment, shift);
+  whole_->update(whole_state, shift);
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ MultigridLevel<Real>::MultigridLevel(const Discretisation& discretisation)
       rows_(grid()) {}
 
 template <class Real>
-void MultigridLevel<Real>::update(const FilmState& state, double entrainment, double shift) {
-  linearise(grid(), entrainment, shift, state, linear_);
-  smoother_.factor(linear_, state, entrainment);
+void MultigridLevel<Real>::update(const FilmState& state, double shift) {
+  linearise(grid(), shift, state, linear_);
+  smoother_.factor(linear_, state);
 }
 
 template <class Real>

@@ -50,9 +50,9 @@ OscillatingFilm::OscillatingFilm(const Discretisation& discretisation)
 
 OscillatingFilm::~OscillatingFilm() = default;
 
-void OscillatingFilm::update(const FilmState& state, double entrainment, std::complex<double> s) {
-  linearise(discretisation_.grid(), entrainment, s, state, work_->linear);
-  work_->smoother.factor(work_->linear, state, entrainment, std::abs(s));
+void OscillatingFilm::update(const FilmState& state, std::complex<double> s) {
+  linearise(discretisation_.grid(), s, state, work_->linear);
+  work_->smoother.factor(work_->linear, state, std::abs(s));
 }
 
 void OscillatingFilm::multiply(std::span<const double> change, std::span<double> rows) {

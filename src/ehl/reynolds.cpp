@@ -10,16 +10,16 @@ namespace gearfilm {
 namespace {
 
 /// Wedge d(rho H (U + W))/dX of line i in upwind differences.
-void add_wedge(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
+void add_wedge(const FilmState& state, double inverse_h_x, int i, double* line) {
   const auto mass = [&](int n, int j) {
     return state.density.row(n)[j] * state.thickness.row(n)[j] * state.entrained.row(n)[j];
   };
   const int rows = state.thickness.y_count();
   if (i == 1) {
-    for (int j = 0; j < rows; ++j) line[j] += weights.wedge * (mass(i, j) - mass(i - 1, j));
+    for (int j = 0; j < rows; ++j) line[j] += inverse_h_x * (mass(i, j) - mass(i - 1, j));
   } else {
     for (int j = 0; j < rows; ++j) {
-      line[j] += weights.wedge * (1.5 * mass(i, j) - 2.0 * mass(i - 1, j) + 0.5 * mass(i - 2, j));
+      line[j] += inverse_h_x * (1.5 * mass(i, j) - 2.0 * mass(i - 1, j) + 0.5 * mass(i - 2, j));
     }
   }
 }
@@ -33,13 +33,14 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   const double* xi_west = state.conductance.row(i - 1);
   const double* xi_east = state.conductance.row(i + 1);
   const double* across = state.across.row(i);
+  const double *to_south = weights.south.data(), *to_north = weights.north.data();
   const auto xi_y = [&](int j) { return across[j] * xi[j]; };
   for (int j = 0; j < state.thickness.y_count(); ++j) {
     const double east = 0.5 * (xi[j] + xi_east[j]) * (p_east[j] - p[j]);
     const double west = 0.5 * (xi[j] + xi_west[j]) * (p[j] - p_west[j]);
     const double north = 0.5 * (xi_y(j) + xi_y(j + 1)) * (p[j + 1] - p[j]);
     const double south = 0.5 * (xi_y(j) + xi_y(j - 1)) * (p[j] - p[j - 1]);
-    line[j] -= weights.inverse_h_x2 * (east - west) + weights.inverse_h_y2 * (north - south);
+    line[j] -= weights.inverse_h_x2 * (east - west) + (to_north[j] * north - to_south[j] * south);
   }
 }
 
@@ -71,7 +72,18 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
 
 }  // namespace
 
-void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, const Squeeze& squeeze,
+ReynoldsWeights::ReynoldsWeights(const Grid& grid, std::span<const double> entrainment, double scheme_shift)
+    : inverse_h_x(1.0 / grid.h_x()), inverse_h_x2(inverse_h_x * inverse_h_x), U(entrainment), shift(scheme_shift) {
+  for (int j = 0; j < grid.y_count(); ++j) {
+    const double before = grid.row_axis().step(grid.y_begin() + j - 1),
+                 after = grid.row_axis().step(grid.y_begin() + j);
+    const double width = 0.5 * (before + after);
+    south.push_back(1.0 / (width * before));
+    north.push_back(1.0 / (width * after));
+  }
+}
+
+void reynolds_residual(const Grid& grid, std::span<const double> entrainment, FilmState& state, const Squeeze& squeeze,
                        std::span<double> residual) {
   const ScopedEvent event(Kernel::residual);
   const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
@@ -90,13 +102,13 @@ void reynolds_residual(const Grid& grid, double entrainment, FilmState& state, c
       if (!squeeze.rate.empty()) {
         std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, line.begin());
       }
-      add_wedge(state, weights, i, line.data());
+      add_wedge(state, weights.inverse_h_x, i, line.data());
       add_poiseuille(state, weights, i, line.data());
     }
     const double inside = interior ? 1.0 : 0.0, *found = line.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
-      const double row_scale = weights.row_scale(conductance[j]);
+      const double row_scale = weights.row_scale(j, conductance[j]);
       scale[j] = row_scale;
       wet[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
       out[j] = found[j];

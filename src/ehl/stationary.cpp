@@ -72,6 +72,17 @@ FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
   return guess;
 }
 
+/// The film's surfaces on coarser and coarser grids.
+std::vector<ContactSurfaces> surfaces_on(const std::vector<SharedDiscretisation>& coarser, const ContactFilm& film) {
+  std::vector<ContactSurfaces> surfaces;
+  const Grid* finer = &film.grid();
+  for (const SharedDiscretisation& next : coarser) {
+    surfaces.push_back(injected_surfaces(*finer, next->grid(), surfaces.empty() ? film.surfaces() : surfaces.back()));
+    finer = &next->grid();
+  }
+  return surfaces;
+}
+
 FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const FilmSolution& coarse) {
   Field<double> values(coarse_grid), interpolated(fine_grid);
   values.load(coarse.pressure);
@@ -112,12 +123,13 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
   }
 
   StationaryResult result;
+  const std::vector<ContactSurfaces> surfaces = surfaces_on(coarser, film);
   const Grid* before = nullptr;
   for (std::size_t n = coarser.size() + 1; n-- > 0;) {
     std::unique_ptr<ContactFilm> coarse_film;
     if (n > 0) {
       coarse_film = std::make_unique<ContactFilm>(coarser[n - 1], film.scales(), options.multigrid);
-      coarse_film->set_conditions(film.conditions());
+      coarse_film->set_surfaces(surfaces[n - 1]);
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton({&present}, options.newton);

@@ -19,12 +19,16 @@ struct Weighting {
   Real side, centre;
 };
 
-/// Local fine row at the same place as the local coarse row J.
+/// Local fine row at the place of the local coarse row J.
 int same_row(const Grid& fine_grid, const Grid& coarse_grid, int ratio, int J) {
   return ratio * (coarse_grid.y_begin() + J) - fine_grid.y_begin();
 }
 
 }  // namespace
+
+int injected_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
+  return same_row(fine_grid, coarse_grid, Ratio(fine_grid, coarse_grid).y, J);
+}
 
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,

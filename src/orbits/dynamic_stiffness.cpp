@@ -39,7 +39,7 @@ public:
         mass_(size_),
         oscillating_(*film.discretisation()) {
     film_.linearise(pressure, H0, {}, std::max(0.0, s.real() + s.imag()));
-    oscillating_.update(film_.state(), film_.conditions().entrainment, s);
+    oscillating_.update(film_.state(), s);
   }
 
   MPI_Comm comm() const override { return film_.grid().comm(); }

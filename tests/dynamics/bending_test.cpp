@@ -72,7 +72,7 @@ TEST(BendingFilms, at_rest_carry_the_static_force_each_at_its_own_displacement) 
   for (std::size_t k = 0; k < 2; ++k) {
     const double displaced = state.motion.H0 + compliance(k, 0) * forces[0] + compliance(k, 1) * forces[1];
     ContactFilm film(march.discretisation(), march.problem().scales, march.problem().numerics.solver.multigrid);
-    film.set_conditions(march.mesh().contact(numbers[k], 0.0).conditions);
+    move_surfaces(film, march.mesh().contact(numbers[k], 0.0).conditions);
     const StationaryResult alone =
         solve_stationary(film, LoadCondition::displacement(displaced), march.problem().numerics.solver);
     EXPECT_NEAR(alone.figures.pressure_integral, forces[k], 1e-5 * forces[k]);

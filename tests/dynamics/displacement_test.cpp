@@ -35,7 +35,7 @@ protected:
   /// A contact at its place of now, with a film that knows nothing of the march's.
   ContactFilm film_of(std::size_t contact) {
     ContactFilm film(march.discretisation(), march.problem().scales, march.problem().numerics.solver.multigrid);
-    film.set_conditions(march.mesh().contact(march.march().contacts()[contact].number, T).conditions);
+    move_surfaces(film, march.mesh().contact(march.march().contacts()[contact].number, T).conditions);
     return film;
   }
 

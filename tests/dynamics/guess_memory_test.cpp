@@ -56,7 +56,7 @@ TEST(Guesses, the_film_that_entered_last_is_one_for_another_that_lies_near) {
   const Case problem = table3_case(after_leaving());
   const MeshModel mesh = mesh_of(problem);
   ContactFilm film(discretise(PETSC_COMM_WORLD, problem), problem.scales, MultigridOptions{});
-  film.set_conditions(mesh.contact(0, 0.0).conditions);
+  move_surfaces(film, mesh.contact(0, 0.0).conditions);
   const double H0 = problem.march.start_motion->H0;
   const auto at = [](double displacement) { return LoadCondition::displacement(displacement); };
   EnteringFilm entering;

@@ -72,9 +72,9 @@ protected:
       std::size_t n = 0;
       for (std::size_t k = 0; k < steps.last.numbers.size(); ++k) {
         const ContactFilm& film = system.film(k);
-        const ReynoldsWeights weights(grid, film.conditions().entrainment);
+        const ReynoldsWeights weights(grid, film.surfaces().entrainment);
         for (int i = 0; i < grid.nx(); ++i) {
-          for (int j = 0; j < grid.y_count(); ++j) values[n++] /= weights.row_scale(conductance[k].row(i)[j]);
+          for (int j = 0; j < grid.y_count(); ++j) values[n++] /= weights.row_scale(j, conductance[k].row(i)[j]);
         }
       }
     }

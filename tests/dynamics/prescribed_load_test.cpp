@@ -74,7 +74,7 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
           return off(a) < off(b);
         });
     const ContactFigures& marched = record.contacts.front().figures;
-    film.set_conditions(contact.mesh().contact(0, record.T).conditions);
+    move_surfaces(film, contact.mesh().contact(0, record.T).conditions);
     const StationaryResult still = solve_stationary(
         film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
         contact.problem().numerics.solver);

@@ -41,7 +41,7 @@ TEST(ThermalMarch, keeps_to_stationary_films_and_hardly_depends_on_the_step) {
   const LiveContact& live = march.march().contacts().front();
   const MeshedContact contact = march.mesh().contact(live.number, march.march().T());
   ContactFilm film(march.discretisation(), march.mesh().scales, {});
-  film.set_conditions(contact.conditions);
+  move_surfaces(film, contact.conditions);
   const LoadCondition load = LoadCondition::force(last_figures(march)["force"]);
   const CoupledFilm still =
       solve_coupled(film, load, {}, *march.mesh().traction, velocities_of(march.mesh().scales, contact),

@@ -75,6 +75,11 @@ void fill(const Grid& grid, Field<Real>& field, Function f) {
   }
 }
 
+/// The same value for every own row.
+inline std::vector<double> in_all_rows(const Grid& grid, double value) {
+  return std::vector<double>(static_cast<std::size_t>(grid.y_count()), value);
+}
+
 inline double maximum(double value) {
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
   return value;
@@ -125,7 +130,7 @@ inline FilmSolution film_away_from_pitch(int nx, int ny) {
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_SELF, pitch.shape(nx, ny));
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
-  film.set_conditions(away_from_pitch());
+  move_surfaces(film, away_from_pitch());
   FilmSolution solution =
       solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{}).solution;
   MPI_Bcast(solution.pressure.data(), static_cast<int>(solution.pressure.size()), MPI_DOUBLE, 0, PETSC_COMM_WORLD);

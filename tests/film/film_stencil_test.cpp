@@ -39,7 +39,7 @@ protected:
         rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.thickness.row(i)[j] - 1e4;
       }
     }
-    reynolds_residual(grid, entrainment, state, {rate}, residual);
+    reynolds_residual(grid, U, state, {rate}, residual);
     return residual;
   }
 
@@ -52,12 +52,14 @@ protected:
     }
     halo.exchange(v);
     halo.exchange(u);
+    state.entrained.fill(entrainment);
   }
 
   static constexpr double entrainment = 1.1;
   Grid grid{PETSC_COMM_WORLD, rectangle(17, 13, -1.5, 1.0, 1.2)};
   Halo halo{grid};
   FilmState state{grid};
+  const std::vector<double> U = in_all_rows(grid, entrainment);
   Field<double> v{grid}, u{grid}, rows{grid};
   FilmStencil<double> linear{grid};
 };
@@ -69,7 +71,7 @@ TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
     constexpr double step = 1e-5, tolerance = 1e-5;
     const auto more = residual_at(step, shift), less = residual_at(-step, shift);
     (void)residual_at(0.0, shift);
-    linearise(grid, entrainment, shift, state, linear);
+    linearise(grid, shift, state, linear);
     apply_stencil(linear, v, u, rows);
     double top = 0.0;
     for (int i = 1; i < grid.nx() - 1; ++i) {
@@ -87,14 +89,14 @@ TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
 TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
   set_state(0.0);
   std::vector<double> residual(grid.local_size());
-  reynolds_residual(grid, entrainment, state, {{}, 40.0}, residual);  // sets the scales
+  reynolds_residual(grid, U, state, {{}, 40.0}, residual);  // sets the scales
   state.wet.fill(0.0);
-  linearise(grid, entrainment, 3.0, state, linear);
+  linearise(grid, 3.0, state, linear);
   apply_stencil(linear, v, u, rows);
-  const ReynoldsWeights weights(grid, entrainment, 40.0);
+  const ReynoldsWeights weights(grid, U, 40.0);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      EXPECT_DOUBLE_EQ(rows.row(i)[j], weights.row_scale(state.conductance.row(i)[j]) * v.row(i)[j]);
+      EXPECT_DOUBLE_EQ(rows.row(i)[j], weights.row_scale(j, state.conductance.row(i)[j]) * v.row(i)[j]);
     }
   }
 }
@@ -102,8 +104,8 @@ TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
 TEST_F(LinearFilmRows, single_precision_is_the_rounded_double_one) {
   (void)residual_at(0.0, 3.0);
   FilmStencil<float> rounded(grid);
-  linearise(grid, entrainment, 3.0, state, linear);
-  linearise(grid, entrainment, 3.0, state, rounded);
+  linearise(grid, 3.0, state, linear);
+  linearise(grid, 3.0, state, rounded);
   for (int n = 0; n < neighbour_count; ++n) {
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {

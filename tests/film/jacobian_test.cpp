@@ -19,7 +19,7 @@ class Jacobian : public testing::TestWithParam<std::tuple<double, Direction>> {
 protected:
   Jacobian() {
     static const FilmSolution solution = film_away_from_pitch(65, 33);
-    film.set_conditions(away_from_pitch());
+    move_surfaces(film, away_from_pitch());
     pressure = own_part(grid, solution.pressure);
     H0 = solution.H0;
     film.mass(pressure, H0, mass_before);
@@ -49,10 +49,10 @@ protected:
     state.pressure = film.pressure();
     state.thickness = film.thickness();
     FilmProperties(contact.scales).evaluate(state);
-    const ReynoldsWeights weights(grid, film.conditions().entrainment);
+    const ReynoldsWeights weights(grid, film.surfaces().entrainment);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        row_scale[i * grid.y_count() + j] = weights.row_scale(state.conductance.row(i)[j]);
+        row_scale[i * grid.y_count() + j] = weights.row_scale(j, state.conductance.row(i)[j]);
       }
     }
   }

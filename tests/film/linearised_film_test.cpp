@@ -19,7 +19,7 @@ public:
   FilmOperator(MPI_Comm comm, const FilmSolution& solution, int nx, int ny, const MultigridOptions& options,
                double shift)
       : grid(comm, contact.shape(nx, ny)), film(discretise(grid, contact.scales), contact.scales, options) {
-    film.set_conditions(away_from_pitch());
+    move_surfaces(film, away_from_pitch());
     film.linearise(own_part(grid, solution.pressure), solution.H0, {}, shift);
   }
 

@@ -12,28 +12,29 @@ protected:
     // A film with cavitated nodes need not be converged for this.
     const FilmSolution solution = film_away_from_pitch(65, 33);
     ContactFilm film(discretisation, pitch.scales, MultigridOptions{});
-    film.set_conditions(away_from_pitch());
+    move_surfaces(film, away_from_pitch());
     std::vector<double> rows(grid.local_size());
     film.evaluate(own_part(grid, solution.pressure), solution.H0);
     state.pressure = film.pressure();
     state.thickness = film.thickness();
     FilmProperties(pitch.scales).evaluate(state);
     exchange_ghosts(Halo(grid), state);
-    reynolds_residual(grid, entrainment, state, {}, rows);
+    state.entrained.fill(entrainment);
+    reynolds_residual(grid, in_all_rows(grid, entrainment), state, {}, rows);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         if (!grid.is_boundary(i, j)) right_side[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);
       }
     }
-    fine.update(state, entrainment, shift);
+    fine.update(state, shift);
     const Discretisation& coarser = coarse.discretisation();
-    coarse.update(injected_state(grid, coarser.grid(), coarser.halo(), state), entrainment, shift);
+    coarse.update(injected_state(grid, coarser.grid(), coarser.halo(), state), shift);
   }
 
   /// The preconditioner's answer to the right side.
   std::vector<double> preconditioned(const MultigridOptions& options) {
     const auto preconditioner = make_linearised_film(*discretisation, options);
-    preconditioner->update(state, entrainment, shift);
+    preconditioner->update(state, shift);
     std::vector<double> change(grid.local_size());
     preconditioner->apply(right_side, change);
     return change;
@@ -80,7 +81,7 @@ TEST_F(Multigrid, two_levels_are_the_cycle_put_together_by_hand) {
 TEST_F(Multigrid, finest_operator_is_the_jacobian) {
   const FilmSolution solution = film_away_from_pitch(65, 33);
   ContactFilm film(discretisation, pitch.scales, MultigridOptions{.precision = Precision::double_precision});
-  film.set_conditions(away_from_pitch());
+  move_surfaces(film, away_from_pitch());
   std::vector<double> rows(grid.local_size()), expected(grid.local_size());
   film.linearise(own_part(grid, solution.pressure), solution.H0, {}, shift);
   film.multiply(right_side, 0.0, expected);

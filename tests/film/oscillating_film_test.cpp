@@ -30,7 +30,7 @@ struct FilmAtRest {
 class RelaxedFilm final : public LinearisedSystem {
 public:
   RelaxedFilm(FilmAtRest& rest, Complex s) : film_(rest.solved.film), oscillating_(*rest.solved.film.discretisation()) {
-    oscillating_.update(film_.state(), film_.conditions().entrainment, s);
+    oscillating_.update(film_.state(), s);
   }
 
   MPI_Comm comm() const override { return film_.grid().comm(); }
@@ -70,7 +70,7 @@ TEST(OscillatingFilm, is_the_linearised_film_at_a_complex_rate) {
   ContactFilm& film = rest.solved.film;
   const Complex s(-1.5, 20.0);
   OscillatingFilm oscillating(*film.discretisation());
-  oscillating.update(film.state(), film.conditions().entrainment, s);
+  oscillating.update(film.state(), s);
   const std::size_t size = film.grid().local_size();
   std::vector<double> change(2 * size), rows(2 * size), column(2 * size);
   for (std::size_t n = 0; n < 2 * size; ++n) change[n] = std::sin(0.7 * static_cast<double>(n));

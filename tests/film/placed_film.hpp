@@ -22,8 +22,8 @@ struct PlacedFilm {
     velocities = {.mean = line.entrainment_velocity(xi, table3::pinion_speed),
                   .sliding = line.sliding_velocity(xi, table3::pinion_speed)};
     film = std::make_unique<ContactFilm>(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
-    film->set_conditions(
-        {.relative_radius = line.radius_x(xi) / pitch.scales.solids.radius_x, .entrainment = velocities.mean / u_m});
+    move_surfaces(*film, {.relative_radius = line.radius_x(xi) / pitch.scales.solids.radius_x,
+                          .entrainment = velocities.mean / u_m});
     result = solve_stationary(*film, load, SolverOptions{});
   }
 
@@ -46,7 +46,7 @@ inline TractionModel heated(int points = 17) {
 /// |G(x + e v) - G(x) - e J v| falls like e^2 at a state of a film, with the film's corrections as they are.
 inline void expect_second_order(const ContactFilm& corrected, const FilmSolution& state) {
   ContactFilm film(corrected.discretisation(), corrected.scales(), {.precision = Precision::double_precision});
-  film.set_conditions(corrected.conditions());
+  move_surfaces(film, corrected.conditions());
   film.set_correction(corrected.correction());
   const std::vector<double>& pressure = state.pressure;
   std::vector<double> change(pressure), slope(pressure.size()), at_state(pressure.size());

@@ -93,7 +93,7 @@ private:
 
   /// At the state that was evaluated last, which is where Newton's method stands.
   void linearise() {
-    linearised_->update(film_.state(), film_.conditions().entrainment, step_.shift);
+    linearised_->update(film_.state(), step_.shift);
     linearised_->displacement_column(column_);
     linearised_->apply(column_, response_);
   }
@@ -146,16 +146,16 @@ TEST(StiffStep, has_products_in_double_precision_from_eight_times_the_wedge_on) 
   const FilmCase pitch = table3_pitch();
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
-  film.set_conditions(away_from_pitch());
+  move_surfaces(film, away_from_pitch());
   std::vector<double> pressure(grid.local_size()), product(grid.local_size());
   hertz_pressure(grid, pitch.scales, pitch.scales.hertz, pressure);
   const std::vector<double> still(grid.local_size(), 0.0);
   const auto exact = make_linearised_film(*film.discretisation(), {.precision = Precision::double_precision});
   const auto error_at = [&](double shift_over_wedge) {
-    const double entrainment = film.conditions().entrainment, shift = shift_over_wedge * entrainment / grid.h_x();
+    const double shift = shift_over_wedge * film.conditions().entrainment / grid.h_x();
     film.linearise(pressure, -pitch.scales.approach, {still, shift}, shift);
     film.multiply(pressure, 0.0, product);
-    exact->update(film.state(), entrainment, shift);
+    exact->update(film.state(), shift);
     std::vector<double> expected(product.size());
     exact->multiply(pressure, expected);
     return relative_difference(whole_of(grid, product), whole_of(grid, expected));

@@ -54,7 +54,8 @@ protected:
     FilmProperties(isoviscous_scales()).evaluate(state);
     exchange_ghosts(Halo(grid), state);
     std::vector<double> residual(grid.local_size());
-    reynolds_residual(grid, entrainment, state, {squeeze_rate}, residual);
+    state.entrained.fill(entrainment);
+    reynolds_residual(grid, in_all_rows(grid, entrainment), state, {squeeze_rate}, residual);
     return residual;
   }
 
@@ -174,7 +175,8 @@ TEST_F(Reynolds, opening_gap_without_pressure_is_cavitated) {
 TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
   constexpr double suction = 1e6;
   const std::vector<double> sucking(grid_.local_size(), -suction);
-  const ReynoldsWeights weights(grid_, entrainment);
+  const std::vector<double> U = in_all_rows(grid_, entrainment);
+  const ReynoldsWeights weights(grid_, U);
   const auto pressure = [&](double x, double y) { return std::sin(17.0 * x + 3.0) * std::sin(13.0 * y + 1.0); };
   const auto film = [](double x, double y) { return film_at(x, y).value; };
   const auto shifted = residual_of(grid_, state_, pressure, film, sucking);
@@ -185,7 +187,7 @@ TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
       if (grid_.is_boundary(i, j)) continue;
       const int n = i * grid_.y_count() + j;
       const double flow = shifted[n] + suction;
-      const double scaled = weights.row_scale(state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
+      const double scaled = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
       EXPECT_NEAR(residual[n], std::min(scaled, flow), 1e-8);  // round-off of the suction, 1e-10
       EXPECT_EQ(state_.wet.row(i)[j], flow < scaled ? 1.0 : 0.0);
       ++counts[flow < scaled];
@@ -197,11 +199,12 @@ TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
 }
 
 TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
-  const ReynoldsWeights weights(grid_, entrainment);
+  const std::vector<double> U = in_all_rows(grid_, entrainment);
+  const ReynoldsWeights weights(grid_, U);
   const double h_x = grid_.h_x(), h_y = grid_.h_y(), xi = 0.3;
-  EXPECT_DOUBLE_EQ(weights.row_scale(xi),
+  EXPECT_DOUBLE_EQ(weights.row_scale(0, xi),
                    2.0 * xi * (1.0 / (h_x * h_x) + 1.0 / (h_y * h_y)) + 0.05 * entrainment / h_x);
-  EXPECT_DOUBLE_EQ(ReynoldsWeights(grid_, entrainment, 40.0).row_scale(xi) - weights.row_scale(xi), 0.05 * 40.0);
+  EXPECT_DOUBLE_EQ(ReynoldsWeights(grid_, U, 40.0).row_scale(0, xi) - weights.row_scale(0, xi), 0.05 * 40.0);
   // On the boundary and at cavitated nodes the row is d P, with the node's own d.
   const auto residual = residual_of(
       grid_, state_, [](double x, double y) { return -pressure_at(x, y).value; },
@@ -209,7 +212,7 @@ TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       if (!grid_.is_boundary(i, j)) continue;
-      const double expected = weights.row_scale(state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
+      const double expected = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
       EXPECT_EQ(state_.wet.row(i)[j], 0.0);
       EXPECT_DOUBLE_EQ(residual[i * grid_.y_count() + j], expected);
     }

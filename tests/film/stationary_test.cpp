@@ -136,7 +136,7 @@ TEST(Stationary, films_where_contacts_enter_are_found_at_any_displacement) {
   const Grid grid(PETSC_COMM_WORLD,
                   grid_shape({.x_min = -2.083, .x_max = 1.667, .y_half = 1.6}, pitch.scales.hertz.ellipticity, 73, 33));
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
-  film.set_conditions({.relative_radius = 0.838367, .entrainment = 0.948058});
+  move_surfaces(film, {.relative_radius = 0.838367, .entrainment = 0.948058});
   for (double H0 = -2.0; H0 < -1.6; H0 += 0.05) {
     const auto found = solve_stationary(film, LoadCondition::displacement(H0), SolverOptions{});
     EXPECT_GT(found.figures.smallest_film, 0.0) << "H0 = " << H0;
@@ -185,7 +185,7 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
   const Grid grid(PETSC_COMM_WORLD, shape);
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   constexpr double offset = 0.01;
-  film.set_conditions({.relative_radius = solids.radius_x / pitch.scales.solids.radius_x,
+  move_surfaces(film, {.relative_radius = solids.radius_x / pitch.scales.solids.radius_x,
                        .entrainment = operation.entrainment_velocity / pitch.scales.operation.entrainment_velocity,
                        .gap_offset = offset});
   const auto result = solve_stationary(film, LoadCondition::force(pitch.scales.static_force), SolverOptions{});

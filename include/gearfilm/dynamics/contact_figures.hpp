@@ -85,7 +85,7 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
     {.name = "sliding_velocity",
      .symbol = "u_1 - u_2",
      .unit = units::velocity,
-     .value = [](const ContactMoment& at) { return at.contact.sliding; },
+     .value = [](const ContactMoment& at) { return at.contact.conditions.sliding; },
      .meaning = "surface velocity of the pinion less that of the wheel: negative before the pitch point, positive "
                 "behind it",
      .reduced = {{{"sliding_velocity_max", Reduction::largest, units::velocity,

@@ -1,6 +1,6 @@
 // One tooth contact at one place on the line of action, relative to the reference contact.
 //
-//   Rbar = R_x(xi)/R_x* ,   U = u_m(xi)/u_m* ,   sliding (u_1 - u_2)(xi)/u_m*          line_of_action.hpp, scales.hpp
+//   Rbar = R_x(xi)/R_x* ,   U = u_m(xi)/u_m* ,   S = (u_1 - u_2)(xi)/u_m*          line_of_action.hpp, scales.hpp
 #pragma once
 
 #include "gearfilm/ehl/contact_conditions.hpp"
@@ -12,7 +12,6 @@ namespace gearfilm {
 struct MeshedContact {
   double position = 0.0;  ///< xi [m]
   ContactConditions conditions;
-  double sliding = 0.0;  ///< (u_1 - u_2)/u_m* [-]
 };
 
 /// In SI.

@@ -1,4 +1,5 @@
-// What distinguishes a contact at one moment from the reference contact of the Scales, and its dry counterpart.
+// What distinguishes a contact at one moment from the reference contact of the Scales, in numbers, and its dry
+// counterpart.
 #pragma once
 
 #include <optional>
@@ -22,6 +23,7 @@ struct NearestPoint {
 struct ContactConditions {
   double relative_radius = 1.0;  ///< Rbar = R_x/R_x* [-]
   double entrainment = 1.0;      ///< U = u_m/u_m* [-]
+  double sliding = 0.0;          ///< S = (u_1 - u_2)/u_m* [-]
   double gap_offset = 0.0;       ///< added to H: tip relief, pitch error [-]
   LocalProfile local{};          ///< added to H along X
   NearestPoint nearest{};        ///< with it

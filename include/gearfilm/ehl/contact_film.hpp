@@ -1,7 +1,7 @@
 // The film of one contact on one grid: the nonlinear equations in (P, H_0), their exact Jacobian, a preconditioner.
 //
-//   H = H_0 + offset + E(X) + X^2/(2 Rbar) + D Y^2/2 + K P     film thickness (24), K of deformation.hpp
-//   G(P, H_0; d(rho H)/dT) = min(d P, R)                       Reynolds' equation with cavitation, reynolds.hpp
+//   H = H_0 + E + K P                   film thickness (24), E of contact_surfaces.hpp, K of deformation.hpp
+//   G(P, H_0; d(rho H)/dT) = min(d P, R)        Reynolds' equation with cavitation, reynolds.hpp
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
 // them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
 // depends on a state is told it; a state that is the same as in the call before is not computed again.
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "gearfilm/ehl/contact_conditions.hpp"
+#include "gearfilm/ehl/contact_surfaces.hpp"
 #include "gearfilm/ehl/deformation.hpp"
 #include "gearfilm/ehl/linearised_film.hpp"
 #include "gearfilm/ehl/reynolds.hpp"
@@ -36,8 +36,9 @@ public:
   const SharedDiscretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return grid_; }
   const Scales& scales() const { return scales_; }
-  const ContactConditions& conditions() const { return conditions_; }
-  void set_conditions(const ContactConditions& conditions);
+  const ContactSurfaces& surfaces() const { return surfaces_; }
+  const ContactConditions& conditions() const { return surfaces_.conditions; }
+  void set_surfaces(ContactSurfaces surfaces);
   const FlowCorrection& correction() const { return correction_; }
   void set_correction(FlowCorrection correction);
 
@@ -83,12 +84,13 @@ public:
 private:
   bool is_current(std::span<const double> pressure, double H0) const;
   LinearisedFilm& linearisation_for(double shift);
+  void set_entrained();
 
   SharedDiscretisation discretisation_;
   const Grid& grid_;
   const Deformation<double>& deformation_;
   Scales scales_;
-  ContactConditions conditions_;
+  ContactSurfaces surfaces_;
   FlowCorrection correction_;
   FilmProperties properties_;
   FilmState state_;
@@ -99,7 +101,7 @@ private:
   LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
   bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
   std::vector<double> displacement_column_;     ///< dG/dH_0
-  double smallest_scale_ = 0.0;                 ///< d of a node that conducts nothing
+  std::vector<double> smallest_scales_;         ///< d of a node that conducts nothing, by row
   std::vector<float> weights_;                  ///< of rows in the merit: the smallest d over d
   std::vector<float> conductance_;              ///< xi_R at the state of the Jacobian
   double evaluated_H0_ = 0.0;

@@ -38,7 +38,7 @@ struct FilmState {
   Field<double> conductance;               ///< xi_R
   Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
-  Field<double> entrained;                 ///< (U + W)/U, of what the wedge carries
+  Field<double> entrained;                 ///< U + W, with which the wedge carries oil
   Field<double> across;                    ///< A, the conductance in y over that in x
   bool isotropic = true;                   ///< on all processes: A = 1, ghosts too
   Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)

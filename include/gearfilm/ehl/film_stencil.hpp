@@ -39,8 +39,7 @@ struct FilmStencil {
 /// Fills the stencil from a state with ghosts and wet mask. shift: d(dT-rate)/d(rho H) of the time scheme,
 /// 0 for a stationary film, the complex s of exp(s T) for one that oscillates.
 template <class Real>
-void linearise(const Grid& grid, double entrainment, ShiftOf<Real> shift, const FilmState& state,
-               FilmStencil<Real>& linear);
+void linearise(const Grid& grid, ShiftOf<Real> shift, const FilmState& state, FilmStencil<Real>& linear);
 
 /// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
 template <class Real>

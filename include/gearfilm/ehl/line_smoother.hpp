@@ -37,7 +37,7 @@ public:
   LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation);
 
   /// Builds and factors the bands of all lines. oscillation: |s| of a film that oscillates, else 0.
-  void factor(const FilmStencil<Real>& linear, const FilmState& state, double entrainment, double oscillation = 0.0);
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0);
   /// 1 where Reynolds' equation holds, else 0.
   const Field<Part>& wet() const { return wet_; }
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
@@ -64,7 +64,7 @@ private:
   void assemble_diagonal(const FilmStencil<Real>& linear, int i);
   template <int... index>
   void assemble_line(const FilmStencil<Real>& linear, int i, std::integer_sequence<int, index...>);
-  void add_distant_deformation(const FilmState& state, double entrainment, int i);
+  void add_distant_deformation(const FilmState& state, int i);
   void factor_bands();
   void solve_bands(Field<Real>& values);
 

@@ -24,7 +24,7 @@ public:
   // Collective, all of them.
 
   /// Linearises about a state with ghosts and wet mask.
-  void update(const FilmState& state, double entrainment, std::complex<double> s);
+  void update(const FilmState& state, std::complex<double> s);
   /// rows = (A + s B) change.
   void multiply(std::span<const double> change, std::span<double> rows);
   /// column = a + s b.

@@ -22,6 +22,9 @@ void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Fiel
 void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,
                        Field<double>& fine);
 
+/// Local fine row at the place of the local coarse row J.
+int injected_row(const Grid& fine_grid, const Grid& coarse_grid, int J);
+
 /// coarse = fine at the same points (own nodes).
 void inject(const Grid& fine_grid, const Grid& coarse_grid, const Field<double>& fine, Field<double>& coarse);
 
