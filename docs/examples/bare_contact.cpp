@@ -52,7 +52,7 @@ void solve(MPI_Comm comm) {
                           1e6 * scales.thickness * result.figures.central_film,
                           1e6 * scales.thickness * result.figures.smallest_film,
                           1e-9 * scales.pressure * result.figures.largest_pressure));
-  print_centre_line(grid, scales, film.pressure());
+  print_centre_line(grid, scales, film.total_pressure());
 }
 
 }  // namespace

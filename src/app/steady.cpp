@@ -134,7 +134,7 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
-  file.field(group, "P", "Pa", domain, film.pressure(), scales.pressure, group);
+  file.field(group, "P", "Pa", domain, film.total_pressure(), scales.pressure, group);
   file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
   std::vector<std::string> datasets = {"P", "H"};
   for (const field::OfTraction& kind : field::traction) {

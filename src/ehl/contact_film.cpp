@@ -70,7 +70,7 @@ bool ContactFilm::is_current(std::span<const double> pressure, double H0) const 
   int same = evaluated_ && H0 == evaluated_H0_;
   const std::size_t rows = grid_.y_count();
   for (int i = 0; same && i < grid_.nx(); ++i) {
-    same = std::memcmp(pressure.data() + i * rows, state_.pressure.row(i), rows * sizeof(double)) == 0;
+    same = std::memcmp(pressure.data() + i * rows, state_.total_pressure.row(i), rows * sizeof(double)) == 0;
   }
   if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, grid_.comm());
   return same;
@@ -78,8 +78,8 @@ bool ContactFilm::is_current(std::span<const double> pressure, double H0) const 
 
 void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   if (is_current(pressure, H0)) return;
-  state_.pressure.load(pressure);
-  deformation_.apply(state_.pressure, state_.thickness);
+  state_.total_pressure.load(pressure);
+  deformation_.apply(state_.total_pressure, state_.thickness);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     double* thickness = state_.thickness.row(i);
@@ -210,15 +210,15 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
   enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
-  double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.pressure), -INFINITY, -INFINITY, -INFINITY};
+  double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.total_pressure), -INFINITY, -INFINITY, -INFINITY};
   if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
     const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
-    maxima[central_pressure] = state_.pressure.row(i_centre)[central];
+    maxima[central_pressure] = state_.total_pressure.row(i_centre)[central];
     maxima[central_film] = state_.thickness.row(i_centre)[central];
   }
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
-      maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.pressure.row(i)[j]);
+      maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.total_pressure.row(i)[j]);
       maxima[negative_film] = std::max(maxima[negative_film], -state_.thickness.row(i)[j]);
     }
   }

@@ -11,14 +11,14 @@ template <ViscosityLaw law, DensityLaw density_law>
 void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const OilLaws laws = laws_;
   const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
-  const double* pressure = state.pressure.row(i);
+  const double* pressure = state.film_pressure().row(i);
   const double* film = state.thickness.row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
   double* conductance = state.conductance.row(i);
   double* conductance_by_pressure = state.conductance_by_pressure.row(i);
   double* conductance_by_thickness = state.conductance_by_thickness.row(i);
-  const int count = state.pressure.y_count();
+  const int count = state.film_pressure().y_count();
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const PressureFunction rho = laws.density<density_law>(scale * pressure[j]);
@@ -39,10 +39,10 @@ template <ViscosityLaw law, bool sheared>
 void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection& correction) const {
   const OilLaws laws = laws_;
   const double scale = pressure_scale_, inverse_span = inverse_span_, power = correction.shear_power;
-  const int count = state.pressure.y_count();
+  const int count = state.film_pressure().y_count();
   const std::size_t first = static_cast<std::size_t>(i) * count;
   const double *thinning = correction.thinning.data() + first, *density_factor = correction.density.data() + first;
-  const double *kappa = correction.shear.data() + first, *pressure = state.pressure.row(i);
+  const double *kappa = correction.shear.data() + first, *pressure = state.film_pressure().row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
   double* conductance = state.conductance.row(i);
@@ -68,9 +68,9 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
   const ScopedEvent event(Kernel::film_properties);
   with_viscosity_law(oil_, [&]<ViscosityLaw viscosity>() {
     with_density_law(oil_, [&]<DensityLaw density>() {
-      for (int i = 0; i < state.pressure.nx(); ++i) evaluate_line<viscosity, density>(state, i);
+      for (int i = 0; i < state.film_pressure().nx(); ++i) evaluate_line<viscosity, density>(state, i);
     });
-    for (int i = 0; i < state.pressure.nx() && !correction.empty(); ++i) {
+    for (int i = 0; i < state.film_pressure().nx() && !correction.empty(); ++i) {
       correction.sheared ? correct_line<viscosity, true>(state, i, correction)
                          : correct_line<viscosity, false>(state, i, correction);
     }
@@ -78,7 +78,8 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.pressure, state.conductance, state.conductance_by_pressure, state.conductance_by_thickness);
+  halo.exchange(state.film_pressure(), state.conductance, state.conductance_by_pressure,
+                state.conductance_by_thickness);
   if (!state.isotropic) halo.exchange(state.across);
 }
 

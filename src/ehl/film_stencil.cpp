@@ -17,7 +17,7 @@ struct MassWeights {
 /// The fields of a state on one line.
 struct StateLine {
   StateLine(const FilmState& state, int i)
-      : p(state.pressure.row(i)),
+      : p(state.film_pressure().row(i)),
         h(state.thickness.row(i)),
         rho(state.density.row(i)),
         rho_p(state.density_by_pressure.row(i)),

@@ -26,9 +26,9 @@ void add_wedge(const FilmState& state, double inverse_h_x, int i, double* line) 
 
 /// Poiseuille flow out of the cells of line i.
 void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
-  const double* p = state.pressure.row(i);
-  const double* p_west = state.pressure.row(i - 1);
-  const double* p_east = state.pressure.row(i + 1);
+  const double* p = state.film_pressure().row(i);
+  const double* p_west = state.film_pressure().row(i - 1);
+  const double* p_east = state.film_pressure().row(i + 1);
   const double* xi = state.conductance.row(i);
   const double* xi_west = state.conductance.row(i - 1);
   const double* xi_east = state.conductance.row(i + 1);
@@ -51,7 +51,7 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
   const auto sweep = [&](int first, int last, int way) {
     std::vector<double> pushed(grid.y_count(), 0.0);
     for (int i = first; i != last; i += way) {
-      const double *pressure = state.pressure.row(i), *behind = state.pressure.row(i - way);
+      const double *pressure = state.film_pressure().row(i), *behind = state.film_pressure().row(i - way);
       double* wet = state.wet.row(i);
       const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
       double* over = pushed.data();
@@ -92,7 +92,7 @@ void reynolds_residual(const Grid& grid, std::span<const double> entrainment, Fi
   const RowRange inner = grid.inner_rows();
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
-    const double* pressure = state.pressure.row(i);
+    const double* pressure = state.film_pressure().row(i);
     const double* conductance = state.conductance.row(i);
     double* wet = state.wet.row(i);
     double* scale = state.row_scale.row(i);
@@ -118,7 +118,7 @@ void reynolds_residual(const Grid& grid, std::span<const double> entrainment, Fi
   }
   advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
-    const double *pressure = state.pressure.row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
+    const double *pressure = state.film_pressure().row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {

@@ -106,7 +106,7 @@ double loaded_change(const ContactFilm& film, const std::vector<double>& before,
   double sums[] = {0.0, 0.0};
   const std::size_t rows = film.grid().y_count();
   for (std::size_t n = 0; n < before.size(); ++n) {
-    if (film.pressure().row(static_cast<int>(n / rows))[n % rows] < loaded) continue;
+    if (film.film_pressure().row(static_cast<int>(n / rows))[n % rows] < loaded) continue;
     sums[0] += (after[n] - before[n]) * (after[n] - before[n]);
     sums[1] += 1.0;
   }

@@ -192,7 +192,7 @@ private:
   void load_own_flow(int l, int i, int j) {
     const double log_S = log_shear_factor(i, j, l);
     across_.shear_factor[l] = std::exp(log_S);
-    if (!line_.wet[j] || film_.pressure().row(i + 1)[j] <= 0.0) return;
+    if (!line_.wet[j] || film_.film_pressure().row(i + 1)[j] <= 0.0) return;
     const double h = line_.thickness[j], log_factor = theta(i, j) * by_thinning(l) + log_S;
     across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }

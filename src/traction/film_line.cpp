@@ -30,7 +30,7 @@ void FilmLine::set_viscosity() {
 void FilmLine::load(int i) {
   const Grid& grid = film_.grid();
   const Scales& scales = film_.scales();
-  const Field<double>& P = film_.pressure();
+  const Field<double>& P = film_.film_pressure();
   const bool inside = i > 0 && i < grid.nx() - 1;
   const double *here = P.row(i), *west = P.row(inside ? i - 1 : i), *east = P.row(inside ? i + 1 : i);
   const double *H = film_.thickness().row(i), *rho = film_.state().density.row(i);

@@ -43,7 +43,8 @@ std::vector<double> rolling_stress(const ContactFilm& film) {
   const double scale = scales.thickness * scales.pressure / (4.0 * scales.length * grid.h_x());
   std::vector<double> stress(grid.local_size(), 0.0);
   for (int i = 1; i < grid.nx() - 1; ++i) {
-    const double *west = film.pressure().row(i - 1), *east = film.pressure().row(i + 1), *H = film.thickness().row(i);
+    const double *west = film.film_pressure().row(i - 1), *east = film.film_pressure().row(i + 1),
+                 *H = film.thickness().row(i);
     double* line = stress.data() + static_cast<std::size_t>(i) * grid.y_count();
     for (int j = 0; j < grid.y_count(); ++j) line[j] = scale * H[j] * (east[j] - west[j]);
   }
@@ -108,7 +109,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, const Surfa
   put(rolling, rolling_stress(film));
   double missed[] = {fields.missed, 0.0};
   std::vector<double> own(size);
-  film.pressure().store(own);
+  film.total_pressure().store(own);
   put(pressure, own);
   put(pinion, fields.heat_flux_pinion);
   put(wheel, fields.heat_flux_wheel);

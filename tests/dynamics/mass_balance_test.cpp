@@ -20,7 +20,7 @@ public:
   FaceFluxes(const RecordedMarch& march, const ContactFilm& film)
       : grid_(march.grid()),
         U_(film.conditions().entrainment),
-        pressure_(unfolded(grid_, whole_of(grid_, film.pressure()))) {
+        pressure_(unfolded(grid_, whole_of(grid_, film.total_pressure()))) {
     const Scales& scales = march.problem().scales;
     const std::vector<double> heights = unfolded(grid_, whole_of(grid_, film.thickness()));
     for (std::size_t n = 0; n < heights.size(); ++n) {

@@ -17,12 +17,13 @@ protected:
 
   /// P and H at x + e (v, u).
   void set_state(double step) {
-    fill(grid, state.pressure, [](double x, double y) { return 0.3 + 0.1 * std::sin(2.0 * x + 0.3) * std::cos(y); });
+    fill(grid, state.total_pressure,
+         [](double x, double y) { return 0.3 + 0.1 * std::sin(2.0 * x + 0.3) * std::cos(y); });
     fill(grid, state.thickness,
          [](double x, double y) { return 1.0 + 0.2 * std::cos(3.0 * x) * std::sin(2.0 * y + 1.0); });
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        state.pressure.row(i)[j] += step * v.row(i)[j];
+        state.total_pressure.row(i)[j] += step * v.row(i)[j];
         state.thickness.row(i)[j] += step * u.row(i)[j];
       }
     }

@@ -46,7 +46,7 @@ protected:
   /// Rows differ by ten orders of magnitude from inlet to centre: each is divided by its own scale d.
   void keep_row_scales() {
     FilmState state(grid);
-    state.pressure = film.pressure();
+    state.total_pressure = film.total_pressure();
     state.thickness = film.thickness();
     FilmProperties(contact.scales).evaluate(state);
     const ReynoldsWeights weights(grid, film.surfaces().entrainment);

@@ -15,7 +15,7 @@ protected:
     move_surfaces(film, away_from_pitch());
     std::vector<double> rows(grid.local_size());
     film.evaluate(own_part(grid, solution.pressure), solution.H0);
-    state.pressure = film.pressure();
+    state.total_pressure = film.total_pressure();
     state.thickness = film.thickness();
     FilmProperties(pitch.scales).evaluate(state);
     exchange_ghosts(Halo(grid), state);

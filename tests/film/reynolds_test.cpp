@@ -49,7 +49,7 @@ protected:
   template <class Pressure, class Film>
   std::vector<double> residual_of(const Grid& grid, FilmState& state, Pressure pressure, Film film,
                                   std::span<const double> squeeze_rate = {}) {
-    fill(grid, state.pressure, pressure);
+    fill(grid, state.total_pressure, pressure);
     fill(grid, state.thickness, film);
     FilmProperties(isoviscous_scales()).evaluate(state);
     exchange_ghosts(Halo(grid), state);
@@ -187,7 +187,7 @@ TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
       if (grid_.is_boundary(i, j)) continue;
       const int n = i * grid_.y_count() + j;
       const double flow = shifted[n] + suction;
-      const double scaled = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
+      const double scaled = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.total_pressure.row(i)[j];
       EXPECT_NEAR(residual[n], std::min(scaled, flow), 1e-8);  // round-off of the suction, 1e-10
       EXPECT_EQ(state_.wet.row(i)[j], flow < scaled ? 1.0 : 0.0);
       ++counts[flow < scaled];
@@ -212,7 +212,7 @@ TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       if (!grid_.is_boundary(i, j)) continue;
-      const double expected = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.pressure.row(i)[j];
+      const double expected = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.total_pressure.row(i)[j];
       EXPECT_EQ(state_.wet.row(i)[j], 0.0);
       EXPECT_DOUBLE_EQ(residual[i * grid_.y_count() + j], expected);
     }
@@ -225,7 +225,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
   const FilmProperties properties(scales);
   const auto state_at = [&](double pressure_change, double film_change) {
     FilmState state(grid);
-    fill(grid, state.pressure, [&](double x, double y) { return pressure_change + 0.5 + 0.2 * x + 0.1 * y; });
+    fill(grid, state.total_pressure, [&](double x, double y) { return pressure_change + 0.5 + 0.2 * x + 0.1 * y; });
     fill(grid, state.thickness, [&](double x, double y) { return film_change + 0.1 - 0.02 * x + 0.05 * y; });
     properties.evaluate(state);
     return state;
@@ -237,7 +237,7 @@ TEST(FilmProperties, conductance_and_its_derivatives_follow_the_oil) {
   const FilmState more_h = state_at(0.0, step), less_h = state_at(0.0, -step);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      const double p = scales.pressure * state.pressure.row(i)[j], h = state.thickness.row(i)[j];
+      const double p = scales.pressure * state.total_pressure.row(i)[j], h = state.thickness.row(i)[j];
       const double density = relative_density(scales.oil, p).value;
       const double viscosity = std::exp(log_relative_viscosity(scales.oil, p).value);
       const double xi = density * h * h * h / (viscosity * scales.lambda);

@@ -208,7 +208,7 @@ double heat_of_flow(const ContactFilm& film) {
   const FilmState& state = film.state();
   std::vector<double> heat(grid.local_size(), 0.0);
   const auto along = [&](int i, int n, int j) {  // half of the face between i and n, over rho
-    const double drop = state.pressure.row(i)[j] - state.pressure.row(n)[j];
+    const double drop = state.total_pressure.row(i)[j] - state.total_pressure.row(n)[j];
     return 0.5 * drop * drop * (state.conductance.row(i)[j] + state.conductance.row(n)[j]) /
            (state.density.row(i)[j] + state.density.row(n)[j]);
   };
@@ -216,8 +216,8 @@ double heat_of_flow(const ContactFilm& film) {
     for (int j = 0; j < grid.y_count(); ++j) {
       if (grid.is_boundary(i, j)) continue;
       // Ghost rows have no density: across, that of the node, which varies little that way.
-      const double south = state.pressure.row(i)[j] - state.pressure.row(i)[j - 1];
-      const double north = state.pressure.row(i)[j] - state.pressure.row(i)[j + 1];
+      const double south = state.total_pressure.row(i)[j] - state.total_pressure.row(i)[j - 1];
+      const double north = state.total_pressure.row(i)[j] - state.total_pressure.row(i)[j + 1];
       const double across = 0.5 * state.conductance.row(i)[j] / state.density.row(i)[j];
       heat[static_cast<std::size_t>(i) * grid.y_count() + j] =
           (along(i, i - 1, j) + along(i, i + 1, j)) / (grid.h_x() * grid.h_x()) +

@@ -76,7 +76,8 @@ public:
 
   // Of the state that was evaluated last.
   const FilmState& state() const { return state_; }
-  const Field<double>& pressure() const { return state_.pressure; }
+  const Field<double>& total_pressure() const { return state_.total_pressure; }
+  const Field<double>& film_pressure() const { return state_.film_pressure(); }
   const Field<double>& thickness() const { return state_.thickness; }
   /// Convolutions so far on this grid, but for those of the preconditioner.
   long convolutions() const { return convolutions_; }

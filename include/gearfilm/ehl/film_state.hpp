@@ -1,4 +1,7 @@
-// The film at every node: pressure, film thickness, and the oil properties that enter Reynolds' equation.
+// The film at every node: pressures, film thickness, and the oil properties that enter Reynolds' equation.
+//
+// The total pressure is the unknown: it deforms the solids and carries the load. The film pressure is that of the oil:
+// it drives the flow, sets viscosity and density, and cavitates. Between smooth surfaces both are the same.
 //
 //   conductance xi_R = rho H^3/(eta lambda)          (22) of doi 10.1016/j.triboint.2013.01.017
 // with the corrections of flow_correction.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept
@@ -16,7 +19,7 @@ namespace gearfilm {
 
 struct FilmState {
   explicit FilmState(const Grid& grid)
-      : pressure(grid),
+      : total_pressure(grid),
         thickness(grid),
         density(grid),
         density_by_pressure(grid),
@@ -31,7 +34,11 @@ struct FilmState {
     across.fill(1.0);
   }
 
-  Field<double> pressure;                  ///< P
+  /// P of the oil; ghosts and own nodes.
+  const Field<double>& film_pressure() const { return total_pressure; }
+  Field<double>& film_pressure() { return total_pressure; }
+
+  Field<double> total_pressure;            ///< P
   Field<double> thickness;                 ///< H
   Field<double> density;                   ///< rho
   Field<double> density_by_pressure;       ///< d rho/dP
@@ -46,7 +53,7 @@ struct FilmState {
 };
 
 /// All fields of a state, for what treats them alike (injection, gathering).
-inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&FilmState::pressure,
+inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&FilmState::total_pressure,
                                                                             &FilmState::thickness,
                                                                             &FilmState::density,
                                                                             &FilmState::density_by_pressure,
