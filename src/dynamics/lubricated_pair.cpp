@@ -111,7 +111,7 @@ void LubricatedPair::place(double T) {
       return FilmSystem::Opposing{force.value, force.slope};
     };
   }
-  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
+  system_.set_bodies(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
                      mesh_.compliance(numbers_, T), std::move(back_flanks));
 }
 

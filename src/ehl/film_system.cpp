@@ -24,20 +24,20 @@ private:
 
 }  // namespace
 
-FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
+FilmSystem::FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies)
     : films_(std::move(films)),
-      border_(std::move(border)),
+      bodies_(std::move(bodies)),
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {}
 
-void FilmSystem::set_border(Border border, Compliance compliance, OpposingForce opposing) {
-  border_ = std::move(border);
+void FilmSystem::set_bodies(BodyEquations bodies, Compliance compliance, OpposingForce opposing) {
+  bodies_ = std::move(bodies);
   compliance_ = std::move(compliance);
   opposing_ = std::move(opposing);
 }
 
 PetscInt FilmSystem::local_size() const {
-  return static_cast<PetscInt>(border_at() + (has_border() ? border_.size() : 0));
+  return static_cast<PetscInt>(scalars_at() + (has_scalars() ? bodies_.size() : 0));
 }
 
 OwnedVec FilmSystem::create_state() const {
@@ -59,14 +59,14 @@ std::vector<double> FilmSystem::field(Vec state, std::size_t contact) const {
 
 void FilmSystem::set_scalars(Vec state, std::span<const double> scalars) const {
   const VecWriting values(state);
-  if (has_border()) std::ranges::copy(scalars, values.values().subspan(border_at()).begin());
+  if (has_scalars()) std::ranges::copy(scalars, values.values().subspan(scalars_at()).begin());
 }
 
 std::vector<double> FilmSystem::scalars(Vec state) const { return scalars_in(VecReading(state).values()); }
 
 std::vector<double> FilmSystem::scalars_in(std::span<const double> values) const {
-  std::vector<double> scalars(border_.size());
-  if (has_border()) std::ranges::copy(values.subspan(border_at()), scalars.begin());
+  std::vector<double> scalars(bodies_.size());
+  if (has_scalars()) std::ranges::copy(values.subspan(scalars_at()), scalars.begin());
   if (grid_.processes() > 1) {
     MPI_Bcast(scalars.data(), static_cast<int>(scalars.size()), MPI_DOUBLE, 0, comm());
   }
@@ -74,14 +74,14 @@ std::vector<double> FilmSystem::scalars_in(std::span<const double> values) const
 }
 
 void FilmSystem::put_rows(const std::vector<double>& rows, std::span<double> values) const {
-  if (!has_border()) return;
-  for (std::size_t n = 0; n < rows.size(); ++n) values[border_at() + n] = weight_ * rows[n];
+  if (!has_scalars()) return;
+  for (std::size_t n = 0; n < rows.size(); ++n) values[scalars_at() + n] = weight_ * rows[n];
 }
 
 void FilmSystem::restrain(Vec guess, Vec last) const {
   const VecReading before(last);
   const VecWriting values(guess);
-  for (std::size_t n = 0; n < border_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
+  for (std::size_t n = 0; n < scalars_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
 }
 
 Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, double shift) const {
@@ -89,7 +89,7 @@ Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, 
 }
 
 std::vector<double> FilmSystem::displacements(std::span<const double> values, std::span<const double> scalars) const {
-  const double H0 = border_.displaced(scalars);
+  const double H0 = bodies_.displaced(scalars);
   if (compliance_.rigid()) return std::vector<double>(films(), H0);
   return compliance_.displacements(H0, forces(values));
 }
@@ -104,17 +104,17 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const VecReading in(state);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const double H0 = border_.displaced(scalars);
+  const double H0 = bodies_.displaced(scalars);
   const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
                         part(out.values(), k));
   }
-  if (!has_border()) return;
-  const std::vector<double> still(border_.size(), 0.0);
-  const auto scalar_rates = rate.values ? rates.values().subspan(border_at()) : std::span<const double>(still);
+  if (!has_scalars()) return;
+  const std::vector<double> still(bodies_.size(), 0.0);
+  const auto scalar_rates = rate.values ? rates.values().subspan(scalars_at()) : std::span<const double>(still);
   const double sum = sum_of(carried) - (opposing_ ? opposing_(H0).value : 0.0);
-  put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
+  put_rows(bodies_.rows(scalars, scalar_rates, sum, BodyEquations::Of::states), out.values());
 }
 
 void FilmSystem::transient(Vec state, Vec values) {
@@ -123,7 +123,7 @@ void FilmSystem::transient(Vec state, Vec values) {
   const std::vector<double> scalars = scalars_in(in.values());
   const std::vector<double> displaced = displacements(in.values(), scalars);
   for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k));
-  if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
+  if (has_scalars()) std::ranges::copy(scalars, out.values().subspan(scalars_at()).begin());
 }
 
 void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
@@ -133,29 +133,29 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   const RateReading rates(rate);
   const VecReading in(state);
   const std::vector<double> scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
-  opposing_slope_ = opposing_ ? opposing_(border_.displaced(scalars)).slope : 0.0;
+  opposing_slope_ = opposing_ ? opposing_(bodies_.displaced(scalars)).slope : 0.0;
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
-    border_factors_.factor(border_matrix(border_, shift, opposing_slope_));
+    body_factors_.factor(body_matrix(bodies_, shift, opposing_slope_));
     return;
   }
-  responses_.resize(border_at());
+  responses_.resize(scalars_at());
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
   }
   stiffness_ = forces(responses_);
   settling_factors_.factor(compliance_.settling_matrix(stiffness_));
   settled_ = settling_factors_.solve(stiffness_);
-  border_factors_.factor(border_matrix(border_, shift, sum_of(settled_) + opposing_slope_));
+  body_factors_.factor(body_matrix(bodies_, shift, sum_of(settled_) + opposing_slope_));
 }
 
 double FilmSystem::merit(Vec rows) {
   const VecReading in(rows);
   double sum = 0.0;
   for (std::size_t k = 0; k < films(); ++k) sum += films_[k]->merit(part(in.values(), k));
-  for (std::size_t n = border_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
+  for (std::size_t n = scalars_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
   return std::sqrt(sum);
 }
@@ -176,7 +176,7 @@ void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
   const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const double H0 = border_.displaced(scalars);
+  const double H0 = bodies_.displaced(scalars);
   const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->multiply(part(in.values(), k), displaced[k], part(out.values(), k));
@@ -184,7 +184,7 @@ void FilmSystem::multiply(Vec change, Vec rows) {
   std::vector<double> rates = scalars;
   for (double& value : rates) value *= shift_;
   const double sum = sum_of(carried) - opposing_slope_ * H0;
-  put_rows(border_.rows(scalars, rates, sum, Border::Of::changes), out.values());
+  put_rows(bodies_.rows(scalars, rates, sum, BodyEquations::Of::changes), out.values());
 }
 
 void FilmSystem::multiply_transient(Vec change, Vec rows) {
@@ -195,8 +195,8 @@ void FilmSystem::multiply_transient(Vec change, Vec rows) {
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->multiply_mass(part(in.values(), k), displaced[k], part(out.values(), k));
   }
-  const std::vector<double> nothing(border_.size(), 0.0);
-  put_rows(border_.rows(nothing, scalars, 0.0, Border::Of::changes), out.values());
+  const std::vector<double> nothing(bodies_.size(), 0.0);
+  put_rows(bodies_.rows(nothing, scalars, 0.0, BodyEquations::Of::changes), out.values());
 }
 
 void FilmSystem::precondition(Vec rows, Vec change) {
@@ -219,12 +219,12 @@ void FilmSystem::solve_film(std::size_t contact, std::span<const double> rows, s
   }
 }
 
-// s from the border's rows, then v_k = M_k^-1 (r_k - H_0 dG_k/dH_0).
+// s from the body equations, then v_k = M_k^-1 (r_k - H_0 dG_k/dH_0).
 void FilmSystem::precondition_border_first(std::span<const double> rows, std::span<double> change) {
-  std::vector<double> border_rows = scalars_in(rows);
-  for (double& row : border_rows) row /= weight_;
-  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
-  const double H0 = border_.displaced(scalars);
+  std::vector<double> body_rows = scalars_in(rows);
+  for (double& row : body_rows) row /= weight_;
+  const std::vector<double> scalars = body_factors_.solve(std::move(body_rows));
+  const double H0 = bodies_.displaced(scalars);
   work_.resize(field_size());
   for (std::size_t k = 0; k < films(); ++k) {
     const auto film_rows = part(rows, k);
@@ -232,21 +232,21 @@ void FilmSystem::precondition_border_first(std::span<const double> rows, std::sp
     for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
     solve_film(k, work_, part(change, k));
   }
-  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
+  if (has_scalars()) std::ranges::copy(scalars, change.subspan(scalars_at()).begin());
 }
 
 // With z = M^-1 r and y = M^-1 dG/dH of the films v_k = z_k - y_k H_k: their forces settle from those of z with the
-// stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the border gives s.
+// stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the body equations give s.
 void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<double> change) {
   for (std::size_t k = 0; k < films(); ++k) solve_film(k, part(rows, k), part(change, k));
   std::vector<double> carried = settling_factors_.solve(forces(change));
-  std::vector<double> border_rows = scalars_in(rows);
+  std::vector<double> body_rows = scalars_in(rows);
   const double sum = sum_of(carried);
-  for (std::size_t n = 0; n < border_rows.size(); ++n) {
-    border_rows[n] = border_rows[n] / weight_ + border_.force[n] * sum;
+  for (std::size_t n = 0; n < body_rows.size(); ++n) {
+    body_rows[n] = body_rows[n] / weight_ + bodies_.force[n] * sum;
   }
-  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
-  const double H0 = border_.displaced(scalars);
+  const std::vector<double> scalars = body_factors_.solve(std::move(body_rows));
+  const double H0 = bodies_.displaced(scalars);
   for (std::size_t k = 0; k < films(); ++k) carried[k] -= H0 * settled_[k];
   const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
@@ -254,7 +254,7 @@ void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<do
     const auto own = part(change, k);
     for (std::size_t n = 0; n < field_size(); ++n) own[n] -= displaced[k] * response[n];
   }
-  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
+  if (has_scalars()) std::ranges::copy(scalars, change.subspan(scalars_at()).begin());
 }
 
 std::vector<FilmFigures> FilmSystem::figures(Vec state) {

@@ -1,14 +1,14 @@
-// Films, the compliance beneath them (compliance.hpp) and the border that holds them (border.hpp) as one nonlinear
-// system.
+// Films, the compliance beneath them (compliance.hpp) and the bodies on which they press (body_equations.hpp)
+// as one nonlinear system.
 //
 //   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
-//   border(s, ds/dT, sum_k F_k - F_b(H_0)) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
+//   bodies(s, ds/dT, sum_k F_k - F_b(H_0)) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
 //
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
-// scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The border's rows are
-// weighed so that norm/weight() is a root mean square over the films plus relative errors of the border.
-// Preconditioner: one multigrid cycle a contact, and the border before it, as if no force changed with it (in time
-// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or border and displacements eliminated exactly.
+// scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The body equations are
+// weighed so that norm/weight() is a root mean square over the films plus relative errors of the bodies.
+// Preconditioner: one multigrid cycle a contact, and the bodies before it, as if no force changed with it (in time
+// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or bodies and displacements eliminated exactly.
 // Coarse levels may diverge where the smoother does not, on single rows of long cells: a flexible Krylov method that
 // has not got on with the cycle has cycle and smoother by turns.
 #pragma once
@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-#include "gearfilm/ehl/border.hpp"
+#include "gearfilm/ehl/body_equations.hpp"
 #include "gearfilm/ehl/compliance.hpp"
 #include "gearfilm/ehl/contact_film.hpp"
 #include "gearfilm/ehl/integral.hpp"
@@ -29,7 +29,7 @@ namespace gearfilm {
 class FilmSystem final : public LinearisedSystem {
 public:
   /// At least one film, all of one discretisation; they must outlive the system.
-  FilmSystem(std::vector<ContactFilm*> films, Border border);
+  FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies);
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
@@ -39,8 +39,8 @@ public:
     double slope = 0.0;
   };
   using OpposingForce = std::function<Opposing(double H0)>;
-  /// Another border with as many scalars, what the films stand on, and what opposes them; may be empty.
-  void set_border(Border border, Compliance compliance = {}, OpposingForce opposing = {});
+  /// Other bodies with as many scalars, what the films stand on, and what opposes them; may be empty.
+  void set_bodies(BodyEquations bodies, Compliance compliance = {}, OpposingForce opposing = {});
   const Compliance& compliance() const { return compliance_; }
 
   OwnedVec create_state() const;
@@ -86,13 +86,13 @@ public:
   MPI_Comm comm() const override { return grid_.comm(); }
   const Grid& grid() const { return grid_; }
   PetscInt local_size() const override;
-  PetscInt pressure_count() const override { return static_cast<PetscInt>(border_at()); }
+  PetscInt pressure_count() const override { return static_cast<PetscInt>(scalars_at()); }
 
 private:
   std::size_t field_size() const { return static_cast<std::size_t>(grid_.local_size()); }
-  /// First entry of the border in a local array.
-  std::size_t border_at() const { return films_.size() * field_size(); }
-  bool has_border() const { return grid_.rank() == 0; }
+  /// First scalar in a local array.
+  std::size_t scalars_at() const { return films_.size() * field_size(); }
+  bool has_scalars() const { return grid_.rank() == 0; }
   template <class Value>
   std::span<Value> part(std::span<Value> values, std::size_t contact) const {
     return values.subspan(contact * field_size(), field_size());
@@ -102,7 +102,7 @@ private:
   void put_rows(const std::vector<double>& rows, std::span<double> values) const;
   /// F_k of the pressures, or their changes.
   std::vector<double> forces(std::span<const double> values) const {
-    return integrals(grid_, values.first(border_at()), films_.size());
+    return integrals(grid_, values.first(scalars_at()), films_.size());
   }
   /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
   std::vector<double> displacements(std::span<const double> values, std::span<const double> scalars) const;
@@ -112,7 +112,7 @@ private:
   void precondition_border_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
-  Border border_;
+  BodyEquations bodies_;
   Compliance compliance_;
   OpposingForce opposing_;
   double opposing_slope_ = 0.0;  ///< at the state of the Jacobian
@@ -121,7 +121,7 @@ private:
   double shift_ = 0.0;
   Elimination elimination_ = Elimination::border_first;
   int preconditionings_ = 0;  ///< with the present Jacobian
-  DenseFactors border_factors_;
+  DenseFactors body_factors_;
   // Of exact elimination, all approximately.
   std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
   DenseFactors settling_factors_;  ///< of I + S C, S_k = Int Int of the response

@@ -11,7 +11,7 @@
 namespace gearfilm {
 
 /// m scalars; matrices m x m, row by row.
-struct Border {
+struct BodyEquations {
   std::vector<double> mass;          ///< M
   std::vector<double> stiffness;     ///< K
   std::vector<double> force;         ///< C
@@ -29,18 +29,18 @@ struct Border {
 
 /// Row by row, of the scalars of which the rows of changes are known, with rates = shift scalars and a sum of forces
 /// that falls by film_stiffness times the displacement: shift M + K + film_stiffness C d^T.
-std::vector<double> border_matrix(const Border& border, double shift, double film_stiffness);
+std::vector<double> body_matrix(const BodyEquations& bodies, double shift, double film_stiffness);
 
 /// H_0 - value = 0.
-Border given_displacement(double H0);
+BodyEquations given_displacement(double H0);
 
 /// (F - Int Int P)/F = 0, with H_0 free.
-Border given_force(double force);
+BodyEquations given_force(double force);
 
 /// dH_0/dT - V_0 = 0 ,  (I_n dV_0/dT - Int Int P/f + F* + A)/F* = 0: (25) of doi 10.1016/j.triboint.2013.01.017 for
 /// s = (H_0, V_0), with a force A that presses the gears together besides. With a share f of the static force F* in the
 /// place of other contacts Int Int P counts 1/f times; without inertia, I_n = 0, the last row is the quasi-static
 /// balance.
-Border rigid_pair(double inertia, double static_force, double share, double pressing = 0.0);
+BodyEquations rigid_pair(double inertia, double static_force, double share, double pressing = 0.0);
 
 }  // namespace gearfilm
