@@ -36,7 +36,7 @@ LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<LiveCont
       numbers_(numbers_of(contacts)),
       films_(films_of(contacts)),
       share_(share),
-      system_(films_, rigid_pair(mesh.inertia, mesh.scales.static_force, 1.0)) {}
+      system_(films_, equation_of_motion(mesh.inertia, mesh.scales.static_force, 1.0)) {}
 
 Motion LubricatedPair::motion(Vec state) const {
   const std::vector<double> scalars = system_.scalars(state);
@@ -111,7 +111,7 @@ void LubricatedPair::place(double T) {
       return FilmSystem::Opposing{force.value, force.slope};
     };
   }
-  system_.set_bodies(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
+  system_.set_bodies(equation_of_motion(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
                      mesh_.compliance(numbers_, T), std::move(back_flanks));
 }
 

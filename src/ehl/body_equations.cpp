@@ -31,15 +31,15 @@ std::vector<double> body_matrix(const BodyEquations& bodies, double shift, doubl
   return matrix;
 }
 
-BodyEquations given_displacement(double H0) {
+BodyEquations fixed_approach(double H0) {
   return {.mass = {0.0}, .stiffness = {1.0}, .force = {0.0}, .constant = {-H0}, .displacement = {1.0}};
 }
 
-BodyEquations given_force(double force) {
+BodyEquations load_balance(double force) {
   return {.mass = {0.0}, .stiffness = {0.0}, .force = {1.0 / force}, .constant = {1.0}, .displacement = {1.0}};
 }
 
-BodyEquations rigid_pair(double inertia, double static_force, double share, double pressing) {
+BodyEquations equation_of_motion(double inertia, double static_force, double share, double pressing) {
   return {.mass = {1.0, 0.0, 0.0, inertia / static_force},
           .stiffness = {0.0, -1.0, 0.0, 0.0},
           .force = {0.0, 1.0 / (share * static_force)},

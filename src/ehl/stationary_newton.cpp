@@ -5,7 +5,7 @@
 namespace gearfilm {
 
 StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options)
-    : system_(std::move(films), given_displacement(0.0)),
+    : system_(std::move(films), fixed_approach(0.0)),
       state_(system_.create_state()),
       residual_(system_.create_state()),
       rate_(system_.create_state()),
@@ -93,7 +93,7 @@ long StationaryNewton::convolutions() {
 void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films) {
   const bool given = load.kind == LoadCondition::Kind::displacement;
   elimination_ = given ? FilmSystem::Elimination::border_first : FilmSystem::Elimination::exact;
-  system_.set_bodies(given ? given_displacement(load.value) : given_force(load.value), load.compliance);
+  system_.set_bodies(given ? fixed_approach(load.value) : load_balance(load.value), load.compliance);
   const std::span pressures(films.pressure);
   const std::size_t size = pressures.size() / system_.films();
   for (std::size_t k = 0; k < system_.films(); ++k) system_.set_field(state_, k, pressures.subspan(k * size, size));

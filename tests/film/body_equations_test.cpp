@@ -15,18 +15,18 @@ using Values = std::vector<double>;
 constexpr double inertia = 31.0, static_force = 15.0, share = 0.4;
 
 TEST(BodyEquations, rows_vanish_where_it_is_in_balance) {
-  EXPECT_EQ(given_displacement(-0.7).rows(Values{-0.7}, Values{3.0}, 99.0, BodyEquations::Of::states), Values{0.0});
-  EXPECT_EQ(given_force(8.0).rows(Values{-0.7}, Values{3.0}, 8.0, BodyEquations::Of::states), Values{0.0});
+  EXPECT_EQ(fixed_approach(-0.7).rows(Values{-0.7}, Values{3.0}, 99.0, BodyEquations::Of::states), Values{0.0});
+  EXPECT_EQ(load_balance(8.0).rows(Values{-0.7}, Values{3.0}, 8.0, BodyEquations::Of::states), Values{0.0});
   // Falling at 0.2, sped up by a force that is larger than the share of the static one.
   const double force = share * 1.5 * static_force, acceleration = 0.5 * static_force / inertia;
-  const Values rows = rigid_pair(inertia, static_force, share)
+  const Values rows = equation_of_motion(inertia, static_force, share)
                           .rows(Values{-0.7, -0.2}, Values{-0.2, acceleration}, force, BodyEquations::Of::states);
   for (const double row : rows) EXPECT_NEAR(row, 0.0, 1e-15);
 }
 
 TEST(BodyEquations, rows_are_relative_errors) {
-  EXPECT_NEAR(given_force(8.0).rows(Values{0.0}, Values{0.0}, 8.8, BodyEquations::Of::states)[0], -0.1, 1e-15);
-  const BodyEquations pair = rigid_pair(inertia, static_force, share);
+  EXPECT_NEAR(load_balance(8.0).rows(Values{0.0}, Values{0.0}, 8.8, BodyEquations::Of::states)[0], -0.1, 1e-15);
+  const BodyEquations pair = equation_of_motion(inertia, static_force, share);
   EXPECT_NEAR(pair.rows(Values{0.0, 0.0}, Values{0.0, 0.0}, 0.9 * share * static_force, BodyEquations::Of::states)[1],
               0.1, 1e-15);
 }
@@ -34,8 +34,9 @@ TEST(BodyEquations, rows_are_relative_errors) {
 // The films' forces fall by their stiffness times the displacement.
 TEST(BodyEquations, solution_fulfils_the_rows) {
   constexpr double shift = 7.0, film_stiffness = 13.0;
-  for (const BodyEquations& bodies : {given_displacement(-0.7), given_force(8.0),
-                                      rigid_pair(inertia, static_force, share), rigid_pair(0.0, static_force, share)}) {
+  for (const BodyEquations& bodies :
+       {fixed_approach(-0.7), load_balance(8.0), equation_of_motion(inertia, static_force, share),
+        equation_of_motion(0.0, static_force, share)}) {
     Values wanted(bodies.size());
     for (std::size_t n = 0; n < wanted.size(); ++n) wanted[n] = 0.3 - 0.8 * static_cast<double>(n);
     DenseFactors factors;

@@ -32,15 +32,15 @@ struct BodyEquations {
 std::vector<double> body_matrix(const BodyEquations& bodies, double shift, double film_stiffness);
 
 /// H_0 - value = 0.
-BodyEquations given_displacement(double H0);
+BodyEquations fixed_approach(double H0);
 
 /// (F - Int Int P)/F = 0, with H_0 free.
-BodyEquations given_force(double force);
+BodyEquations load_balance(double force);
 
 /// dH_0/dT - V_0 = 0 ,  (I_n dV_0/dT - Int Int P/f + F* + A)/F* = 0: (25) of doi 10.1016/j.triboint.2013.01.017 for
 /// s = (H_0, V_0), with a force A that presses the gears together besides. With a share f of the static force F* in the
 /// place of other contacts Int Int P counts 1/f times; without inertia, I_n = 0, the last row is the quasi-static
 /// balance.
-BodyEquations rigid_pair(double inertia, double static_force, double share, double pressing = 0.0);
+BodyEquations equation_of_motion(double inertia, double static_force, double share, double pressing = 0.0);
 
 }  // namespace gearfilm
