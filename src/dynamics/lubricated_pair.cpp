@@ -104,15 +104,15 @@ void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
 
 void LubricatedPair::place(double T) {
   for (std::size_t k = 0; k < films_.size(); ++k) films_[k]->set_conditions(mesh_.contact(numbers_[k], T).conditions);
-  FilmSystem::OpposingForce back_flanks;
+  FilmSystem::ReverseFlankForce reverse_flanks;
   if (mesh_.teeth.backlash()) {
-    back_flanks = [this, T](double H0) {
+    reverse_flanks = [this, T](double H0) {
       const BackForce force = back_force(mesh_, H0, T);
-      return FilmSystem::Opposing{force.value, force.slope};
+      return FilmSystem::ForceAndSlope{force.value, force.slope};
     };
   }
   system_.set_bodies(equation_of_motion(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
-                     mesh_.compliance(numbers_, T), std::move(back_flanks));
+                     mesh_.compliance(numbers_, T), std::move(reverse_flanks));
 }
 
 void LubricatedPair::begin_friction(double T, const std::vector<ContactRecord>& contacts) {

@@ -30,10 +30,10 @@ FilmSystem::FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies)
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {}
 
-void FilmSystem::set_bodies(BodyEquations bodies, Compliance compliance, OpposingForce opposing) {
+void FilmSystem::set_bodies(BodyEquations bodies, Compliance compliance, ReverseFlankForce reverse_flanks) {
   bodies_ = std::move(bodies);
   compliance_ = std::move(compliance);
-  opposing_ = std::move(opposing);
+  reverse_flanks_ = std::move(reverse_flanks);
 }
 
 PetscInt FilmSystem::local_size() const {
@@ -113,7 +113,7 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   if (!has_scalars()) return;
   const std::vector<double> still(bodies_.size(), 0.0);
   const auto scalar_rates = rate.values ? rates.values().subspan(scalars_at()) : std::span<const double>(still);
-  const double sum = sum_of(carried) - (opposing_ ? opposing_(H0).value : 0.0);
+  const double sum = sum_of(carried) - (reverse_flanks_ ? reverse_flanks_(H0).value : 0.0);
   put_rows(bodies_.rows(scalars, scalar_rates, sum, BodyEquations::Of::states), out.values());
 }
 
@@ -133,12 +133,12 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   const RateReading rates(rate);
   const VecReading in(state);
   const std::vector<double> scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
-  opposing_slope_ = opposing_ ? opposing_(bodies_.displaced(scalars)).slope : 0.0;
+  reverse_slope_ = reverse_flanks_ ? reverse_flanks_(bodies_.displaced(scalars)).slope : 0.0;
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
   if (elimination_ == Elimination::border_first) {
-    body_factors_.factor(body_matrix(bodies_, shift, opposing_slope_));
+    body_factors_.factor(body_matrix(bodies_, shift, reverse_slope_));
     return;
   }
   responses_.resize(scalars_at());
@@ -148,7 +148,7 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   stiffness_ = forces(responses_);
   settling_factors_.factor(compliance_.settling_matrix(stiffness_));
   settled_ = settling_factors_.solve(stiffness_);
-  body_factors_.factor(body_matrix(bodies_, shift, sum_of(settled_) + opposing_slope_));
+  body_factors_.factor(body_matrix(bodies_, shift, sum_of(settled_) + reverse_slope_));
 }
 
 double FilmSystem::merit(Vec rows) {
@@ -183,7 +183,7 @@ void FilmSystem::multiply(Vec change, Vec rows) {
   }
   std::vector<double> rates = scalars;
   for (double& value : rates) value *= shift_;
-  const double sum = sum_of(carried) - opposing_slope_ * H0;
+  const double sum = sum_of(carried) - reverse_slope_ * H0;
   put_rows(bodies_.rows(scalars, rates, sum, BodyEquations::Of::changes), out.values());
 }
 

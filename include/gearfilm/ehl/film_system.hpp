@@ -33,14 +33,14 @@ public:
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  /// A force that is taken off the films', depending on H_0, and its derivative.
-  struct Opposing {
+  /// The force of the reverse flanks, which is taken off the films', and its derivative by H_0.
+  struct ForceAndSlope {
     double value = 0.0;
     double slope = 0.0;
   };
-  using OpposingForce = std::function<Opposing(double H0)>;
-  /// Other bodies with as many scalars, what the films stand on, and what opposes them; may be empty.
-  void set_bodies(BodyEquations bodies, Compliance compliance = {}, OpposingForce opposing = {});
+  using ReverseFlankForce = std::function<ForceAndSlope(double H0)>;
+  /// Other bodies with as many scalars, what the films stand on, and the force of the reverse flanks; may be empty.
+  void set_bodies(BodyEquations bodies, Compliance compliance = {}, ReverseFlankForce reverse_flanks = {});
   const Compliance& compliance() const { return compliance_; }
 
   OwnedVec create_state() const;
@@ -114,8 +114,8 @@ private:
   std::vector<ContactFilm*> films_;
   BodyEquations bodies_;
   Compliance compliance_;
-  OpposingForce opposing_;
-  double opposing_slope_ = 0.0;  ///< at the state of the Jacobian
+  ReverseFlankForce reverse_flanks_;
+  double reverse_slope_ = 0.0;  ///< at the state of the Jacobian
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;
