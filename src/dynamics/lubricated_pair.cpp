@@ -126,7 +126,7 @@ void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {
   const bool together = mesh_.inertia == 0.0 || shift == 0.0;
   system_.linearise(state, rate, shift,
-                    together ? FilmSystem::Elimination::exact : FilmSystem::Elimination::border_first);
+                    together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first);
 }
 
 std::vector<FilmFigures> LubricatedPair::film_figures(Vec state, double T) {

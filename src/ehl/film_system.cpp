@@ -126,10 +126,10 @@ void FilmSystem::transient(Vec state, Vec values) {
   if (has_scalars()) std::ranges::copy(scalars, out.values().subspan(scalars_at()).begin());
 }
 
-void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
+void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination) {
   shift_ = shift;
   preconditionings_ = 0;
-  elimination_ = compliance_.rigid() ? elimination : Elimination::exact;
+  elimination_ = compliance_.rigid() ? elimination : BlockElimination::exact;
   const RateReading rates(rate);
   const VecReading in(state);
   const std::vector<double> scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
@@ -137,7 +137,7 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Eliminatio
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
-  if (elimination_ == Elimination::border_first) {
+  if (elimination_ == BlockElimination::scalars_first) {
     body_factors_.factor(body_matrix(bodies_, shift, reverse_slope_));
     return;
   }
@@ -203,10 +203,10 @@ void FilmSystem::precondition(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
   ++preconditionings_;
-  if (elimination_ == Elimination::exact) {
+  if (elimination_ == BlockElimination::exact) {
     precondition_exactly(in.values(), out.values());
   } else {
-    precondition_border_first(in.values(), out.values());
+    precondition_scalars_first(in.values(), out.values());
   }
 }
 
@@ -220,7 +220,7 @@ void FilmSystem::solve_film(std::size_t contact, std::span<const double> rows, s
 }
 
 // s from the body equations, then v_k = M_k^-1 (r_k - H_0 dG_k/dH_0).
-void FilmSystem::precondition_border_first(std::span<const double> rows, std::span<double> change) {
+void FilmSystem::precondition_scalars_first(std::span<const double> rows, std::span<double> change) {
   std::vector<double> body_rows = scalars_in(rows);
   for (double& row : body_rows) row /= weight_;
   const std::vector<double> scalars = body_factors_.solve(std::move(body_rows));

@@ -92,7 +92,7 @@ long StationaryNewton::convolutions() {
 // A displacement that is given depends on no film: on rigid solids it comes first, exactly.
 void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films) {
   const bool given = load.kind == LoadCondition::Kind::displacement;
-  elimination_ = given ? FilmSystem::Elimination::border_first : FilmSystem::Elimination::exact;
+  elimination_ = given ? FilmSystem::BlockElimination::scalars_first : FilmSystem::BlockElimination::exact;
   system_.set_bodies(given ? fixed_approach(load.value) : load_balance(load.value), load.compliance);
   const std::span pressures(films.pressure);
   const std::size_t size = pressures.size() / system_.films();

@@ -64,10 +64,10 @@ public:
   void residual(Vec state, const Rate& rate, Vec rows);
   /// C(state).
   void transient(Vec state, Vec values);
-  enum class Elimination { border_first, exact };
+  enum class BlockElimination { scalars_first, exact };
   /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below. On solids that give way the
   /// elimination is always exact.
-  void linearise(Vec state, const Rate& rate, double shift, Elimination elimination);
+  void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination);
   double merit(Vec rows) override;
   bool ease(Vec change, Vec whole, Vec before, Vec after) override;
   void multiply(Vec change, Vec rows) override;
@@ -109,7 +109,7 @@ private:
   /// change = approximately (dG_k/dP_k)^-1 rows.
   void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);
-  void precondition_border_first(std::span<const double> rows, std::span<double> change);
+  void precondition_scalars_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
   BodyEquations bodies_;
@@ -119,7 +119,7 @@ private:
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;
-  Elimination elimination_ = Elimination::border_first;
+  BlockElimination elimination_ = BlockElimination::scalars_first;
   int preconditionings_ = 0;  ///< with the present Jacobian
   DenseFactors body_factors_;
   // Of exact elimination, all approximately.

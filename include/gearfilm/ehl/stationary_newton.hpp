@@ -86,7 +86,7 @@ private:
   void tell(PetscInt krylov);
 
   FilmSystem system_;
-  FilmSystem::Elimination elimination_ = FilmSystem::Elimination::exact;
+  FilmSystem::BlockElimination elimination_ = FilmSystem::BlockElimination::exact;
   std::optional<ImplicitStep> step_;
   OwnedVec state_, residual_, rate_;
   OwnedMat jacobian_;
