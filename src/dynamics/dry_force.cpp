@@ -110,7 +110,7 @@ double DryContacts::stiffness(const std::vector<double>& forces) const {
     for (std::size_t k = 0; k < own.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
     return sum;
   }
-  const std::vector<double> settled = solved(compliance_.settling_matrix(own), own);
+  const std::vector<double> settled = solved(compliance_.coupling_matrix(own), own);
   return std::accumulate(settled.begin(), settled.end(), 0.0);
 }
 

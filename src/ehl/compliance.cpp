@@ -28,7 +28,7 @@ std::vector<double> Compliance::displacements(double H0, std::span<const double>
   return displacements;
 }
 
-std::vector<double> Compliance::settling_matrix(std::span<const double> stiffness) const {
+std::vector<double> Compliance::coupling_matrix(std::span<const double> stiffness) const {
   const std::size_t n = stiffness.size();
   std::vector<double> matrix(n * n);
   for (std::size_t k = 0; k < n; ++k) {

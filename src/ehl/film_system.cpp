@@ -146,9 +146,9 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimi
     films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
   }
   stiffness_ = forces(responses_);
-  settling_factors_.factor(compliance_.settling_matrix(stiffness_));
-  settled_ = settling_factors_.solve(stiffness_);
-  body_factors_.factor(body_matrix(bodies_, shift, sum_of(settled_) + reverse_slope_));
+  coupling_factors_.factor(compliance_.coupling_matrix(stiffness_));
+  coupled_stiffness_ = coupling_factors_.solve(stiffness_);
+  body_factors_.factor(body_matrix(bodies_, shift, sum_of(coupled_stiffness_) + reverse_slope_));
 }
 
 double FilmSystem::merit(Vec rows) {
@@ -239,7 +239,7 @@ void FilmSystem::precondition_scalars_first(std::span<const double> rows, std::s
 // stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the body equations give s.
 void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<double> change) {
   for (std::size_t k = 0; k < films(); ++k) solve_film(k, part(rows, k), part(change, k));
-  std::vector<double> carried = settling_factors_.solve(forces(change));
+  std::vector<double> carried = coupling_factors_.solve(forces(change));
   std::vector<double> body_rows = scalars_in(rows);
   const double sum = sum_of(carried);
   for (std::size_t n = 0; n < body_rows.size(); ++n) {
@@ -247,7 +247,7 @@ void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<do
   }
   const std::vector<double> scalars = body_factors_.solve(std::move(body_rows));
   const double H0 = bodies_.displaced(scalars);
-  for (std::size_t k = 0; k < films(); ++k) carried[k] -= H0 * settled_[k];
+  for (std::size_t k = 0; k < films(); ++k) carried[k] -= H0 * coupled_stiffness_[k];
   const std::vector<double> displaced = compliance_.displacements(H0, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     const auto response = part(std::span(std::as_const(responses_)), k);

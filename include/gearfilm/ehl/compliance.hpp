@@ -27,7 +27,7 @@ public:
   /// H_k.
   std::vector<double> displacements(double H0, std::span<const double> forces) const;
   /// I + S C, row by row.
-  std::vector<double> settling_matrix(std::span<const double> stiffness) const;
+  std::vector<double> coupling_matrix(std::span<const double> stiffness) const;
 
 private:
   std::vector<double> matrix_;

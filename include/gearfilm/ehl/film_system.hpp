@@ -123,10 +123,10 @@ private:
   int preconditionings_ = 0;  ///< with the present Jacobian
   DenseFactors body_factors_;
   // Of exact elimination, all approximately.
-  std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
-  DenseFactors settling_factors_;  ///< of I + S C, S_k = Int Int of the response
-  std::vector<double> stiffness_;  ///< S_k
-  std::vector<double> settled_;    ///< -dF_k/dH_0, the compliance included
+  std::vector<double> responses_;          ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
+  DenseFactors coupling_factors_;          ///< of I + S C, S_k = Int Int of the response
+  std::vector<double> stiffness_;          ///< S_k
+  std::vector<double> coupled_stiffness_;  ///< -dF_k/dH_0, the compliance included
   std::vector<double> work_;
 };
 
