@@ -7,7 +7,7 @@ set(GEARFILM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gearfilm)
 set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel ehl traction dynamics orbits input)
 set(GEARFILM_PRIVATE_HEADERS
   lubricant/independent_iterations.hpp
-  parallel/agreement.hpp parallel/anderson_mixing.hpp parallel/events.hpp
+  parallel/agreement.hpp parallel/anderson_mixing.hpp parallel/events.hpp parallel/lu_factors.hpp
   ehl/line_smoother.hpp ehl/film_stencil.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
   traction/across_film.hpp traction/film_flow.hpp traction/film_lanes.hpp traction/film_line.hpp traction/moving_source.hpp
   traction/tridiagonal_lanes.hpp

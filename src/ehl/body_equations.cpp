@@ -1,50 +1,57 @@
 #include "gearfilm/ehl/body_equations.hpp"
 
-#include <numeric>
-
 namespace gearfilm {
 
-double BodyEquations::displaced(std::span<const double> scalars) const {
-  return std::inner_product(scalars.begin(), scalars.end(), displacement.begin(), 0.0);
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd BodyEquations::rows(const VectorXd& scalars, const VectorXd& rates, const VectorXd& forces) const {
+  return rows_of_change(scalars, rates, forces) + constant;
 }
 
-std::vector<double> BodyEquations::rows(std::span<const double> scalars, std::span<const double> rates,
-                                        double force_sum, Of of) const {
-  const std::size_t m = size();
-  std::vector<double> rows(m);
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < m; ++j) rows[i] += mass[i * m + j] * rates[j] + stiffness[i * m + j] * scalars[j];
-    rows[i] += (of == Of::states ? constant[i] : 0.0) - force[i] * force_sum;
-  }
-  return rows;
+VectorXd BodyEquations::rows_of_change(const VectorXd& scalars, const VectorXd& rates, const VectorXd& forces) const {
+  return mass * rates + stiffness * scalars - force * forces;
 }
 
-std::vector<double> body_matrix(const BodyEquations& bodies, double shift, double film_stiffness) {
-  const std::size_t m = bodies.size();
-  std::vector<double> matrix(m * m);
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t j = 0; j < m; ++j) {
-      matrix[i * m + j] = shift * bodies.mass[i * m + j] + bodies.stiffness[i * m + j] +
-                          film_stiffness * bodies.force[i] * bodies.displacement[j];
-    }
-  }
-  return matrix;
+MatrixXd BodyEquations::jacobian(double shift, const MatrixXd& film_stiffness) const {
+  return shift * mass + stiffness + force * film_stiffness;
 }
 
-BodyEquations fixed_approach(double H0) {
-  return {.mass = {0.0}, .stiffness = {1.0}, .force = {0.0}, .constant = {-H0}, .displacement = {1.0}};
+BodyEquations fixed_approach(double H0, std::size_t films) {
+  const auto n = static_cast<Eigen::Index>(films);
+  return {.mass = MatrixXd::Zero(1, 1),
+          .stiffness = MatrixXd::Ones(1, 1),
+          .constant = VectorXd::Constant(1, -H0),
+          .force = MatrixXd::Zero(1, n),
+          .displacement = MatrixXd::Ones(n, 1)};
 }
 
-BodyEquations load_balance(double force) {
-  return {.mass = {0.0}, .stiffness = {0.0}, .force = {1.0 / force}, .constant = {1.0}, .displacement = {1.0}};
+BodyEquations load_balance(double force, std::size_t films) {
+  const auto n = static_cast<Eigen::Index>(films);
+  return {.mass = MatrixXd::Zero(1, 1),
+          .stiffness = MatrixXd::Zero(1, 1),
+          .constant = VectorXd::Ones(1),
+          .force = MatrixXd::Constant(1, n, 1.0 / force),
+          .displacement = MatrixXd::Ones(n, 1)};
 }
 
-BodyEquations equation_of_motion(double inertia, double static_force, double share, double pressing) {
-  return {.mass = {1.0, 0.0, 0.0, inertia / static_force},
-          .stiffness = {0.0, -1.0, 0.0, 0.0},
-          .force = {0.0, 1.0 / (share * static_force)},
-          .constant = {0.0, 1.0 + pressing / static_force},
-          .displacement = {1.0, 0.0}};
+BodyEquations equation_of_motion(const PairLoad& load, std::size_t films) {
+  const auto n = static_cast<Eigen::Index>(films);
+  return {.mass = Eigen::Vector2d(1.0, load.inertia / load.static_force).asDiagonal(),
+          .stiffness = MatrixXd{{0.0, -1.0}, {0.0, 0.0}},
+          .constant = Eigen::Vector2d(0.0, 1.0 + load.pressing / load.static_force),
+          .force = Eigen::Vector2d(0.0, 1.0 / (load.share * load.static_force)).rowwise().replicate(n),
+          .displacement = Eigen::RowVector2d(1.0, 0.0).colwise().replicate(n)};
+}
+
+VectorXd ReverseFlankForce::rows(const VectorXd& scalars) const {
+  if (!law) return VectorXd::Zero(scalars.size());
+  return column * law(approach * scalars).force;
+}
+
+MatrixXd ReverseFlankForce::jacobian(const VectorXd& scalars) const {
+  if (!law) return MatrixXd::Zero(scalars.size(), scalars.size());
+  return column * law(approach * scalars).slope * approach;
 }
 
 }  // namespace gearfilm

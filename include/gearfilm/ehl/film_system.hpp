@@ -2,18 +2,21 @@
 // as one nonlinear system.
 //
 //   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
-//   bodies(s, ds/dT, sum_k F_k - F_b(H_0)) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
+//   M ds/dT + K s + r + c F_b(b . s) = C F ,       F_k = Int Int P_k ,  H_k = (B s)_k + sum_j c_kj F_j
 //
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
 // scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The body equations are
 // weighed so that norm/weight() is a root mean square over the films plus relative errors of the bodies.
 // Preconditioner: one multigrid cycle a contact, and the bodies before it, as if no force changed with it (in time
-// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or bodies and displacements eliminated exactly.
+// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or bodies and displacements eliminated exactly:
+// with z_k = (dG_k/dP_k)^-1 r_k, the forces Z of all z_k, and S_k H_k the forces of (dG_k/dP_k)^-1 dG_k/dH_k H_k
+//
+//   (shift M + K + C (I + S C_c)^-1 S B + c F_b' b) s = r_s + C (I + S C_c)^-1 Z ,      C_c = (c_kj)
 // Coarse levels may diverge where the smoother does not, on single rows of long cells: a flexible Krylov method that
 // has not got on with the cycle has cycle and smoother by turns.
 #pragma once
 
-#include <functional>
+#include <Eigen/LU>
 #include <vector>
 
 #include "gearfilm/ehl/body_equations.hpp"
@@ -22,24 +25,18 @@
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
 #include "gearfilm/ehl/worst_node.hpp"
-#include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
 
 class FilmSystem final : public LinearisedSystem {
 public:
-  /// At least one film, all of one discretisation; they must outlive the system.
+  /// At least one film, all of one discretisation, and the bodies on which as many films press; the films must outlive
+  /// the system.
   FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies);
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  /// The force of the reverse flanks, which is taken off the films', and its derivative by H_0.
-  struct ForceAndSlope {
-    double value = 0.0;
-    double slope = 0.0;
-  };
-  using ReverseFlankForce = std::function<ForceAndSlope(double H0)>;
-  /// Other bodies with as many scalars, what the films stand on, and the force of the reverse flanks; may be empty.
+  /// Other bodies with as many scalars, what the films stand on, and the force of reverse flanks.
   void set_bodies(BodyEquations bodies, Compliance compliance = {}, ReverseFlankForce reverse_flanks = {});
   const Compliance& compliance() const { return compliance_; }
 
@@ -75,7 +72,7 @@ public:
   void multiply_transient(Vec change, Vec rows);
   void precondition(Vec rows, Vec change) override;
   /// H_k, or their changes.
-  std::vector<double> displacements(Vec state) const;
+  Eigen::VectorXd displacements(Vec state) const;
   /// Of every contact.
   std::vector<FilmFigures> figures(Vec state);
   /// Where the rows of one contact are largest.
@@ -98,35 +95,35 @@ private:
     return values.subspan(contact * field_size(), field_size());
   }
   Squeeze squeeze(std::span<const double> rates, std::size_t contact, double shift) const;
-  std::vector<double> scalars_in(std::span<const double> values) const;
-  void put_rows(const std::vector<double>& rows, std::span<double> values) const;
+  Eigen::VectorXd scalars_in(std::span<const double> values) const;
+  /// On the process that has them.
+  void put_scalars(const Eigen::VectorXd& scalars, std::span<double> values) const;
   /// F_k of the pressures, or their changes.
-  std::vector<double> forces(std::span<const double> values) const {
-    return integrals(grid_, values.first(scalars_at()), films_.size());
-  }
+  Eigen::VectorXd forces(std::span<const double> values) const;
   /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
-  std::vector<double> displacements(std::span<const double> values, std::span<const double> scalars) const;
+  Eigen::VectorXd displacements(std::span<const double> values, const Eigen::VectorXd& scalars) const;
   /// change = approximately (dG_k/dP_k)^-1 rows.
   void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);
+  /// change = s and the films' changes, where the body equations know of no film.
   void precondition_scalars_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
   BodyEquations bodies_;
   Compliance compliance_;
   ReverseFlankForce reverse_flanks_;
-  double reverse_slope_ = 0.0;  ///< at the state of the Jacobian
+  Eigen::MatrixXd reverse_jacobian_;  ///< of their rows, at the state of the Jacobian
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;
   BlockElimination elimination_ = BlockElimination::scalars_first;
   int preconditionings_ = 0;  ///< with the present Jacobian
-  DenseFactors body_factors_;
+  using Factors = Eigen::PartialPivLU<Eigen::MatrixXd>;
+  Factors body_factors_;
   // Of exact elimination, all approximately.
-  std::vector<double> responses_;          ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
-  DenseFactors coupling_factors_;          ///< of I + S C, S_k = Int Int of the response
-  std::vector<double> stiffness_;          ///< S_k
-  std::vector<double> coupled_stiffness_;  ///< -dF_k/dH_0, the compliance included
+  std::vector<double> responses_;      ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
+  Factors coupling_factors_;           ///< of I + S C, S_k = Int Int of the response
+  Eigen::MatrixXd coupled_stiffness_;  ///< -dF/ds, n x m, the compliance included
   std::vector<double> work_;
 };
 

@@ -50,7 +50,7 @@ struct ImplicitStep {
 class StationaryNewton {
 public:
   /// The films, of one discretisation, must outlive it.
-  StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options);
+  StationaryNewton(const std::vector<ContactFilm*>& films, const NewtonOptions& options);
   StationaryNewton(const StationaryNewton&) = delete;
   StationaryNewton& operator=(const StationaryNewton&) = delete;
 
