@@ -178,7 +178,8 @@ private:
     };
     const MarchedPoint marched = march_point(here, mesh, films, from, checkpoint ? &*checkpoint : nullptr, watch);
     result.update(marched_summary(here, marched));
-    OrbitGuess end{marched.end.motion, {}, {}};
+    OrbitGuess end;
+    end.motion = marched.end.motion;
     if (!marched.end.films.empty()) {
       write_films(point, marched.end);
       end.neighbour = marched.end;
