@@ -81,9 +81,7 @@ protected:
     petsc_check(VecScale(rate, shift));
     return {rate, shift};
   }
-  void linearise(Vec at, FilmSystem::BlockElimination elimination) {
-    system.linearise(at, rate_at(at), shift, elimination);
-  }
+  void linearise(Vec at, FilmSystem::BlockElimination by) { system.linearise(at, rate_at(at), shift, by); }
   OwnedVec rows_at(Vec at) {
     OwnedVec rows = system.create_state();
     system.residual(at, rate_at(at), rows);
