@@ -216,7 +216,7 @@ void FilmSystem::solve_film(std::size_t contact, std::span<const double> rows, s
   }
 }
 
-// s from the body equations, then v_k = M_k^-1 (r_k - H_k dG_k/dH_k).
+// s from the body equations as if no force changed, then v_k = M_k^-1 (r_k - H_k dG_k/dH_k).
 void FilmSystem::precondition_scalars_first(std::span<const double> rows, std::span<double> change) {
   const Eigen::VectorXd scalars = body_factors_.solve(scalars_in(rows) / weight_);
   const Eigen::VectorXd displaced = bodies_.displacement * scalars;

@@ -1,5 +1,5 @@
-// Films, the compliance beneath them (compliance.hpp) and the bodies on which they press (body_equations.hpp)
-// as one nonlinear system.
+// Films, the compliance beneath them (compliance.hpp) and the bodies on which they press (body_equations.hpp) as one
+// nonlinear system.
 //
 //   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
 //   M ds/dT + K s + r + c F_b(b . s) = C F ,       F_k = Int Int P_k ,  H_k = (B s)_k + sum_j c_kj F_j
@@ -7,9 +7,9 @@
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
 // scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The body equations are
 // weighed so that norm/weight() is a root mean square over the films plus relative errors of the bodies.
-// Preconditioner: one multigrid cycle a contact, and the bodies before it, as if no force changed with it (in time
-// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or bodies and displacements eliminated exactly:
-// with z_k = (dG_k/dP_k)^-1 r_k, the forces Z of all z_k, and S_k H_k the forces of (dG_k/dP_k)^-1 dG_k/dH_k H_k
+// Preconditioner: one multigrid cycle a contact, and the scalars before it, as if no force changed with them (in time
+// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or scalars and displacements eliminated exactly:
+// with the forces Z_k of (dG_k/dP_k)^-1 r_k and S_k of (dG_k/dP_k)^-1 dG_k/dH_k
 //
 //   (shift M + K + C (I + S C_c)^-1 S B + c F_b' b) s = r_s + C (I + S C_c)^-1 Z ,      C_c = (c_kj)
 // Coarse levels may diverge where the smoother does not, on single rows of long cells: a flexible Krylov method that
@@ -95,8 +95,9 @@ private:
     return values.subspan(contact * field_size(), field_size());
   }
   Squeeze squeeze(std::span<const double> rates, std::size_t contact, double shift) const;
+  /// The scalars of a local array, on all processes.
   Eigen::VectorXd scalars_in(std::span<const double> values) const;
-  /// On the process that has them.
+  /// Puts scalars into a local array, on the process that has them.
   void put_scalars(const Eigen::VectorXd& scalars, std::span<double> values) const;
   /// F_k of the pressures, or their changes.
   Eigen::VectorXd forces(std::span<const double> values) const;
@@ -105,7 +106,6 @@ private:
   /// change = approximately (dG_k/dP_k)^-1 rows.
   void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);
-  /// change = s and the films' changes, where the body equations know of no film.
   void precondition_scalars_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
