@@ -95,7 +95,7 @@ Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, 
 }
 
 Eigen::VectorXd FilmSystem::displacements(std::span<const double> values, const Eigen::VectorXd& scalars) const {
-  const Eigen::VectorXd rigid_part = bodies_.displacement * scalars;
+  Eigen::VectorXd rigid_part = bodies_.displacement * scalars;
   if (compliance_.rigid()) return rigid_part;
   return compliance_.displacements(rigid_part, forces(values));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
@@ -32,7 +33,7 @@ Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.
 /// their worth.
 class MapJacobian {
 public:
-  MapJacobian(const MeshModel& mesh, const Monodromy& monodromy) : mesh_(mesh), entries_(monodromy) {}
+  MapJacobian(const MeshModel& mesh, Monodromy monodromy) : mesh_(mesh), entries_(std::move(monodromy)) {}
 
   const Monodromy& monodromy() const { return entries_; }
   /// The step by which map(x) - x would vanish.
