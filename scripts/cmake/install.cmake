@@ -7,7 +7,7 @@ set(GEARFILM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gearfilm)
 set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel ehl traction dynamics orbits input)
 set(GEARFILM_PRIVATE_HEADERS
   lubricant/independent_iterations.hpp
-  parallel/agreement.hpp parallel/anderson_mixing.hpp parallel/events.hpp
+  parallel/agreement.hpp parallel/anderson_mixing.hpp parallel/events.hpp parallel/lu_factors.hpp
   ehl/line_smoother.hpp ehl/film_stencil.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
   traction/across_film.hpp traction/film_flow.hpp traction/film_lanes.hpp traction/film_line.hpp traction/moving_source.hpp
   traction/tridiagonal_lanes.hpp
@@ -37,9 +37,9 @@ add_library(gearfilm_library STATIC ${objects})
 set_target_properties(gearfilm_library PROPERTIES OUTPUT_NAME gearfilm EXPORT_NAME gearfilm LINKER_LANGUAGE CXX)
 target_include_directories(gearfilm_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(gearfilm_library INTERFACE cxx_std_20)
-target_compile_definitions(gearfilm_library INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+target_compile_definitions(gearfilm_library INTERFACE ${GEARFILM_DEFINITIONS})
 target_link_libraries(gearfilm_library INTERFACE PkgConfig::SLEPC PkgConfig::PETSC MPI::MPI_C PkgConfig::FFTW
-                                                 PkgConfig::FFTWF ${GEARFILM_YAML_CPP})
+                                                 PkgConfig::FFTWF Eigen3::Eigen ${GEARFILM_YAML_CPP})
 install(TARGETS gearfilm_library EXPORT gearfilm ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT gearfilm NAMESPACE gearfilm:: FILE gearfilmTargets.cmake DESTINATION ${GEARFILM_CMAKE_DIR})
 
@@ -57,6 +57,9 @@ set(GEARFILM_MPI_CFLAGS ${MPI_C_INCLUDE_DIRS})
 list(TRANSFORM GEARFILM_MPI_CFLAGS PREPEND -I)
 list(JOIN GEARFILM_MPI_CFLAGS " " GEARFILM_MPI_CFLAGS)
 list(JOIN MPI_C_LIBRARIES " " GEARFILM_MPI_LIBS)
+set(GEARFILM_DEFINITION_FLAGS ${GEARFILM_DEFINITIONS})
+list(TRANSFORM GEARFILM_DEFINITION_FLAGS PREPEND -D)
+list(JOIN GEARFILM_DEFINITION_FLAGS " " GEARFILM_DEFINITION_FLAGS)
 configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilm.pc.in ${PROJECT_BINARY_DIR}/gearfilm.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gearfilm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

@@ -1,13 +1,14 @@
 #include "gearfilm/app/dry_run.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
+
 namespace gearfilm {
 namespace {
 
 /// Of the modulus of multipliers: their product is exp(-c T), c the damper's (Liouville).
 double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit& orbit) {
-  const auto& [first, second] = orbit.monodromy;
-  const double product = first[0] * second[1] - first[1] * second[0];
+  const double product = orbit.monodromy.determinant();
   const double expected = std::exp(-dry_damping(mesh, damping_ratio) * mesh.period());
   return std::abs(std::sqrt(std::abs(product)) - std::sqrt(expected));
 }

@@ -39,7 +39,9 @@ Position steady_position(const Case& problem) {
     const double xi = problem.steady.position;
     const MeshModel mesh = mesh_model(problem, xi, MeshGeometry::held);
     position.contact = mesh.contact_at(0, xi);
-    if (!mesh.teeth.rigid()) position.compliance = Compliance({mesh.teeth.compliance(xi) * mesh.compliance_scale()});
+    if (!mesh.teeth.rigid())
+      position.compliance =
+          Compliance(Eigen::MatrixXd::Constant(1, 1, mesh.teeth.compliance(xi) * mesh.compliance_scale()));
     std::ostringstream label;
     label << "contact 0 at xi = " << 1e3 * xi << " mm";
     position.label = label.str();

@@ -34,6 +34,9 @@ struct Neighbour {
 
 Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
 
+/// Row by row.
+Summary monodromy_json(const Monodromy& map) { return {{map(0, 0), map(0, 1)}, {map(1, 0), map(1, 1)}}; }
+
 Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
 /// The same from a point on disk, but for its films.
@@ -44,7 +47,7 @@ Neighbour read_neighbour(const Summary& point) {
   const Summary& map = point["monodromy"];
   for (int row = 0; row < 2; ++row) {
     for (int column = 0; column < 2; ++column) {
-      neighbour.guess.monodromy[row][column] = map[row][column].get<double>();
+      neighbour.guess.monodromy(row, column) = map[row][column].get<double>();
     }
   }
   if (point.contains("dry_motion")) neighbour.dry.emplace().start = motion_of(point["dry_motion"]);
@@ -175,7 +178,8 @@ private:
     };
     const MarchedPoint marched = march_point(here, mesh, films, from, checkpoint ? &*checkpoint : nullptr, watch);
     result.update(marched_summary(here, marched));
-    OrbitGuess end{marched.end.motion, {}, {}};
+    OrbitGuess end;
+    end.motion = marched.end.motion;
     if (!marched.end.films.empty()) {
       write_films(point, marched.end);
       end.neighbour = marched.end;
@@ -199,7 +203,7 @@ private:
     const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
     write_films(point, run.orbit.end);
     result.update(orbit_summary(mesh, run));
-    result["monodromy"] = run.orbit.monodromy;
+    result["monodromy"] = monodromy_json(run.orbit.monodromy);
     if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
     if (dry) result["dry_motion"] = motion_json(dry->start);
     keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
@@ -287,7 +291,7 @@ void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound&
   const OrbitRun run = describe_dry_orbit(here, mesh, found.orbit, unseen);
   result["start"] = found.start;
   result.update(orbit_summary(mesh, run));
-  result["monodromy"] = run.orbit.monodromy;
+  result["monodromy"] = monodromy_json(run.orbit.monodromy);
 }
 
 void print_point(MPI_Comm group, const Case& problem, const Summary& point) {

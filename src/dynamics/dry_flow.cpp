@@ -3,6 +3,7 @@
 #include <petscts.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -86,9 +87,7 @@ public:
   }
 
   Motion motion() const { return {values_[0], values_[1]}; }
-  std::array<std::array<double, 2>, 2> by_start() const {
-    return {{{values_[2], values_[3]}, {values_[4], values_[5]}}};
-  }
+  Eigen::Matrix2d by_start() const { return Eigen::Matrix2d{{values_[2], values_[3]}, {values_[4], values_[5]}}; }
   Motion by_parameter() const { return {values_[6], values_[7]}; }
   const DryExtremes& extremes() const { return extremes_; }
   void forget_extremes() {

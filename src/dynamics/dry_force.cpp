@@ -1,5 +1,6 @@
 #include "gearfilm/dynamics/dry_force.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,27 +8,6 @@
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
-namespace {
-
-/// x with matrix x = right, by elimination: I + S C is similar to a symmetric positive definite matrix and needs no
-/// pivots. Two or three unknowns, and asked for at every stage of a time step.
-std::vector<double> solved(std::vector<double> matrix, std::vector<double> right) {
-  const std::size_t n = right.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t row = k + 1; row < n; ++row) {
-      const double factor = matrix[row * n + k] / matrix[k * n + k];
-      for (std::size_t column = k; column < n; ++column) matrix[row * n + column] -= factor * matrix[k * n + column];
-      right[row] -= factor * right[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t column = k + 1; column < n; ++column) right[k] -= matrix[k * n + column] * right[column];
-    right[k] /= matrix[k * n + k];
-  }
-  return right;
-}
-
-}  // namespace
 
 DryForce::DryForce(const MeshModel& mesh) {
   // R_x is a parabola over the path, largest midway between the base circles: its ends have the smallest.
@@ -100,18 +80,17 @@ double DryContacts::largest_approach(double H0) const {
 
 // (D + C) dF = 1, D_k = d(q F^(2/3))/dF: with S = 1/D, which is zero without a force, (I + S C) dF = S.
 double DryContacts::stiffness(const std::vector<double>& forces) const {
-  std::vector<double> own(forces.size());
+  Eigen::VectorXd own(static_cast<Eigen::Index>(forces.size()));
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const double root = std::cbrt(contacts_[k].unit_force);
     own[k] = 1.5 * root * root * std::cbrt(forces[k]);
   }
   if (!coupled_) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < own.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
+    for (std::size_t k = 0; k < forces.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
     return sum;
   }
-  const std::vector<double> settled = solved(compliance_.settling_matrix(own), own);
-  return std::accumulate(settled.begin(), settled.end(), 0.0);
+  return compliance_.coupling_matrix(own).partialPivLu().solve(own).sum();
 }
 
 // The total force falls monotonically with H_0, to zero where the last gap opens.

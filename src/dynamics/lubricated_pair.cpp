@@ -36,7 +36,7 @@ LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<LiveCont
       numbers_(numbers_of(contacts)),
       films_(films_of(contacts)),
       share_(share),
-      system_(films_, rigid_pair(mesh.inertia, mesh.scales.static_force, 1.0)) {}
+      system_(films_, equation_of_motion({mesh.inertia, mesh.scales.static_force}, films_.size())) {}
 
 Motion LubricatedPair::motion(Vec state) const {
   const std::vector<double> scalars = system_.scalars(state);
@@ -86,7 +86,7 @@ void LubricatedPair::coast(Vec state, double T0, double T1, const std::vector<Fi
 // by a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
                                    const std::vector<FilmFigures>& figures) const {
-  const std::vector<double> low = system_.displacements(last), high = system_.displacements(guess);
+  const Eigen::VectorXd low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
@@ -104,15 +104,18 @@ void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
 
 void LubricatedPair::place(double T) {
   for (std::size_t k = 0; k < films_.size(); ++k) move_surfaces(*films_[k], mesh_.contact(numbers_[k], T).conditions);
-  FilmSystem::OpposingForce back_flanks;
+  const PairLoad load{mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)};
+  BodyEquations bodies = equation_of_motion(load, films_.size());
+  ReverseFlankForce reverse_flanks;
   if (mesh_.teeth.backlash()) {
-    back_flanks = [this, T](double H0) {
-      const BackForce force = back_force(mesh_, H0, T);
-      return FilmSystem::Opposing{force.value, force.slope};
+    const auto law = [this, T](double H0) {
+      const BackForce back = back_force(mesh_, H0, T);
+      return ReverseFlankForce::Value{back.value, back.slope};
     };
+    // They approach as H_0 grows, and act along the line on which the films act.
+    reverse_flanks = {law, bodies.displacement.row(0), bodies.force.col(0)};
   }
-  system_.set_border(rigid_pair(mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)),
-                     mesh_.compliance(numbers_, T), std::move(back_flanks));
+  system_.set_bodies(std::move(bodies), mesh_.compliance(numbers_, T), std::move(reverse_flanks));
 }
 
 void LubricatedPair::begin_friction(double T, const std::vector<ContactRecord>& contacts) {
@@ -126,7 +129,7 @@ void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {
   const bool together = mesh_.inertia == 0.0 || shift == 0.0;
   system_.linearise(state, rate, shift,
-                    together ? FilmSystem::Elimination::exact : FilmSystem::Elimination::border_first);
+                    together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first);
 }
 
 std::vector<FilmFigures> LubricatedPair::film_figures(Vec state, double T) {

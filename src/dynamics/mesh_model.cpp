@@ -37,14 +37,12 @@ MeshedContact MeshModel::contact_at(int number, double xi) const {
 
 Compliance MeshModel::compliance(std::span<const int> numbers, double T) const {
   if (teeth.rigid()) return {};
-  std::vector<double> matrix;
-  for (const int k : numbers) {
-    for (const int j : numbers) {
-      const double c = k == j ? teeth.compliance(path.position(k, T)) : teeth.coupling(std::abs(k - j));
-      matrix.push_back(c * compliance_scale());
-    }
-  }
-  return Compliance(std::move(matrix));
+  const auto films = static_cast<Eigen::Index>(numbers.size());
+  return Compliance(Eigen::MatrixXd::NullaryExpr(films, films, [&](Eigen::Index row, Eigen::Index column) {
+    const int k = numbers[row], j = numbers[column];
+    const double c = k == j ? teeth.compliance(path.position(k, T)) : teeth.coupling(std::abs(k - j));
+    return c * compliance_scale();
+  }));
 }
 
 std::optional<LoadSharing::Piece> MeshModel::share_from(double T) const {

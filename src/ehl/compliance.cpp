@@ -1,40 +1,25 @@
 #include "gearfilm/ehl/compliance.hpp"
 
-#include <cmath>
-
 namespace gearfilm {
 
-Compliance::Compliance(std::vector<double> matrix)
-    : matrix_(std::move(matrix)), films_(std::lround(std::sqrt(static_cast<double>(matrix_.size())))) {}
+Compliance::Compliance(Eigen::MatrixXd matrix) : matrix_(std::move(matrix)) {}
 
-bool Compliance::coupled() const {
-  for (std::size_t k = 0; k < films_; ++k) {
-    for (std::size_t j = 0; j < k; ++j) {
-      if ((*this)(k, j) != 0.0) return true;
-    }
-  }
-  return false;
-}
+bool Compliance::coupled() const { return !matrix_.isDiagonal(0.0); }
 
 Compliance Compliance::alone(std::size_t k) const {
-  return rigid() ? Compliance() : Compliance(std::vector<double>{(*this)(k, k)});
+  return rigid() ? Compliance() : Compliance(Eigen::MatrixXd::Constant(1, 1, (*this)(k, k)));
+}
+
+Eigen::VectorXd Compliance::displacements(const Eigen::VectorXd& rigid_part, const Eigen::VectorXd& forces) const {
+  if (rigid()) return rigid_part;
+  return rigid_part + matrix_ * forces;
 }
 
 std::vector<double> Compliance::displacements(double H0, std::span<const double> forces) const {
-  std::vector<double> displacements(forces.size(), H0);
-  for (std::size_t k = 0; k < films_; ++k) {
-    for (std::size_t j = 0; j < films_; ++j) displacements[k] += (*this)(k, j) * forces[j];
-  }
-  return displacements;
-}
-
-std::vector<double> Compliance::settling_matrix(std::span<const double> stiffness) const {
-  const std::size_t n = stiffness.size();
-  std::vector<double> matrix(n * n);
-  for (std::size_t k = 0; k < n; ++k) {
-    for (std::size_t j = 0; j < n; ++j) matrix[k * n + j] = (k == j ? 1.0 : 0.0) + stiffness[k] * (*this)(k, j);
-  }
-  return matrix;
+  const auto films = static_cast<Eigen::Index>(forces.size());
+  const Eigen::VectorXd displaced =
+      displacements(Eigen::VectorXd::Constant(films, H0), Eigen::Map<const Eigen::VectorXd>(forces.data(), films));
+  return {displaced.begin(), displaced.end()};
 }
 
 }  // namespace gearfilm

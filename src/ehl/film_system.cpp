@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
+
+#include "gearfilm/parallel/lu_factors.hpp"
 
 namespace gearfilm {
 namespace {
-
-double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// The local part of a rate, empty where nothing moves.
 class RateReading {
@@ -24,20 +23,20 @@ private:
 
 }  // namespace
 
-FilmSystem::FilmSystem(std::vector<ContactFilm*> films, Border border)
+FilmSystem::FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies)
     : films_(std::move(films)),
-      border_(std::move(border)),
+      bodies_(std::move(bodies)),
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {}
 
-void FilmSystem::set_border(Border border, Compliance compliance, OpposingForce opposing) {
-  border_ = std::move(border);
+void FilmSystem::set_bodies(BodyEquations bodies, Compliance compliance, ReverseFlankForce reverse_flanks) {
+  bodies_ = std::move(bodies);
   compliance_ = std::move(compliance);
-  opposing_ = std::move(opposing);
+  reverse_flanks_ = std::move(reverse_flanks);
 }
 
 PetscInt FilmSystem::local_size() const {
-  return static_cast<PetscInt>(border_at() + (has_border() ? border_.size() : 0));
+  return static_cast<PetscInt>(scalars_at() + (has_scalars() ? bodies_.size() : 0));
 }
 
 OwnedVec FilmSystem::create_state() const {
@@ -59,42 +58,49 @@ std::vector<double> FilmSystem::field(Vec state, std::size_t contact) const {
 
 void FilmSystem::set_scalars(Vec state, std::span<const double> scalars) const {
   const VecWriting values(state);
-  if (has_border()) std::ranges::copy(scalars, values.values().subspan(border_at()).begin());
+  if (has_scalars()) std::ranges::copy(scalars, values.values().subspan(scalars_at()).begin());
 }
 
-std::vector<double> FilmSystem::scalars(Vec state) const { return scalars_in(VecReading(state).values()); }
+std::vector<double> FilmSystem::scalars(Vec state) const {
+  const Eigen::VectorXd scalars = scalars_in(VecReading(state).values());
+  return {scalars.begin(), scalars.end()};
+}
 
-std::vector<double> FilmSystem::scalars_in(std::span<const double> values) const {
-  std::vector<double> scalars(border_.size());
-  if (has_border()) std::ranges::copy(values.subspan(border_at()), scalars.begin());
+Eigen::VectorXd FilmSystem::scalars_in(std::span<const double> values) const {
+  Eigen::VectorXd scalars(bodies_.size());
+  if (has_scalars()) std::ranges::copy(values.subspan(scalars_at()), scalars.begin());
   if (grid_.processes() > 1) {
     MPI_Bcast(scalars.data(), static_cast<int>(scalars.size()), MPI_DOUBLE, 0, comm());
   }
   return scalars;
 }
 
-void FilmSystem::put_rows(const std::vector<double>& rows, std::span<double> values) const {
-  if (!has_border()) return;
-  for (std::size_t n = 0; n < rows.size(); ++n) values[border_at() + n] = weight_ * rows[n];
+void FilmSystem::put_scalars(const Eigen::VectorXd& scalars, std::span<double> values) const {
+  if (has_scalars()) std::ranges::copy(scalars, values.subspan(scalars_at()).begin());
+}
+
+Eigen::VectorXd FilmSystem::forces(std::span<const double> values) const {
+  const std::vector<double> sums = integrals(grid_, values.first(scalars_at()), films_.size());
+  return Eigen::Map<const Eigen::VectorXd>(sums.data(), static_cast<Eigen::Index>(sums.size()));
 }
 
 void FilmSystem::restrain(Vec guess, Vec last) const {
   const VecReading before(last);
   const VecWriting values(guess);
-  for (std::size_t n = 0; n < border_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
+  for (std::size_t n = 0; n < scalars_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});
 }
 
 Squeeze FilmSystem::squeeze(std::span<const double> rates, std::size_t contact, double shift) const {
   return {rates.empty() ? rates : part(rates, contact), shift};
 }
 
-std::vector<double> FilmSystem::displacements(std::span<const double> values, std::span<const double> scalars) const {
-  const double H0 = border_.displaced(scalars);
-  if (compliance_.rigid()) return std::vector<double>(films(), H0);
-  return compliance_.displacements(H0, forces(values));
+Eigen::VectorXd FilmSystem::displacements(std::span<const double> values, const Eigen::VectorXd& scalars) const {
+  Eigen::VectorXd rigid_part = bodies_.displacement * scalars;
+  if (compliance_.rigid()) return rigid_part;
+  return compliance_.displacements(rigid_part, forces(values));
 }
 
-std::vector<double> FilmSystem::displacements(Vec state) const {
+Eigen::VectorXd FilmSystem::displacements(Vec state) const {
   const VecReading in(state);
   return displacements(in.values(), scalars_in(in.values()));
 }
@@ -103,59 +109,55 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const RateReading rates(rate);
   const VecReading in(state);
   const VecWriting out(rows);
-  const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const double H0 = border_.displaced(scalars);
-  const std::vector<double> displaced = compliance_.displacements(H0, carried);
+  const Eigen::VectorXd scalars = scalars_in(in.values()), carried = forces(in.values());
+  const Eigen::VectorXd displaced = compliance_.displacements(bodies_.displacement * scalars, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
                         part(out.values(), k));
   }
-  if (!has_border()) return;
-  const std::vector<double> still(border_.size(), 0.0);
-  const auto scalar_rates = rate.values ? rates.values().subspan(border_at()) : std::span<const double>(still);
-  const double sum = sum_of(carried) - (opposing_ ? opposing_(H0).value : 0.0);
-  put_rows(border_.rows(scalars, scalar_rates, sum, Border::Of::states), out.values());
+  if (!has_scalars()) return;
+  Eigen::VectorXd scalar_rates = Eigen::VectorXd::Zero(bodies_.size());
+  if (rate.values) std::ranges::copy(rates.values().subspan(scalars_at()), scalar_rates.begin());
+  put_scalars(weight_ * (bodies_.rows(scalars, scalar_rates, carried) + reverse_flanks_.rows(scalars)), out.values());
 }
 
 void FilmSystem::transient(Vec state, Vec values) {
   const VecReading in(state);
   const VecWriting out(values);
-  const std::vector<double> scalars = scalars_in(in.values());
-  const std::vector<double> displaced = displacements(in.values(), scalars);
+  const Eigen::VectorXd scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
   for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k));
-  if (has_border()) std::ranges::copy(scalars, out.values().subspan(border_at()).begin());
+  put_scalars(scalars, out.values());
 }
 
-void FilmSystem::linearise(Vec state, const Rate& rate, double shift, Elimination elimination) {
+void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination) {
   shift_ = shift;
   preconditionings_ = 0;
-  elimination_ = compliance_.rigid() ? elimination : Elimination::exact;
+  elimination_ = compliance_.rigid() ? elimination : BlockElimination::exact;
   const RateReading rates(rate);
   const VecReading in(state);
-  const std::vector<double> scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
-  opposing_slope_ = opposing_ ? opposing_(border_.displaced(scalars)).slope : 0.0;
+  const Eigen::VectorXd scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
+  reverse_jacobian_ = reverse_flanks_.jacobian(scalars);
+  coupled_stiffness_.setZero(static_cast<Eigen::Index>(films()), bodies_.size());
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
   }
-  if (elimination_ == Elimination::border_first) {
-    border_factors_.factor(border_matrix(border_, shift, opposing_slope_));
-    return;
+  if (elimination_ == BlockElimination::exact) {
+    responses_.resize(scalars_at());
+    for (std::size_t k = 0; k < films(); ++k) {
+      films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
+    }
+    const Eigen::VectorXd stiffness = forces(responses_);
+    coupling_factors_ = lu_factors(compliance_.coupling_matrix(stiffness));
+    coupled_stiffness_ = coupling_factors_.solve(stiffness.asDiagonal() * bodies_.displacement);
   }
-  responses_.resize(border_at());
-  for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
-  }
-  stiffness_ = forces(responses_);
-  settling_factors_.factor(compliance_.settling_matrix(stiffness_));
-  settled_ = settling_factors_.solve(stiffness_);
-  border_factors_.factor(border_matrix(border_, shift, sum_of(settled_) + opposing_slope_));
+  body_factors_ = lu_factors(bodies_.jacobian(shift, coupled_stiffness_) + reverse_jacobian_);
 }
 
 double FilmSystem::merit(Vec rows) {
   const VecReading in(rows);
   double sum = 0.0;
   for (std::size_t k = 0; k < films(); ++k) sum += films_[k]->merit(part(in.values(), k));
-  for (std::size_t n = border_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
+  for (std::size_t n = scalars_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
   return std::sqrt(sum);
 }
@@ -175,38 +177,33 @@ bool FilmSystem::ease(Vec change, Vec whole, Vec before, Vec after) {
 void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
-  const std::vector<double> scalars = scalars_in(in.values()), carried = forces(in.values());
-  const double H0 = border_.displaced(scalars);
-  const std::vector<double> displaced = compliance_.displacements(H0, carried);
+  const Eigen::VectorXd scalars = scalars_in(in.values()), carried = forces(in.values());
+  const Eigen::VectorXd displaced = compliance_.displacements(bodies_.displacement * scalars, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->multiply(part(in.values(), k), displaced[k], part(out.values(), k));
   }
-  std::vector<double> rates = scalars;
-  for (double& value : rates) value *= shift_;
-  const double sum = sum_of(carried) - opposing_slope_ * H0;
-  put_rows(border_.rows(scalars, rates, sum, Border::Of::changes), out.values());
+  put_scalars(weight_ * (bodies_.rows_of_change(scalars, shift_ * scalars, carried) + reverse_jacobian_ * scalars),
+              out.values());
 }
 
 void FilmSystem::multiply_transient(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);
-  const std::vector<double> scalars = scalars_in(in.values());
-  const std::vector<double> displaced = displacements(in.values(), scalars);
+  const Eigen::VectorXd scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->multiply_mass(part(in.values(), k), displaced[k], part(out.values(), k));
   }
-  const std::vector<double> nothing(border_.size(), 0.0);
-  put_rows(border_.rows(nothing, scalars, 0.0, Border::Of::changes), out.values());
+  put_scalars(weight_ * (bodies_.mass * scalars), out.values());
 }
 
 void FilmSystem::precondition(Vec rows, Vec change) {
   const VecReading in(rows);
   const VecWriting out(change);
   ++preconditionings_;
-  if (elimination_ == Elimination::exact) {
+  if (elimination_ == BlockElimination::exact) {
     precondition_exactly(in.values(), out.values());
   } else {
-    precondition_border_first(in.values(), out.values());
+    precondition_scalars_first(in.values(), out.values());
   }
 }
 
@@ -219,47 +216,39 @@ void FilmSystem::solve_film(std::size_t contact, std::span<const double> rows, s
   }
 }
 
-// s from the border's rows, then v_k = M_k^-1 (r_k - H_0 dG_k/dH_0).
-void FilmSystem::precondition_border_first(std::span<const double> rows, std::span<double> change) {
-  std::vector<double> border_rows = scalars_in(rows);
-  for (double& row : border_rows) row /= weight_;
-  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
-  const double H0 = border_.displaced(scalars);
+// s from the body equations as if no force changed, then v_k = M_k^-1 (r_k - H_k dG_k/dH_k).
+void FilmSystem::precondition_scalars_first(std::span<const double> rows, std::span<double> change) {
+  const Eigen::VectorXd scalars = body_factors_.solve(scalars_in(rows) / weight_);
+  const Eigen::VectorXd displaced = bodies_.displacement * scalars;
   work_.resize(field_size());
   for (std::size_t k = 0; k < films(); ++k) {
     const auto film_rows = part(rows, k);
     const auto column = films_[k]->displacement_column();
-    for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - H0 * column[n];
+    for (std::size_t n = 0; n < field_size(); ++n) work_[n] = film_rows[n] - displaced[k] * column[n];
     solve_film(k, work_, part(change, k));
   }
-  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
+  put_scalars(scalars, change);
 }
 
-// With z = M^-1 r and y = M^-1 dG/dH of the films v_k = z_k - y_k H_k: their forces settle from those of z with the
-// stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S H_0), and the border gives s.
+// With z = M^-1 r and y = M^-1 dG/dH of the films v_k = z_k - y_k H_k: their forces follow from those of z with the
+// stiffness S (compliance.hpp), F = (I + S C)^-1 (Z - S B s), and the body equations give s.
 void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<double> change) {
   for (std::size_t k = 0; k < films(); ++k) solve_film(k, part(rows, k), part(change, k));
-  std::vector<double> carried = settling_factors_.solve(forces(change));
-  std::vector<double> border_rows = scalars_in(rows);
-  const double sum = sum_of(carried);
-  for (std::size_t n = 0; n < border_rows.size(); ++n) {
-    border_rows[n] = border_rows[n] / weight_ + border_.force[n] * sum;
-  }
-  const std::vector<double> scalars = border_factors_.solve(std::move(border_rows));
-  const double H0 = border_.displaced(scalars);
-  for (std::size_t k = 0; k < films(); ++k) carried[k] -= H0 * settled_[k];
-  const std::vector<double> displaced = compliance_.displacements(H0, carried);
+  const Eigen::VectorXd at_rest = coupling_factors_.solve(forces(change));  // of s = 0
+  const Eigen::VectorXd scalars = body_factors_.solve(scalars_in(rows) / weight_ + bodies_.force * at_rest);
+  const Eigen::VectorXd displaced =
+      compliance_.displacements(bodies_.displacement * scalars, at_rest - coupled_stiffness_ * scalars);
   for (std::size_t k = 0; k < films(); ++k) {
     const auto response = part(std::span(std::as_const(responses_)), k);
     const auto own = part(change, k);
     for (std::size_t n = 0; n < field_size(); ++n) own[n] -= displaced[k] * response[n];
   }
-  if (has_border()) std::ranges::copy(scalars, change.subspan(border_at()).begin());
+  put_scalars(scalars, change);
 }
 
 std::vector<FilmFigures> FilmSystem::figures(Vec state) {
   const VecReading in(state);
-  const std::vector<double> displaced = displacements(in.values(), scalars_in(in.values()));
+  const Eigen::VectorXd displaced = displacements(in.values(), scalars_in(in.values()));
   std::vector<FilmFigures> figures;
   for (std::size_t k = 0; k < films(); ++k) figures.push_back(films_[k]->figures(part(in.values(), k), displaced[k]));
   return figures;

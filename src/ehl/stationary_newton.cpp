@@ -4,8 +4,8 @@
 
 namespace gearfilm {
 
-StationaryNewton::StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options)
-    : system_(std::move(films), given_displacement(0.0)),
+StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const NewtonOptions& options)
+    : system_(films, fixed_approach(0.0, films.size())),
       state_(system_.create_state()),
       residual_(system_.create_state()),
       rate_(system_.create_state()),
@@ -92,8 +92,9 @@ long StationaryNewton::convolutions() {
 // A displacement that is given depends on no film: on rigid solids it comes first, exactly.
 void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films) {
   const bool given = load.kind == LoadCondition::Kind::displacement;
-  elimination_ = given ? FilmSystem::Elimination::border_first : FilmSystem::Elimination::exact;
-  system_.set_border(given ? given_displacement(load.value) : given_force(load.value), load.compliance);
+  elimination_ = given ? FilmSystem::BlockElimination::scalars_first : FilmSystem::BlockElimination::exact;
+  const auto held = given ? fixed_approach : load_balance;
+  system_.set_bodies(held(load.value, system_.films()), load.compliance);
   const std::span pressures(films.pressure);
   const std::size_t size = pressures.size() / system_.films();
   for (std::size_t k = 0; k < system_.films(); ++k) system_.set_field(state_, k, pressures.subspan(k * size, size));

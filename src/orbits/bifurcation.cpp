@@ -1,14 +1,12 @@
 #include "gearfilm/orbits/bifurcation.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace gearfilm {
 namespace {
-
-double trace(const Monodromy& m) { return m[0][0] + m[1][1]; }
-double determinant(const Monodromy& m) { return m[0][0] * m[1][1] - m[0][1] * m[1][0]; }
 
 struct Test {
   PointKind kind;
@@ -23,19 +21,17 @@ constexpr auto always = [](const BranchPoint&) { return true; };
 constexpr std::array<Test, 4> tests = {{
     {PointKind::fold, [](const BranchPoint& point) { return point.tangent[2]; }, always},
     {PointKind::flip,
-     [](const BranchPoint& point) { return 1.0 + trace(point.value.by_motion) + determinant(point.value.by_motion); },
+     [](const BranchPoint& point) { return 1.0 + point.value.by_motion.trace() + point.value.by_motion.determinant(); },
      always},
-    {PointKind::neimark_sacker, [](const BranchPoint& point) { return determinant(point.value.by_motion) - 1.0; },
-     [](const BranchPoint& point) { return std::abs(trace(point.value.by_motion)) < 2.0; }},
+    {PointKind::neimark_sacker, [](const BranchPoint& point) { return point.value.by_motion.determinant() - 1.0; },
+     [](const BranchPoint& point) { return std::abs(point.value.by_motion.trace()) < 2.0; }},
     {PointKind::grazing, [](const BranchPoint& point) { return point.value.least_approach; }, always},
 }};
 
 bool changes(double before, double after) { return (before > 0.0) != (after > 0.0); }
 
 BranchVector ahead(const BranchCorrector& corrector, const BranchPoint& from, double step) {
-  BranchVector u = corrector.coordinates(from.state);
-  for (int n = 0; n < 3; ++n) u[n] += step * from.tangent[n];
-  return u;
+  return corrector.coordinates(from.state) + step * from.tangent;
 }
 
 /// Regula falsi (Illinois: the value at an end that stays is halved), with bisection where that is slow.
@@ -98,22 +94,17 @@ std::vector<Bifurcation> bifurcations_between(const BranchCorrector& corrector, 
 
 bool meets_half_order(const BranchPoint& before, const BranchPoint& after) {
   const auto half = [](const BranchPoint& point) {
-    const Motion& middle = point.value.states[point.value.states.size() / 2 - 1];
-    return Motion{middle.H0 - point.state.motion.H0, middle.V0 - point.state.motion.V0};
+    return to_vector(difference(point.value.states[point.value.states.size() / 2 - 1], point.state.motion));
   };
-  const Motion a = half(before), b = half(after);
-  return a.H0 * b.H0 + a.V0 * b.V0 < 0.0;
+  return half(before).dot(half(after)) < 0.0;
 }
 
 // (M + I) v = 0: v is normal to the longer row.
 Motion flip_direction(const Monodromy& monodromy) {
-  const std::array<double, 2> first = {monodromy[0][0] + 1.0, monodromy[0][1]};
-  const std::array<double, 2> second = {monodromy[1][0], monodromy[1][1] + 1.0};
-  const double of_first = std::hypot(first[0], first[1]), of_second = std::hypot(second[0], second[1]);
-  const auto& row = of_first > of_second ? first : second;
-  const double size = std::max(of_first, of_second);
-  if (size == 0.0) return {1.0, 0.0};
-  return {-row[1] / size, row[0] / size};
+  const Monodromy singular = monodromy + Monodromy::Identity();
+  Eigen::Index longer = 0;
+  if (singular.rowwise().squaredNorm().maxCoeff(&longer) == 0.0) return {1.0, 0.0};
+  return to_motion(singular.row(longer).transpose().unitOrthogonal());
 }
 
 }  // namespace gearfilm

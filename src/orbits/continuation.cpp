@@ -15,12 +15,6 @@ constexpr double usual_turn = 0.1;    // that the next step is chosen for
 constexpr double farthest = 0.5;      // from prediction to corrected point, of a step
 constexpr int easy_iterations = 4;
 
-BranchVector minus(const BranchVector& a, const BranchVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-BranchVector ahead(const BranchVector& from, double step, const BranchVector& tangent) {
-  return {from[0] + step * tangent[0], from[1] + step * tangent[1], from[2] + step * tangent[2]};
-}
-
 /// A flip whose branch is still to be followed.
 struct Birth {
   int branch;
@@ -65,7 +59,7 @@ public:
     const BranchVector across = {v.H0, v.V0, 0.0}, at = corrector_.coordinates(flip.state);
     double step = options_.first_step;
     while (step > options_.smallest_step) {
-      const BranchVector predicted = ahead(at, step, across);
+      const BranchVector predicted = at + step * across;
       auto found = corrector_.correct(predicted, across);
       if (found && fits(found->point, predicted, across, step)) return std::move(found->point);
       step *= 0.5;
@@ -81,10 +75,10 @@ public:
 
 private:
   double distance(const BranchPoint& point, const BranchVector& from) const {
-    return length(minus(corrector_.coordinates(point.state), from));
+    return (corrector_.coordinates(point.state) - from).norm();
   }
   static double angle(const BranchVector& a, const BranchVector& b) {
-    return std::acos(std::clamp(dot(a, b), -1.0, 1.0));
+    return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
   }
 
   /// Near enough to its prediction to be on the same branch.
@@ -97,7 +91,7 @@ private:
     const BranchVector from = corrector_.coordinates(here.state);
     for (;; step *= 0.5) {
       if (step < options_.smallest_step) return {};
-      const BranchVector predicted = ahead(from, step, here.tangent);
+      const BranchVector predicted = from + step * here.tangent;
       auto next = corrector_.correct(predicted, here.tangent);
       if (next && fits(next->point, predicted, here.tangent, step)) {
         return next;
@@ -136,9 +130,7 @@ private:
                              std::lerp(here.state.motion.V0, next.state.motion.V0, part)},
                             bound};
     if (auto last = at_parameter(guess)) {
-      if (dot(last->tangent, here.tangent) < 0.0) {
-        for (double& component : last->tangent) component = -component;
-      }
+      if (last->tangent.dot(here.tangent) < 0.0) last->tangent = -last->tangent;
       report(PointKind::regular, *last);
       branch_.last = last->state;
     }
@@ -148,8 +140,8 @@ private:
   bool returns(const BranchPoint& first, const BranchPoint& here, const BranchPoint& next, double step) const {
     if (branch_.points < 4) return false;
     const BranchVector start = corrector_.coordinates(first.state);
-    const double before = dot(first.tangent, minus(corrector_.coordinates(here.state), start));
-    const double after = dot(first.tangent, minus(corrector_.coordinates(next.state), start));
+    const double before = first.tangent.dot(corrector_.coordinates(here.state) - start);
+    const double after = first.tangent.dot(corrector_.coordinates(next.state) - start);
     return before < 0.0 && after >= 0.0 && distance(next, start) <= 1.5 * step &&
            angle(first.tangent, next.tangent) < largest_turn;
   }
@@ -178,7 +170,7 @@ void forget_birth(std::deque<Birth>& births, const Branch& done, const Continuat
   const BranchCorrector corrector({}, done.order, options.corrector);
   const auto away = [&](const Birth& birth) {
     if (birth.order * 2 != done.order) return HUGE_VAL;
-    return length(minus(corrector.coordinates(birth.at.state), corrector.coordinates(done.last)));
+    return (corrector.coordinates(birth.at.state) - corrector.coordinates(done.last)).norm();
   };
   const auto nearest = std::ranges::min_element(births, {}, away);
   if (nearest != births.end() && away(*nearest) < 2.0 * options.largest_step) births.erase(nearest);
@@ -210,9 +202,7 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
                "(start.H0, start.V0)";
     throw SolveError(message.str());
   }
-  if (!upwards) {
-    for (double& component : start->tangent) component = -component;
-  }
+  if (!upwards) start->tangent = -start->tangent;
   follow(trunk, *start);
   while (!births.empty()) {
     const Birth birth = std::move(births.front());

@@ -20,7 +20,7 @@ Motion ahead(const BranchPoint& from, double parts) {
 }
 
 bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const Motion& predicted, double step) {
-  const double turn = std::acos(std::clamp(dot(here.tangent, there.tangent), -1.0, 1.0));
+  const double turn = std::acos(std::clamp(here.tangent.dot(there.tangent), -1.0, 1.0));
   const double away = length(difference(there.state.motion, predicted));
   return turn < largest_turn && away < std::min(other_branch, farthest * step / here.tangent[2]);
 }

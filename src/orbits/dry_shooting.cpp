@@ -45,7 +45,7 @@ PetscErrorCode slope_of(SNES, Vec in, Mat, Mat out, void* context) {
     const auto& slope = static_cast<MapThere*>(context)->at({x[0], x[1]}).by_start;
     for (int row = 0; row < 2; ++row) {
       for (int column = 0; column < 2; ++column) {
-        petsc_check(MatSetValue(out, row, column, slope[row][column] - (row == column), INSERT_VALUES));
+        petsc_check(MatSetValue(out, row, column, slope(row, column) - (row == column), INSERT_VALUES));
       }
     }
     petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));

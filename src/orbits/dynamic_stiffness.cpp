@@ -8,7 +8,7 @@
 #include "gearfilm/ehl/oscillating_film.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/orbits/mode_solver.hpp"
-#include "gearfilm/parallel/dense_factors.hpp"
+#include "gearfilm/parallel/lu_factors.hpp"
 
 namespace gearfilm {
 namespace {
@@ -126,28 +126,6 @@ private:
   std::complex<double> last_s_, before_s_;
 };
 
-/// Sum of F of (I + K C) F = K with complex K, as a real system of (Re F, Im F).
-std::complex<double> settled(const std::vector<std::complex<double>>& K, const Compliance& compliance) {
-  const std::size_t n = K.size();
-  std::vector<double> right_side(2 * n), matrix(4 * n * n);
-  for (std::size_t k = 0; k < n; ++k) {
-    right_side[k] = K[k].real();
-    right_side[n + k] = K[k].imag();
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::complex<double> entry = (k == j ? 1.0 : 0.0) + K[k] * compliance(k, j);
-      matrix[k * 2 * n + j] = matrix[(n + k) * 2 * n + n + j] = entry.real();
-      matrix[(n + k) * 2 * n + j] = entry.imag();
-      matrix[k * 2 * n + n + j] = -entry.imag();
-    }
-  }
-  DenseFactors factors;
-  factors.factor(matrix);
-  const std::vector<double> forces = factors.solve(right_side);
-  std::complex<double> sum = 0.0;
-  for (std::size_t k = 0; k < n; ++k) sum += std::complex<double>(forces[k], forces[n + k]);
-  return sum;
-}
-
 /// -dF/dH_0 of all contacts together of a pair in a state at rest, placed.
 class DynamicStiffness {
 public:
@@ -156,14 +134,14 @@ public:
 
   /// At s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
   std::complex<double> at(std::complex<double> s, double krylov_tolerance) {
-    const std::vector<double> displaced = system_.displacements(state_);
-    std::vector<std::complex<double>> each;
+    const Eigen::VectorXd displaced = system_.displacements(state_);
+    Eigen::VectorXcd stiffness(displaced.size());
     for (std::size_t k = 0; k < system_.films(); ++k) {
       const std::vector<double> pressure = system_.field(state_, k);
       FilmResponse response(system_.film(k), pressure, displaced[k], s);
-      each.push_back(of_film(response, s, krylov_tolerance, memories_[k]));
+      stiffness[k] = of_film(response, s, krylov_tolerance, memories_[k]);
     }
-    return settled(each, system_.compliance());
+    return lu_factors(system_.compliance().coupling_matrix(stiffness)).solve(stiffness).sum();
   }
 
   int solutions() const { return solutions_; }

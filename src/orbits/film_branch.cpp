@@ -14,7 +14,7 @@ namespace {
 constexpr double shortest_secant = 1e-3, longest_secant = 1.0;
 
 /// What is to be added to the derivatives of the dry map, in (H_0, V_0, lambda/unit).
-using Correction = std::array<BranchVector, 2>;
+using Correction = Eigen::Matrix<double, 2, 3>;
 
 /// Of the forces in a march, over the static one.
 struct ForceRange {
@@ -78,15 +78,13 @@ private:
   void set_derivatives(const BranchState& at, int order, MapValue& value) {
     const MapValue dry = dry_({{at.motion.H0 - options_.film_shift, at.motion.V0}, at.parameter}, order);
     const BranchVector u = {at.motion.H0, at.motion.V0, at.parameter / options_.unit};
-    Correction whole = {{{dry.by_motion[0][0], dry.by_motion[0][1], options_.unit * dry.by_parameter.H0},
-                         {dry.by_motion[1][0], dry.by_motion[1][1], options_.unit * dry.by_parameter.V0}}};
-    if (order != last_order_) correction_ = {};
-    for (int row = 0; row < 2; ++row) {
-      for (int n = 0; n < 3; ++n) whole[row][n] += correction_[row][n];
-    }
+    Correction whole;
+    whole << dry.by_motion, options_.unit * to_vector(dry.by_parameter);
+    if (order != last_order_) correction_.setZero();
+    whole += correction_;
     if (order == last_order_) update(u, value.image(), whole);
-    value.by_motion = {{{whole[0][0], whole[0][1]}, {whole[1][0], whole[1][1]}}};
-    value.by_parameter = {whole[0][2] / options_.unit, whole[1][2] / options_.unit};
+    value.by_motion = whole.leftCols<2>();
+    value.by_parameter = to_motion(whole.col(2) / options_.unit);
     last_order_ = order;
     last_ = u;
     last_image_ = value.image();
@@ -96,35 +94,27 @@ private:
   void measure(const BranchState& at, int order, const PeriodicOrbit& orbit, MapValue& value) {
     MeshMarch march = march_at_(at.parameter, order, [](const StepRecord&, const std::vector<LiveContact>&) {});
     const Monodromy map = free_decay(march, orbit, {}).map;
-    if (map == Monodromy{}) return;  // the push was gone at once
-    for (int row = 0; row < 2; ++row) {
-      for (int n = 0; n < 2; ++n) correction_[row][n] += map[row][n] - value.by_motion[row][n];
-    }
+    if (map == Monodromy::Zero()) return;  // the push was gone at once
+    correction_.leftCols<2>() += map - value.by_motion;
     value.by_motion = map;
   }
 
   /// Broyden: the least change by which the derivatives agree with the last two marches.
   void update(const BranchVector& u, const Motion& image, Correction& whole) {
-    const BranchVector step = {u[0] - last_[0], u[1] - last_[1], u[2] - last_[2]};
-    if (length(step) < shortest_secant || length(step) > longest_secant) return;
-    const Motion change = difference(image, last_image_);
-    const double square = dot(step, step);
-    const std::array<double, 2> errors = {(change.H0 - dot(whole[0], step)) / square,
-                                          (change.V0 - dot(whole[1], step)) / square};
-    for (int row = 0; row < 2; ++row) {
-      for (int n = 0; n < 3; ++n) {
-        whole[row][n] += errors[row] * step[n];
-        correction_[row][n] += errors[row] * step[n];
-      }
-    }
+    const BranchVector step = u - last_;
+    if (step.norm() < shortest_secant || step.norm() > longest_secant) return;
+    const Eigen::Vector2d error = to_vector(difference(image, last_image_)) - whole * step;
+    const Correction least = error * step.transpose() / step.squaredNorm();
+    whole += least;
+    correction_ += least;
   }
 
   MarchAt march_at_;
   BranchMap dry_;
   FilmBranchOptions options_;  ///< its films: those that the last march ended with
-  Correction correction_{};
+  Correction correction_ = Correction::Zero();
   int last_order_ = 0;
-  BranchVector last_{};
+  BranchVector last_ = BranchVector::Zero();
   Motion last_image_;
 };
 

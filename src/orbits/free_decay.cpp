@@ -75,7 +75,7 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
     // Nothing is left to be fitted; how little, the first two returns say.
     const auto change = [&](int n) { return march.mesh().size(difference(first[n], first[n - 1])); };
     const double kept = change(2) / change(1);
-    return {{}, {kept, 0.0}, kept};
+    return {Monodromy::Zero(), {kept, 0.0}, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
   if (decay.modulus_error >= well_known) {

@@ -1,5 +1,6 @@
 #include "gearfilm/orbits/monodromy.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,10 +8,8 @@
 namespace gearfilm {
 
 std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy) {
-  const auto& [first, second] = monodromy;
-  const double half_trace = 0.5 * (first[0] + second[1]);
-  const double determinant = first[0] * second[1] - first[1] * second[0];
-  const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - determinant));
+  const double half_trace = 0.5 * monodromy.trace();
+  const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - monodromy.determinant()));
   return {half_trace + root, half_trace - root};
 }
 

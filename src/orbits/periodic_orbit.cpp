@@ -1,8 +1,10 @@
 #include "gearfilm/orbits/periodic_orbit.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
@@ -21,41 +23,31 @@ constexpr int settling_periods = 3;     // marched on before Newton's method is 
 constexpr double time_to_follow = 0.2;
 
 Motion moved(const Motion& from, double by, const Motion& step) {
-  return {from.H0 + by * step.H0, from.V0 + by * step.V0};
+  return to_motion(to_vector(from) + by * to_vector(step));
 }
 
 /// x with map x = right.
-Motion solved(const Monodromy& map, const Motion& right) {
-  const double determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
-  return {(map[1][1] * right.H0 - map[0][1] * right.V0) / determinant,
-          (map[0][0] * right.V0 - map[1][0] * right.H0) / determinant};
-}
+Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.inverse() * to_vector(right)); }
 
 /// Approximate Jacobian of the map, kept good by Broyden's update, which changes it least where velocities count by
 /// their worth.
 class MapJacobian {
 public:
-  MapJacobian(const MeshModel& mesh, const Monodromy& monodromy) : mesh_(mesh), entries_(monodromy) {}
+  MapJacobian(const MeshModel& mesh, Monodromy monodromy) : mesh_(mesh), entries_(std::move(monodromy)) {}
 
   const Monodromy& monodromy() const { return entries_; }
   /// The step by which map(x) - x would vanish.
   Motion newton_step(const Motion& defect) const {
-    const Motion step =
-        solved({{{1.0 - entries_[0][0], -entries_[0][1]}, {-entries_[1][0], 1.0 - entries_[1][1]}}}, defect);
+    const Motion step = solved(Monodromy::Identity() - entries_, defect);
     return moved({}, std::min(1.0, largest_change / mesh_.size(step)), step);
   }
   /// The map changed by map_change over a step of its argument.
   void update(const Motion& step, const Motion& map_change) {
-    const double worth = mesh_.worth_of_velocity(), worthy = worth * worth * step.V0;
-    const double square = step.H0 * step.H0 + worthy * step.V0;
+    const double worth = mesh_.worth_of_velocity();
+    const Eigen::Vector2d x = to_vector(step), weighted(step.H0, worth * worth * step.V0);
+    const double square = x.dot(weighted);
     if (square == 0.0) return;
-    const auto correct = [&](std::array<double, 2>& row, double change) {
-      const double error = (change - row[0] * step.H0 - row[1] * step.V0) / square;
-      row[0] += error * step.H0;
-      row[1] += error * worthy;
-    };
-    correct(entries_[0], map_change.H0);
-    correct(entries_[1], map_change.V0);
+    entries_ += (to_vector(map_change) - entries_ * x) / square * weighted.transpose();
   }
 
 private:

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "gearfilm/parallel/dense_factors.hpp"
+#include "gearfilm/parallel/lu_factors.hpp"
 
 namespace gearfilm {
 namespace {
@@ -32,32 +32,22 @@ std::vector<double> AndersonMixing::change(const std::vector<double>& x, const s
   if (differences_.size() > static_cast<std::size_t>(depth_)) differences_.pop_front();
   last_x_ = x;
   last_f_ = f;
-  const std::size_t count = differences_.size();
+  const auto count = static_cast<Eigen::Index>(differences_.size());
   // Normal equations, and their right side as the last column.
-  std::vector<double> products(count * (count + 1));
-  for (std::size_t j = 0; j < count; ++j) {
-    for (std::size_t k = 0; k < count; ++k) {
-      products[j * (count + 1) + k] = own_product(differences_[j].f, differences_[k].f);
-    }
-    products[j * (count + 1) + count] = own_product(differences_[j].f, f);
+  Eigen::MatrixXd products(count, count + 1);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    for (Eigen::Index k = 0; k < count; ++k) products(j, k) = own_product(differences_[j].f, differences_[k].f);
+    products(j, count) = own_product(differences_[j].f, f);
   }
   MPI_Allreduce(MPI_IN_PLACE, products.data(), static_cast<int>(products.size()), MPI_DOUBLE, MPI_SUM, comm_);
-  std::vector<double> matrix, right_side;
-  double trace = 0.0;
-  for (std::size_t j = 0; j < count; ++j) trace += products[j * (count + 1) + j];
-  for (std::size_t j = 0; j < count; ++j) {
-    for (std::size_t k = 0; k < count; ++k) {
-      matrix.push_back(products[j * (count + 1) + k] + (j == k ? regularity * trace : 0.0));
-    }
-    right_side.push_back(products[j * (count + 1) + count]);
-  }
+  Eigen::MatrixXd matrix = products.leftCols(count);
+  const double trace = matrix.trace();
   std::vector<double> change(f);
   for (double& value : change) value *= relaxation_;
   if (trace == 0.0) return change;
-  DenseFactors factors;
-  factors.factor(matrix);
-  const std::vector<double> c = factors.solve(right_side);
-  for (std::size_t j = 0; j < count; ++j) {
+  matrix.diagonal().array() += regularity * trace;
+  const Eigen::VectorXd c = lu_factors(matrix).solve(products.col(count));
+  for (Eigen::Index j = 0; j < count; ++j) {
     for (std::size_t n = 0; n < change.size(); ++n) {
       change[n] -= c[j] * (differences_[j].x[n] + relaxation_ * differences_[j].f[n]);
     }

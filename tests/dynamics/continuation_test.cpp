@@ -19,29 +19,16 @@ struct Step {
   double approach = 1.0;
 };
 
-Motion times(const Monodromy& m, const Motion& x) {
-  return {m[0][0] * x.H0 + m[0][1] * x.V0, m[1][0] * x.H0 + m[1][1] * x.V0};
-}
-
-Monodromy times(const Monodromy& a, const Monodromy& b) {
-  Monodromy product{};
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
-  }
-  return product;
-}
-
 /// The map that repeats one step as often as the order says, by the chain rule.
 BranchMap repeated(Step (*step)(const Motion&, double)) {
   return [step](const BranchState& at, int order) {
     MapValue value;
-    value.by_motion = {{{1.0, 0.0}, {0.0, 1.0}}};
+    value.by_motion.setIdentity();
     Motion x = at.motion;
     for (int n = 0; n < order; ++n) {
       const Step one = step(x, at.parameter);
-      const Motion carried = times(one.by_motion, value.by_parameter);
-      value.by_parameter = {carried.H0 + one.by_parameter.H0, carried.V0 + one.by_parameter.V0};
-      value.by_motion = times(one.by_motion, value.by_motion);
+      value.by_parameter = to_motion(one.by_motion * to_vector(value.by_parameter) + to_vector(one.by_parameter));
+      value.by_motion = one.by_motion * value.by_motion;
       value.least_approach = std::min(value.least_approach, one.approach);
       x = one.image;
       value.states.push_back(x);
@@ -85,7 +72,8 @@ constexpr double located = 2e-6;
 // x' = x + lambda - x^2, y' = y/2: x = +-sqrt(lambda), a fold at 0; the multiplier 1 - 2x is -1 at x = 1, lambda = 1.
 TEST(Continuation, passes_the_fold_of_a_quadratic_map) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
-    return Step{{x.H0 + lambda - x.H0 * x.H0, 0.5 * x.V0}, {{{1.0 - 2.0 * x.H0, 0.0}, {0.0, 0.5}}}, {1.0, 0.0}, 1.0};
+    return Step{
+        {x.H0 + lambda - x.H0 * x.H0, 0.5 * x.V0}, Monodromy{{1.0 - 2.0 * x.H0, 0.0}, {0.0, 0.5}}, {1.0, 0.0}, 1.0};
   });
   const Followed found = follow(map, {{0.71, 0.0}, 0.5}, false, {.lowest = -1.0, .highest = 0.5});
   const std::vector<Found> folds = found.of(PointKind::fold, 1);
@@ -109,7 +97,7 @@ TEST(Continuation, passes_the_fold_of_a_quadratic_map) {
 TEST(Continuation, follows_the_doubled_period_of_the_logistic_map) {
   const BranchMap map = repeated([](const Motion& x, double r) {
     return Step{{r * x.H0 * (1.0 - x.H0), -0.3 * x.V0 + x.H0},
-                {{{r * (1.0 - 2.0 * x.H0), 0.0}, {1.0, -0.3}}},
+                Monodromy{{r * (1.0 - 2.0 * x.H0), 0.0}, {1.0, -0.3}},
                 {x.H0 * (1.0 - x.H0), 0.0},
                 1.0};
   });
@@ -137,7 +125,7 @@ TEST(Continuation, a_branch_of_doubled_period_ends_where_it_meets_the_other_flip
   const BranchMap map = repeated([](const Motion& x, double lambda) {
     const double r = 3.2 - lambda * lambda;
     return Step{{r * x.H0 * (1.0 - x.H0), 0.2 * x.V0},
-                {{{r * (1.0 - 2.0 * x.H0), 0.0}, {0.0, 0.2}}},
+                Monodromy{{r * (1.0 - 2.0 * x.H0), 0.0}, {0.0, 0.2}},
                 {-2.0 * lambda * x.H0 * (1.0 - x.H0), 0.0},
                 1.0};
   });
@@ -159,7 +147,7 @@ TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
     const double c = lambda * std::cos(1.0), s = lambda * std::sin(1.0), X = x.H0 - 0.3 * lambda;
     return Step{
         {0.3 * lambda + c * X - s * x.V0, s * X + c * x.V0},
-        {{{c, -s}, {s, c}}},
+        Monodromy{{c, -s}, {s, c}},
         {0.3 - 0.3 * c + std::cos(1.0) * X - std::sin(1.0) * x.V0, -0.3 * s + std::sin(1.0) * X + std::cos(1.0) * x.V0},
         lambda - 0.8};
   });
@@ -169,7 +157,7 @@ TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
   ASSERT_EQ(found.of(PointKind::grazing, 1).size(), 1u);
   EXPECT_NEAR(found.of(PointKind::grazing, 1)[0].point.state.parameter, 0.8, located);
   const BranchMap saddle = repeated([](const Motion& x, double lambda) {
-    return Step{{lambda * x.H0, 0.5 * x.V0}, {{{lambda, 0.0}, {0.0, 0.5}}}, {x.H0, 0.0}, 1.0};
+    return Step{{lambda * x.H0, 0.5 * x.V0}, Monodromy{{lambda, 0.0}, {0.0, 0.5}}, {x.H0, 0.0}, 1.0};
   });
   const Followed real = follow(saddle, {{0.0, 0.0}, 1.5}, true, {.lowest = 1.5, .highest = 2.5});
   EXPECT_TRUE(real.of(PointKind::neimark_sacker, 1).empty());
@@ -180,7 +168,7 @@ TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
 TEST(Continuation, a_closed_branch_is_followed_once) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
     return Step{{x.H0 + 0.25 * (1.0 - x.H0 * x.H0 - lambda * lambda), 0.5 * x.V0},
-                {{{1.0 - 0.5 * x.H0, 0.0}, {0.0, 0.5}}},
+                Monodromy{{1.0 - 0.5 * x.H0, 0.0}, {0.0, 0.5}},
                 {-0.5 * lambda, 0.0},
                 1.0};
   });
@@ -196,7 +184,7 @@ TEST(Continuation, a_closed_branch_is_followed_once) {
 TEST(Continuation, a_branch_that_is_lost_says_where) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
     if (lambda > 0.3) throw SolveError("no value");
-    return Step{{0.5 * x.H0 + lambda, 0.5 * x.V0}, {{{0.5, 0.0}, {0.0, 0.5}}}, {1.0, 0.0}, 1.0};
+    return Step{{0.5 * x.H0 + lambda, 0.5 * x.V0}, Monodromy{{0.5, 0.0}, {0.0, 0.5}}, {1.0, 0.0}, 1.0};
   });
   const Followed found = follow(map, {{0.0, 0.0}, 0.0}, true, {.lowest = -1.0, .highest = 1.0});
   EXPECT_EQ(found.branches[0].end, BranchEnd::lost);
@@ -230,10 +218,10 @@ TEST(DryFlow, derivatives_agree_with_marches) {
       const Motion V = difference(march({start.H0, start.V0 + d}, value), march({start.H0, start.V0 - d}, value));
       const Motion p = difference(march(start, value + d * unit), march(start, value - d * unit));
       EXPECT_LT(length(difference(flow.image(), march(start, value))), 1e-7) << key;
-      EXPECT_NEAR(flow.by_motion[0][0], H.H0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion[1][0], H.V0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion[0][1], V.H0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion[1][1], V.V0 / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(0, 0), H.H0 / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(1, 0), H.V0 / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(0, 1), V.H0 / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(1, 1), V.V0 / (2.0 * d), 1e-3);
       EXPECT_NEAR(flow.by_parameter.H0 * unit, p.H0 / (2.0 * d), 1e-3) << key;
       EXPECT_NEAR(flow.by_parameter.V0 * unit, p.V0 / (2.0 * d), 1e-3) << key;
     }

@@ -12,8 +12,7 @@ constexpr Motion orbit_begin{-1.5, 1.3};
 constexpr Motion orbit_end{-1.5 + 2e-5, 1.3 - 3e-5};  // the orbit's own defect
 
 Motion mapped(const Monodromy& map, const Motion& from) {
-  const double H = from.H0 - orbit_begin.H0, V = from.V0 - orbit_begin.V0;
-  return {orbit_end.H0 + map[0][0] * H + map[0][1] * V, orbit_end.V0 + map[1][0] * H + map[1][1] * V};
+  return to_motion(to_vector(orbit_end) + map * to_vector(difference(from, orbit_begin)));
 }
 
 /// After a push of H_0, the first period's films being slow to follow; with errors of the given size.
@@ -30,7 +29,7 @@ Returns returns(const Monodromy& map, int periods, double noise, double push = 5
 
 Monodromy rotation(double modulus, double angle) {
   const double c = modulus * std::cos(angle), s = modulus * std::sin(angle);
-  return {{{c, s / 6.0}, {-6.0 * s, c}}};
+  return Monodromy{{c, s / 6.0}, {-6.0 * s, c}};
 }
 
 TEST(FreeDecay, of_a_linear_map_gives_its_multipliers) {
@@ -60,7 +59,7 @@ TEST(FreeDecay, of_pushes_both_ways_fits_both) {
 }
 
 TEST(FreeDecay, tells_two_real_multipliers_apart) {
-  const FreeDecay decay = fit_decay({returns({{{-1.2, 0.05}, {0.0, -0.6}}}, 4, 0.0)}, orbit_begin, orbit_end);
+  const FreeDecay decay = fit_decay({returns(Monodromy{{-1.2, 0.05}, {0.0, -0.6}}, 4, 0.0)}, orbit_begin, orbit_end);
   std::array<double, 2> found = {decay.multipliers[0].real(), decay.multipliers[1].real()};
   EXPECT_NEAR(std::min(found[0], found[1]), -1.2, 1e-9);
   EXPECT_NEAR(std::max(found[0], found[1]), -0.6, 1e-9);

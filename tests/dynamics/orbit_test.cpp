@@ -1,4 +1,5 @@
 // Periodic orbits of the dry and of the lubricated pair, and what their multipliers say.
+#include <Eigen/LU>
 #include <numbers>
 
 #include "gearfilm/dynamics/natural_frequency.hpp"
@@ -21,11 +22,11 @@ double free_frequency_of(const Case& problem, const Monodromy& monodromy) {
 }
 
 TEST(Monodromy, multipliers_solve_the_characteristic_equation) {
-  const Monodromy rotation{{{0.8, -0.5}, {0.6, 0.7}}};
+  const Monodromy rotation{{0.8, -0.5}, {0.6, 0.7}};
   for (const std::complex<double>& mu : multipliers(rotation)) {
     EXPECT_LT(std::abs(mu * mu - 1.5 * mu + (0.8 * 0.7 + 0.5 * 0.6)), 1e-14);
   }
-  const auto real = multipliers({{{2.0, 0.0}, {0.0, 0.5}}});
+  const auto real = multipliers(Monodromy{{2.0, 0.0}, {0.0, 0.5}});
   EXPECT_DOUBLE_EQ(real[0].real(), 2.0);
   EXPECT_DOUBLE_EQ(real[1].real(), 0.5);
 }
@@ -105,7 +106,7 @@ TEST(Orbit, a_bad_guess_recovers) {
   RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   OrbitGuess guess = dry_guess_of(march);
   guess.motion.H0 += 0.15;
-  guess.monodromy = {{{0.5, 0.0}, {0.0, 0.5}}};  // nothing like the map
+  guess.monodromy = 0.5 * Monodromy::Identity();  // nothing like the map
   const PeriodicOrbit orbit = search(march, guess);
   RecordedMarch straight(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   const PeriodicOrbit expected = search(straight, dry_guess_of(straight));
@@ -140,8 +141,8 @@ TEST(Orbit, films_that_begin_before_a_period_repeat_sooner) {
   ASSERT_TRUE(decay.lead_map);
   // The motion turns by 0.6 a unit of time, and hardly decays in so short a time.
   const Monodromy& map = *decay.lead_map;
-  EXPECT_NEAR(map[0][0] * map[1][1] - map[0][1] * map[1][0], 1.0, 0.1);
-  EXPECT_NEAR(map[0][1], lead, 0.2);  // dH_0/dT = V_0
+  EXPECT_NEAR(map.determinant(), 1.0, 0.1);
+  EXPECT_NEAR(map(0, 1), lead, 0.2);  // dH_0/dT = V_0
   // From a motion that is off, one step leads to the orbit; its films have had the lead to follow.
   OrbitGuess guess{orbit.end.motion, decay.map, orbit.before, lead, decay.lead_map};
   guess.neighbour->motion.H0 += 0.02;

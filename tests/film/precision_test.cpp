@@ -12,7 +12,7 @@ public:
       : film_(film),
         force_(force),
         step_(step),
-        system_({&film}, given_force(force)),
+        system_({&film}, load_balance(force, 1)),
         linearised_(make_linearised_film(*film.discretisation(), {.precision = precision})),
         column_(film.grid().local_size()),
         response_(film.grid().local_size()),

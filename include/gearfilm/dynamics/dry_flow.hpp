@@ -7,7 +7,7 @@
 // have. The same pair as DryMarch (dry_pair.hpp), without records: for those who ask for it thousands of times.
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
@@ -35,9 +35,9 @@ struct DryPeriod {
 };
 
 struct DryFlowEnd {
-  std::vector<Motion> states;                       ///< after every mesh period
-  std::array<std::array<double, 2>, 2> by_start{};  ///< derivative of the last one by the first motion, row by row
-  Motion by_parameter;                              ///< the same by the parameter, times its unit
+  std::vector<Motion> states;                          ///< after every mesh period
+  Eigen::Matrix2d by_start = Eigen::Matrix2d::Zero();  ///< derivative of the last one by the first motion
+  Motion by_parameter;                                 ///< the same by the parameter, times its unit
   DryExtremes extremes;
 };
 

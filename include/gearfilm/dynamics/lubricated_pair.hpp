@@ -1,4 +1,4 @@
-// A gear pair on the films of its present contacts: a film system (film_system.hpp) whose border is the rigid pair and
+// A gear pair on the films of its present contacts: a film system (film_system.hpp) whose bodies are the rigid pair and
 // whose contacts travel.
 #pragma once
 

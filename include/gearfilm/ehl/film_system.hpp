@@ -1,46 +1,43 @@
-// Films, the compliance beneath them (compliance.hpp) and the border that holds them (border.hpp) as one nonlinear
-// system.
+// Films, the compliance beneath them (compliance.hpp) and the bodies on which they press (body_equations.hpp) as one
+// nonlinear system.
 //
 //   G_k(P_k, H_k; d(rho H)_k/dT) = 0        every contact k: Reynolds' equation with cavitation, contact_film.hpp
-//   border(s, ds/dT, sum_k F_k - F_b(H_0)) = 0 ,       F_k = Int Int P_k ,  H_0 = d . s ,  H_k = H_0 + sum_j c_kj F_j
+//   M ds/dT + K s + r + c F_b(b . s) = C F ,       F_k = Int Int P_k ,  H_k = (B s)_k + sum_j c_kj F_j
 //
 // State: [P_1, ..., P_n, s], the scalars on the first process. The squeeze term differentiates rho H, not P: a time
-// scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The border's rows are
-// weighed so that norm/weight() is a root mean square over the films plus relative errors of the border.
-// Preconditioner: one multigrid cycle a contact, and the border before it, as if no force changed with it (in time
-// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or border and displacements eliminated exactly.
+// scheme is given C(state) = [(rho H)_1, ..., (rho H)_n, s] to difference, so mass is conserved. The body equations are
+// weighed so that norm/weight() is a root mean square over the films plus relative errors of the bodies.
+// Preconditioner: one multigrid cycle a contact, and the scalars before it, as if no force changed with them (in time
+// steps on rigid solids: a contact's stiffness is 1e-4 of I_n/dT^2), or scalars and displacements eliminated exactly:
+// with the forces Z_k of (dG_k/dP_k)^-1 r_k and S_k of (dG_k/dP_k)^-1 dG_k/dH_k
+//
+//   (shift M + K + C (I + S C_c)^-1 S B + c F_b' b) s = r_s + C (I + S C_c)^-1 Z ,      C_c = (c_kj)
 // Coarse levels may diverge where the smoother does not, on single rows of long cells: a flexible Krylov method that
 // has not got on with the cycle has cycle and smoother by turns.
 #pragma once
 
-#include <functional>
+#include <Eigen/LU>
 #include <vector>
 
-#include "gearfilm/ehl/border.hpp"
+#include "gearfilm/ehl/body_equations.hpp"
 #include "gearfilm/ehl/compliance.hpp"
 #include "gearfilm/ehl/contact_film.hpp"
 #include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/ehl/newton.hpp"
 #include "gearfilm/ehl/worst_node.hpp"
-#include "gearfilm/parallel/dense_factors.hpp"
 
 namespace gearfilm {
 
 class FilmSystem final : public LinearisedSystem {
 public:
-  /// At least one film, all of one discretisation; they must outlive the system.
-  FilmSystem(std::vector<ContactFilm*> films, Border border);
+  /// At least one film, all of one discretisation, and the bodies on which as many films press; the films must outlive
+  /// the system.
+  FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies);
 
   std::size_t films() const { return films_.size(); }
   ContactFilm& film(std::size_t contact) { return *films_[contact]; }
-  /// A force that is taken off the films', depending on H_0, and its derivative.
-  struct Opposing {
-    double value = 0.0;
-    double slope = 0.0;
-  };
-  using OpposingForce = std::function<Opposing(double H0)>;
-  /// Another border with as many scalars, what the films stand on, and what opposes them; may be empty.
-  void set_border(Border border, Compliance compliance = {}, OpposingForce opposing = {});
+  /// Other bodies with as many scalars, what the films stand on, and the force of reverse flanks.
+  void set_bodies(BodyEquations bodies, Compliance compliance = {}, ReverseFlankForce reverse_flanks = {});
   const Compliance& compliance() const { return compliance_; }
 
   OwnedVec create_state() const;
@@ -64,10 +61,10 @@ public:
   void residual(Vec state, const Rate& rate, Vec rows);
   /// C(state).
   void transient(Vec state, Vec values);
-  enum class Elimination { border_first, exact };
+  enum class BlockElimination { scalars_first, exact };
   /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below. On solids that give way the
   /// elimination is always exact.
-  void linearise(Vec state, const Rate& rate, double shift, Elimination elimination);
+  void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination);
   double merit(Vec rows) override;
   bool ease(Vec change, Vec whole, Vec before, Vec after) override;
   void multiply(Vec change, Vec rows) override;
@@ -75,7 +72,7 @@ public:
   void multiply_transient(Vec change, Vec rows);
   void precondition(Vec rows, Vec change) override;
   /// H_k, or their changes.
-  std::vector<double> displacements(Vec state) const;
+  Eigen::VectorXd displacements(Vec state) const;
   /// Of every contact.
   std::vector<FilmFigures> figures(Vec state);
   /// Where the rows of one contact are largest.
@@ -86,47 +83,47 @@ public:
   MPI_Comm comm() const override { return grid_.comm(); }
   const Grid& grid() const { return grid_; }
   PetscInt local_size() const override;
-  PetscInt pressure_count() const override { return static_cast<PetscInt>(border_at()); }
+  PetscInt pressure_count() const override { return static_cast<PetscInt>(scalars_at()); }
 
 private:
   std::size_t field_size() const { return static_cast<std::size_t>(grid_.local_size()); }
-  /// First entry of the border in a local array.
-  std::size_t border_at() const { return films_.size() * field_size(); }
-  bool has_border() const { return grid_.rank() == 0; }
+  /// First scalar in a local array.
+  std::size_t scalars_at() const { return films_.size() * field_size(); }
+  bool has_scalars() const { return grid_.rank() == 0; }
   template <class Value>
   std::span<Value> part(std::span<Value> values, std::size_t contact) const {
     return values.subspan(contact * field_size(), field_size());
   }
   Squeeze squeeze(std::span<const double> rates, std::size_t contact, double shift) const;
-  std::vector<double> scalars_in(std::span<const double> values) const;
-  void put_rows(const std::vector<double>& rows, std::span<double> values) const;
+  /// The scalars of a local array, on all processes.
+  Eigen::VectorXd scalars_in(std::span<const double> values) const;
+  /// Puts scalars into a local array, on the process that has them.
+  void put_scalars(const Eigen::VectorXd& scalars, std::span<double> values) const;
   /// F_k of the pressures, or their changes.
-  std::vector<double> forces(std::span<const double> values) const {
-    return integrals(grid_, values.first(border_at()), films_.size());
-  }
+  Eigen::VectorXd forces(std::span<const double> values) const;
   /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
-  std::vector<double> displacements(std::span<const double> values, std::span<const double> scalars) const;
+  Eigen::VectorXd displacements(std::span<const double> values, const Eigen::VectorXd& scalars) const;
   /// change = approximately (dG_k/dP_k)^-1 rows.
   void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);
-  void precondition_border_first(std::span<const double> rows, std::span<double> change);
+  void precondition_scalars_first(std::span<const double> rows, std::span<double> change);
 
   std::vector<ContactFilm*> films_;
-  Border border_;
+  BodyEquations bodies_;
   Compliance compliance_;
-  OpposingForce opposing_;
-  double opposing_slope_ = 0.0;  ///< at the state of the Jacobian
+  ReverseFlankForce reverse_flanks_;
+  Eigen::MatrixXd reverse_jacobian_;  ///< of their rows, at the state of the Jacobian
   const Grid& grid_;
   double weight_;
   double shift_ = 0.0;
-  Elimination elimination_ = Elimination::border_first;
+  BlockElimination elimination_ = BlockElimination::scalars_first;
   int preconditionings_ = 0;  ///< with the present Jacobian
-  DenseFactors border_factors_;
+  using Factors = Eigen::PartialPivLU<Eigen::MatrixXd>;
+  Factors body_factors_;
   // Of exact elimination, all approximately.
-  std::vector<double> responses_;  ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
-  DenseFactors settling_factors_;  ///< of I + S C, S_k = Int Int of the response
-  std::vector<double> stiffness_;  ///< S_k
-  std::vector<double> settled_;    ///< -dF_k/dH_0, the compliance included
+  std::vector<double> responses_;      ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
+  Factors coupling_factors_;           ///< of I + S C, S_k = Int Int of the response
+  Eigen::MatrixXd coupled_stiffness_;  ///< -dF/ds, n x m, the compliance included
   std::vector<double> work_;
 };
 

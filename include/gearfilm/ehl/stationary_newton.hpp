@@ -50,7 +50,7 @@ struct ImplicitStep {
 class StationaryNewton {
 public:
   /// The films, of one discretisation, must outlive it.
-  StationaryNewton(std::vector<ContactFilm*> films, const NewtonOptions& options);
+  StationaryNewton(const std::vector<ContactFilm*>& films, const NewtonOptions& options);
   StationaryNewton(const StationaryNewton&) = delete;
   StationaryNewton& operator=(const StationaryNewton&) = delete;
 
@@ -86,7 +86,7 @@ private:
   void tell(PetscInt krylov);
 
   FilmSystem system_;
-  FilmSystem::Elimination elimination_ = FilmSystem::Elimination::exact;
+  FilmSystem::BlockElimination elimination_ = FilmSystem::BlockElimination::exact;
   std::optional<ImplicitStep> step_;
   OwnedVec state_, residual_, rate_;
   OwnedMat jacobian_;

@@ -2,7 +2,6 @@
 // its multipliers.
 #pragma once
 
-#include <array>
 #include <complex>
 #include <vector>
 
@@ -21,7 +20,7 @@ class AffineFit {
 public:
   explicit AffineFit(const std::vector<Return>& returns);
 
-  Monodromy map() const { return {{{solution_[0][0], solution_[0][1]}, {solution_[1][0], solution_[1][1]}}}; }
+  Monodromy map() const { return solution_.topRows<2>().transpose(); }
   /// The motion that the map leaves as it is; not finite where there is none.
   Motion fixed_point() const;
   /// Standard deviation of an eigenvalue of the map, to first order: d(mu) = w.dM v/(w.v) with its eigenvectors. Zero
@@ -29,14 +28,10 @@ public:
   double deviation(const std::complex<double>& mu) const;
 
 private:
-  std::array<double, 3> columns(const Return& one) const { return {one.from.H0, one.from.V0, scale_}; }
-  /// By cofactors.
-  void invert();
-
-  double scale_ = 0.0;  ///< of the motions: the third column's, so that the equations are balanced
-  std::array<double, 9> inverse_{};
-  std::array<std::array<double, 3>, 2> right_{}, solution_{};
-  std::array<double, 2> variance_{};
+  double scale_ = 0.0;       ///< size of the motions, which X has in the place of 1, so that its columns are balanced
+  Eigen::Matrix3d inverse_;  ///< of X^T X
+  Eigen::Matrix<double, 3, 2> solution_;                ///< b, of either row of the map
+  Eigen::Vector2d variance_ = Eigen::Vector2d::Zero();  ///< of what the rows of the map leave of y
 };
 
 }  // namespace gearfilm

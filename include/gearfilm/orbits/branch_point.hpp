@@ -21,11 +21,11 @@ struct BranchState {
 
 /// The map over one period of the branch, and what is seen on the way.
 struct MapValue {
-  std::vector<Motion> states;   ///< after each of the parts of which the branch's order says how many there are
-  Monodromy by_motion{};        ///< DP
-  Motion by_parameter;          ///< P_lambda, by one unit of the parameter
-  double largest_force = 0.0;   ///< on one contact, over the static force
-  double smallest_force = 0.0;  ///< of all contacts together, over the static force
+  std::vector<Motion> states;  ///< after each of the parts of which the branch's order says how many there are
+  Monodromy by_motion = Monodromy::Zero();  ///< DP
+  Motion by_parameter;                      ///< P_lambda, by one unit of the parameter
+  double largest_force = 0.0;               ///< on one contact, over the static force
+  double smallest_force = 0.0;              ///< of all contacts together, over the static force
   /// Positive where there is always contact, negative where it is lost: smooth through zero.
   double least_approach = 1.0;
   /// Of a map with approximate derivatives: makes them those of the periodic motion that this has turned out to be.
@@ -39,16 +39,12 @@ struct MapValue {
 using BranchMap = std::function<MapValue(const BranchState& at, int order)>;
 
 /// In u.
-using BranchVector = std::array<double, 3>;
-
-double dot(const BranchVector& a, const BranchVector& b);
-double length(const BranchVector& a);
-BranchVector cross(const BranchVector& a, const BranchVector& b);
+using BranchVector = Eigen::Vector3d;
 
 struct BranchPoint {
   BranchState state;
   MapValue value;
-  BranchVector tangent{};  ///< towards where the branch goes on
+  BranchVector tangent = BranchVector::Zero();  ///< towards where the branch goes on
 
   std::array<std::complex<double>, 2> multipliers() const { return gearfilm::multipliers(value.by_motion); }
   bool stable() const { return largest_modulus(multipliers()) < 1.0; }

@@ -18,7 +18,7 @@ constexpr double slow_film_damping = 0.03;
 
 struct DryOrbit {
   Motion start;  ///< where the mesh begins
-  Monodromy monodromy{};
+  Monodromy monodromy = Monodromy::Zero();
   double largest_integral = 0.0;  ///< largest pressure integral of one contact
 };
 

@@ -24,7 +24,7 @@ struct DecayOptions {
 };
 
 struct FreeDecay {
-  Monodromy map{};
+  Monodromy map = Monodromy::Zero();
   std::array<std::complex<double>, 2> multipliers{};
   double modulus_error = 0.0;  ///< of the larger modulus: twice its standard deviation; the modulus itself, where the
                                ///< push was gone before there was more to fit than unknowns

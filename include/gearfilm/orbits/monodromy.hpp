@@ -5,14 +5,20 @@
 // is taken. |mu| < 1 is damping: ratio zeta of the decay over that oscillation.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <complex>
 #include <optional>
 
+#include "gearfilm/dynamics/motion.hpp"
+
 namespace gearfilm {
 
-/// d(H_0, V_0)(T + mesh period)/d(H_0, V_0)(T), row by row.
-using Monodromy = std::array<std::array<double, 2>, 2>;
+/// d(H_0, V_0)(T + mesh period)/d(H_0, V_0)(T).
+using Monodromy = Eigen::Matrix2d;
+
+inline Eigen::Vector2d to_vector(const Motion& motion) { return {motion.H0, motion.V0}; }
+inline Motion to_motion(const Eigen::Vector2d& vector) { return {vector[0], vector[1]}; }
 
 struct FreeOscillation {
   double frequency = 0.0;      ///< [Hz]

@@ -31,6 +31,7 @@ class Gearfilm(CMakePackage):
     depends_on("fftw@3: precision=float,double")
     depends_on("yaml-cpp@0.7:")
     depends_on("nlohmann-json@3.10:")
+    depends_on("eigen@3.4:")
 
     generator("ninja")
 
