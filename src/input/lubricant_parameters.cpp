@@ -62,6 +62,7 @@ Parameter record_of(const LawConstant& found) {
   Parameter parameter = number(std::string(constant.name), std::string(constant.symbol), std::string(constant.unit),
                                {.lower = constant.lower, .upper = constant.upper, .lower_open = constant.lower_open},
                                std::string(constant.meaning));
+  parameter.former = constant.former;
   if (const double* value = std::get_if<double>(&constant.standard)) return preset(*value, std::move(parameter));
   const std::string_view* other = std::get_if<std::string_view>(&constant.standard);
   return optional(other ? std::string(*other) : "needed by " + enumerated(found.laws), std::move(parameter));

@@ -42,7 +42,7 @@ TEST(FreeVolume, temperature_viscosity_is_that_of_the_law) {
 
 TEST(FreeVolume, constants_that_leave_no_liquid_are_refused) {
   Lubricant oil = squalane;
-  oil.viscosity_law = Doolittle{.occupied = 0.98};
+  oil.viscosity_law = Doolittle{.R0 = 0.98};
   oil.temperature = 250.0;
   table3::expect_input_error_naming("no free volume", [&] { check(oil); });
   oil.viscosity_law = Yasutomi{.glass_temperature = 260.0};

@@ -22,6 +22,7 @@ struct OilConstant {
   /// Where it is not given: nothing, it is needed; its value; or the key of the parameter whose value it has, with its
   /// section.
   std::variant<std::monostate, double, std::string_view> standard = {};
+  std::string_view former = {};  ///< its key in earlier releases; empty where it is the same
 };
 
 /// A value and its derivative with respect to pressure [1/Pa].
@@ -40,6 +41,12 @@ struct TemperatureFunction {
 struct StateFunction {
   double value, by_pressure, by_temperature, by_both;
 };
+
+/// The constant as one that had another key in earlier releases.
+inline OilConstant formerly(std::string_view key, OilConstant constant) {
+  constant.former = key;
+  return constant;
+}
 
 /// The number as messages show it.
 std::string shown(double value);

@@ -16,8 +16,8 @@ struct Tait {
 
   double reference_temperature = 298.0;  ///< T_R [K]
   double modulus = 1.312e9;              ///< K_R [Pa]
-  double slope = 11.74;                  ///< K'
-  double softening = 5.457e-3;           ///< beta_K [1/K]
+  double K0_prime = 11.74;               ///< K'
+  double beta_K = 5.457e-3;              ///< beta_K [1/K]
   double expansion = 8.123e-4;           ///< a_v [1/K]
 
   template <class Each>
@@ -26,21 +26,22 @@ struct Tait {
          OilConstant{"reference_temperature", "T_R", "K", 150.0, 800.0, false,
                      "at which the constants of tait and doolittle hold", "thermal.temperature"});
     each(modulus, OilConstant{"tait_modulus", "K_R", "Pa", 1e7, 1e12, false, "tait: isothermal bulk modulus at T_R"});
-    each(slope, OilConstant{"tait_slope", "K'", "-", 1.0, 50.0, true, "tait: its derivative by pressure"});
-    each(softening,
-         OilConstant{"tait_softening", "beta_K", "1/K", 0.0, 0.1, false, "tait: K = K_R exp[-beta_K (T - T_R)]", 0.0});
+    each(K0_prime,
+         formerly("tait_slope", {"tait_k0_prime", "K'", "-", 1.0, 50.0, true, "tait: its derivative by pressure"}));
+    each(beta_K, formerly("tait_softening", {"tait_beta_k", "beta_K", "1/K", 0.0, 0.1, false,
+                                             "tait: K = K_R exp[-beta_K (T - T_R)]", 0.0}));
     each(expansion,
          OilConstant{"tait_expansion", "a_v", "1/K", 0.0, 0.01, false, "tait: V/V_R = 1 + a_v (T - T_R)", 0.0});
   }
 
   /// V/V_R at a pressure and at T - T_R.
   StateFunction volume(double pressure, double above) const {
-    const double p = pressure > 0.0 ? pressure : 0.0, on = pressure < 0.0 ? 0.0 : 1.0, c = 1.0 + slope;
-    const double K = modulus * exp(-softening * above), ratio = c * p / K;
+    const double p = pressure > 0.0 ? pressure : 0.0, on = pressure < 0.0 ? 0.0 : 1.0, c = 1.0 + K0_prime;
+    const double K = modulus * exp(-beta_K * above), ratio = c * p / K;
     const double warm = 1.0 + expansion * above, pressed = 1.0 - log1p(ratio) / c;
     return {warm * pressed, -on * warm / (K * (1.0 + ratio)),
-            expansion * pressed - warm * softening * ratio / ((1.0 + ratio) * c),
-            -on * (expansion + warm * softening / (1.0 + ratio)) / (K * (1.0 + ratio))};
+            expansion * pressed - warm * beta_K * ratio / ((1.0 + ratio) * c),
+            -on * (expansion + warm * beta_K / (1.0 + ratio)) / (K * (1.0 + ratio))};
   }
 
   double expanded(double pressure, double T_0, double temperature) const {
