@@ -7,7 +7,7 @@
 namespace gearfilm {
 
 struct Barus {
-  static constexpr std::string_view name = "barus", meaning = "";
+  static constexpr std::string_view name = "barus", meaning{};
   static constexpr bool takes_coefficients = true;
 
   template <class Each>

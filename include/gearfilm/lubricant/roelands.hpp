@@ -11,7 +11,7 @@
 namespace gearfilm {
 
 struct Roelands {
-  static constexpr std::string_view name = "roelands", meaning = "";
+  static constexpr std::string_view name = "roelands", meaning{};
   static constexpr bool takes_coefficients = true;
   static constexpr double reference_pressure = 1.96e8;  ///< p_0 [Pa]
   static constexpr double lowest_log = 9.67;            ///< -ln of the viscosity 6.315e-5 Pa s at which all oils meet
