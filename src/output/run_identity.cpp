@@ -37,12 +37,7 @@ std::optional<Summary> read_identity(MPI_Comm comm, const std::filesystem::path&
   }
   require_restart_format(identity, file);
   identity.erase("format");
-  Summary renamed;
-  for (const auto& [name, value] : identity.items()) {
-    const Parameter* parameter = find_parameter(name);
-    renamed[parameter ? parameter->name : name] = value;  // an earlier release may have written it
-  }
-  return std::make_optional(std::move(renamed));
+  return std::make_optional(std::move(identity));
 }
 
 void require_same_identity(const Summary& before, const Summary& now, const std::filesystem::path& file) {

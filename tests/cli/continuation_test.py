@@ -9,7 +9,7 @@ from films import SAME, summary_in
 from restarts import EIGEN, HEAD, MARCH, MARK, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
 from vibration import SAME_ORBIT, table_in
 
-PRESENT = 7  # the format version of what a run goes on from
+PRESENT = 8  # the format version of what a run goes on from
 
 
 def flip(file, place):
@@ -142,14 +142,6 @@ class OtherVersions(RestartTest):
             for processes in (1, 2):
                 self.assert_wrong(["run.json", words, f"version {PRESENT}"], *MARCH, "-restart", "-output_dir", "run",
                                   processes=processes)
-
-    def test_identity_with_a_former_key_is_the_same(self):
-        self.stop_at_once([*MARCH, "-mesh_periods", 0.1])
-        identity = self.folder / "run/checkpoint/run.json"
-        content = json.loads(identity.read_text(encoding="utf-8"))
-        content["lubricant.tait_softening"] = content.pop("lubricant.tait_beta_k")
-        identity.write_text(json.dumps(content), encoding="utf-8")
-        self.complete(*MARCH, "-mesh_periods", 0.1)
 
     def test_identity_of_a_sweep(self):
         self.stop_at_once(SWEEP)
