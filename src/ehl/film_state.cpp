@@ -7,9 +7,9 @@
 
 namespace gearfilm {
 
-template <ViscosityLaw law, DensityLaw density_law>
-void FilmProperties::evaluate_line(FilmState& state, int i) const {
-  const OilLaws laws = laws_;
+// The laws are copied: nothing that the loop writes can change them.
+template <EvaluatesViscosity Viscosity, EvaluatesDensity Density>
+void FilmProperties::evaluate_line(Viscosity viscosity, Density density_law, FilmState& state, int i) const {
   const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
   const double* pressure = state.film_pressure().row(i);
   const double* film = state.thickness.row(i);
@@ -21,8 +21,8 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
   const int count = state.film_pressure().y_count();
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const PressureFunction rho = laws.density<density_law>(scale * pressure[j]);
-    const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
+    const PressureFunction rho = density_law.density(scale * pressure[j]);
+    const PressureFunction log_eta = viscosity.log_viscosity(scale * pressure[j]);
     const double h = film[j] > 0.0 ? film[j] : 0.0;
     const double by_film_squared = rho.value * exp(-log_eta.value) * inverse_lambda;
     const double xi = by_film_squared * h * h * h;
@@ -34,11 +34,11 @@ void FilmProperties::evaluate_line(FilmState& state, int i) const {
   }
 }
 
-/// ln xi_R gains ln F + ln S, of which only ln(eta/eta_0) depends on the pressure.
-template <ViscosityLaw law, bool sheared>
-void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection& correction) const {
-  const OilLaws laws = laws_;
-  const double scale = pressure_scale_, inverse_span = inverse_span_, power = correction.shear_power;
+/// ln xi_R gains ln F + ln S, which depend on the pressure by ln(eta/eta_0) alone.
+template <bool sheared, EvaluatesViscosity Viscosity>
+void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i,
+                                  const FlowCorrection& correction) const {
+  const double scale = pressure_scale_, power = correction.shear_power;
   const int count = state.film_pressure().y_count();
   const std::size_t first = static_cast<std::size_t>(i) * count;
   const double *thinning = correction.thinning.data() + first, *density_factor = correction.density.data() + first;
@@ -50,8 +50,9 @@ void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection&
   double* conductance_by_thickness = state.conductance_by_thickness.row(i);
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const PressureFunction log_eta = laws.log_viscosity<law>(scale * pressure[j]);
-    const double log_F = thinning[j] * (1.0 + inverse_span * log_eta.value), by_eta = inverse_span * thinning[j];
+    const PressureFunction log_eta = viscosity.log_viscosity(scale * pressure[j]);
+    const HeatingRatio ratio = viscosity.heating_ratio(log_eta.value, scale * pressure[j]);
+    const double log_F = thinning[j] * ratio.value, by_eta = ratio.derivative * thinning[j];
     LogShearFactor shear{};
     if constexpr (sheared) shear = log_shear_factor(power, kappa[j], log_eta.value - log_F);
     const double factor = density_factor[j] * exp(log_F + shear.value);
@@ -66,15 +67,21 @@ void FilmProperties::correct_line(FilmState& state, int i, const FlowCorrection&
 
 void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction) const {
   const ScopedEvent event(Kernel::film_properties);
-  with_viscosity_law(oil_, [&]<ViscosityLaw viscosity>() {
-    with_density_law(oil_, [&]<DensityLaw density>() {
-      for (int i = 0; i < state.film_pressure().nx(); ++i) evaluate_line<viscosity, density>(state, i);
-    });
-    for (int i = 0; i < state.film_pressure().nx() && !correction.empty(); ++i) {
-      correction.sheared ? correct_line<viscosity, true>(state, i, correction)
-                         : correct_line<viscosity, false>(state, i, correction);
-    }
-  });
+  const int lines = state.film_pressure().nx();
+  std::visit(
+      [&](const auto& viscosity, const auto& density) {
+        for (int i = 0; i < lines; ++i) evaluate_line(viscosity, density, state, i);
+      },
+      viscosity_, density_);
+  if (correction.empty()) return;
+  std::visit(
+      [&](const auto& viscosity) {
+        for (int i = 0; i < lines; ++i) {
+          correction.sheared ? correct_line<true>(viscosity, state, i, correction)
+                             : correct_line<false>(viscosity, state, i, correction);
+        }
+      },
+      viscosity_);
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {

@@ -101,16 +101,21 @@ private:
   void begin_key(const YAML::Mark& mark, const std::string& text) {
     if (text.empty()) fail(mark, "a key is empty; give it a name");
     key_ = open_maps_.back().empty() ? text : open_maps_.back() + "." + text;
+    std::string formerly;
+    if (const Parameter* parameter = find_parameter(key_); parameter && !parameter->former.empty()) {
+      key_ = parameter->name;
+      formerly = " (formerly '" + parameter->former + "')";
+    }
     const auto [earlier, is_new] = lines_.emplace(key_, mark.line + 1);
     if (!is_new)
-      fail(mark, "duplicate key '" + key_ + "', first given in line " + std::to_string(earlier->second) +
-                     "; delete one of the two");
+      fail(mark, "duplicate key '" + key_ + "'" + formerly + ", first given in line " +
+                     std::to_string(earlier->second) + "; delete one of the two");
   }
 
   std::string file_;
   std::vector<CaseFileEntry> entries_;
   std::vector<std::string> open_maps_;  // full names of the maps that are open; the outermost has none
-  std::string key_;                     // full name of the key whose value comes next
+  std::string key_;                     // full name, not a former one, of the key whose value comes next
   std::map<std::string, int> lines_;    // where each key was first given
   int documents_ = 0;
 };

@@ -43,11 +43,17 @@ bool begins_with_any(std::string_view option, const Prefixes& prefixes) {
   return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
-bool is_parameter_option(std::string_view option) {
+// The parameter that an option is of, by its key or its former one, or nullptr.
+const Parameter* parameter_of(std::string_view option) {
   const std::string name = lower_case(option);
-  return std::ranges::any_of(parameter_table(),
-                             [&](const Parameter& parameter) { return lower_case(parameter.option()) == name; });
+  const auto found = std::ranges::find_if(parameter_table(), [&](const Parameter& parameter) {
+    return lower_case(parameter.option()) == name ||
+           (!parameter.former.empty() && lower_case(parameter.former_option()) == name);
+  });
+  return found == parameter_table().end() ? nullptr : &*found;
 }
+
+bool is_parameter_option(std::string_view option) { return parameter_of(option) != nullptr; }
 
 struct Option {
   std::string name;  // with its dash
@@ -93,6 +99,14 @@ bool find_option(const std::string& option, std::string& value) {
   return found == PETSC_TRUE;
 }
 
+// The option of a parameter that is in the database, with its value; empty where there is none.
+std::string find_option_of(const Parameter& parameter, std::string& value) {
+  for (const std::string& option : {parameter.option(), parameter.former_option()}) {
+    if (!option.empty() && find_option(option, value)) return option;
+  }
+  return {};
+}
+
 // Keeps options of a case file in the database for the time of a scope: a second case of the same process must not
 // take them for the command line.
 class FileOptions {
@@ -133,10 +147,13 @@ void require_known_options(const std::vector<std::string>& arguments) {
 }
 
 void require_single_options(const std::vector<std::string>& arguments) {
-  std::set<std::string> given;
+  std::set<const Parameter*> given;
   for (const std::string& argument : arguments) {
-    if (!is_parameter_option(argument) || given.insert(lower_case(argument)).second) continue;
-    throw InputError("command line: option '" + argument + "' is given twice; delete one of the two");
+    const Parameter* parameter = parameter_of(argument);
+    if (!parameter || given.insert(parameter).second) continue;
+    const std::string formerly = parameter->former.empty() ? "" : " (formerly '" + parameter->former_option() + "')";
+    const std::string option = parameter->former.empty() ? argument : parameter->option();
+    throw InputError("command line: option '" + option + "'" + formerly + " is given twice; delete one of the two");
   }
 }
 
@@ -148,17 +165,18 @@ ParameterValues merge_with_options(const std::string& file, const std::vector<Ca
     const Parameter& parameter = *find_parameter(entry.name);
     parse_value(parameter, entry.value, origin);  // wrong even if the command line overrides it
     std::string overriding;
-    if (find_option(parameter.option(), overriding)) continue;
+    if (!find_option_of(parameter, overriding).empty()) continue;
     file_options.put(parameter.option(), entry.value);
     origins[entry.name] = origin;
   }
   ParameterValues values(file);
   for (const Parameter& parameter : parameter_table()) {
     std::string value;
-    if (!find_option(parameter.option(), value)) continue;
+    const std::string option = find_option_of(parameter, value);
+    if (option.empty()) continue;
     if (value.empty()) value = parameter.implied;
     const auto origin = origins.find(parameter.name);
-    values.set(parameter.name, value, origin != origins.end() ? origin->second : "option " + parameter.option());
+    values.set(parameter.name, value, origin != origins.end() ? origin->second : "option " + option);
   }
   return values;
 }

@@ -14,6 +14,12 @@
 namespace gearfilm {
 namespace {
 
+std::string option_of(const std::string& name) {
+  std::string option = "-" + name;
+  std::ranges::replace(option, '.', '_');
+  return option;
+}
+
 // Levenshtein distance: insertions, deletions and replacements that turn one word into the other.
 int edit_distance(std::string_view from, std::string_view to) {
   std::vector<int> row(to.size() + 1);
@@ -118,11 +124,9 @@ std::string Parameter::section() const {
   return dot == std::string::npos ? std::string() : name.substr(0, dot);
 }
 
-std::string Parameter::option() const {
-  std::string option = "-" + name;
-  std::ranges::replace(option, '.', '_');
-  return option;
-}
+std::string Parameter::option() const { return option_of(name); }
+
+std::string Parameter::former_option() const { return former.empty() ? former : option_of(former); }
 
 bool Parameter::is_yes_or_no() const {
   return choices.size() == 2 && std::ranges::count(choices, "yes") == 1 && std::ranges::count(choices, "no") == 1;
@@ -130,7 +134,9 @@ bool Parameter::is_yes_or_no() const {
 
 const Parameter* find_parameter(std::string_view name) {
   const std::vector<Parameter>& table = parameter_table();
-  const auto found = std::ranges::find(table, name, &Parameter::name);
+  const auto found = std::ranges::find_if(table, [&](const Parameter& parameter) {
+    return parameter.name == name || (parameter.former == name && !name.empty());
+  });
   return found == table.end() ? nullptr : &*found;
 }
 

@@ -25,6 +25,10 @@ std::string symbol_and_unit(const Parameter& parameter) {
   return text;
 }
 
+std::string meaning_of(const Parameter& parameter) {
+  return parameter.former.empty() ? parameter.meaning : parameter.meaning + "; formerly " + parameter.former;
+}
+
 std::string heading(const Parameter& parameter) {
   return parameter.section().empty() ? "top level" : parameter.section();
 }
@@ -54,7 +58,7 @@ std::string parameter_help() {
       [&](const Parameter& parameter) {
         const std::string symbol = symbol_and_unit(parameter);
         help << "  " << parameter.option() << " <" << describe_allowed(parameter) << ">  ("
-             << describe_presence(parameter) << ")\n      " << parameter.meaning
+             << describe_presence(parameter) << ")\n      " << meaning_of(parameter)
              << (symbol.empty() ? "" : "; " + symbol) << "\n";
       });
   return help.str();
@@ -79,7 +83,7 @@ std::string parameter_markdown() {
       [&](const Parameter& parameter) {
         text << "| " << markdown_code(parameter.name) << " | " << markdown_code(parameter.symbol) << " | "
              << parameter.unit << " | " << describe_allowed(parameter) << " | " << describe_presence(parameter) << " | "
-             << parameter.meaning << " |\n";
+             << meaning_of(parameter) << " |\n";
       });
   return text.str();
 }
@@ -94,7 +98,7 @@ std::string parameter_roff() {
         const std::string symbol = symbol_and_unit(parameter);
         roff << roff_entry(
             parameter.option(), describe_allowed(parameter),
-            parameter.meaning + (symbol.empty() ? "" : "; " + symbol) + " (" + describe_presence(parameter) + ")");
+            meaning_of(parameter) + (symbol.empty() ? "" : "; " + symbol) + " (" + describe_presence(parameter) + ")");
       });
   return roff.str();
 }

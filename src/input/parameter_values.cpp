@@ -18,7 +18,8 @@ void require_known_key(const std::string& name, const std::string& origin) {
 
 void ParameterValues::set(const std::string& name, const std::string& text, const std::string& origin) {
   require_known_key(name, origin);
-  entries_[name] = {parse_value(*find_parameter(name), text, origin), origin};
+  const Parameter& parameter = *find_parameter(name);
+  entries_[parameter.name] = {parse_value(parameter, text, origin), origin};
 }
 
 void ParameterValues::complete() {

@@ -2,38 +2,34 @@
 
 namespace gearfilm {
 
-ViscosityByTemperature::ViscosityByTemperature(const Lubricant& oil, const ThermalOil& thermal)
-    : laws_(oil),
-      reference_(thermal.temperature),
-      beta_(thermal.temperature_viscosity),
-      inverse_span_(1.0 / (thermal.temperature - pole)) {
-  if (oil.viscosity_law != ViscosityLaw::roelands) return;
-  c_ = roelands_span(oil);
-  exponent_ = beta_ * (reference_ - pole) / c_;
+ViscosityEvaluator viscosity_evaluator(const Lubricant& oil, const ThermalOil& thermal) {
+  return viscosity_evaluator(oil.viscosity_law, {.viscosity = oil.viscosity,
+                                                 .pressure_viscosity = oil.pressure_viscosity,
+                                                 .temperature = thermal.temperature,
+                                                 .temperature_viscosity = thermal.temperature_viscosity});
 }
 
 TemperatureFunction log_relative_viscosity(const Lubricant& oil, const ThermalOil& thermal, double pressure,
                                            double temperature) {
-  const ViscosityByTemperature law(oil, thermal);
-  const double isothermal = log_relative_viscosity(oil, pressure).value;
-  TemperatureFunction found{};
-  with_viscosity_law(oil,
-                     [&]<ViscosityLaw kind>() { found = law.log_viscosity<kind>(isothermal, pressure, temperature); });
-  return found;
+  return std::visit(
+      [&](const auto& eta) { return eta.log_viscosity(eta.log_viscosity(pressure).value, pressure, temperature); },
+      viscosity_evaluator(oil, thermal));
 }
 
 double density_factor(const Lubricant& oil, const ThermalOil& thermal, double pressure, double temperature) {
-  if (oil.density_law != DensityLaw::tait) return 1.0 - thermal.expansion * (temperature - thermal.temperature);
-  const auto volume = [&](double T) { return oil.tait.volume(pressure, T - oil.reference_temperature).value; };
-  return volume(thermal.temperature) / volume(temperature);
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (Law::takes_expansion) {
+          return 1.0 - thermal.expansion * (temperature - thermal.temperature);
+        } else {
+          return law.expanded(pressure, thermal.temperature, temperature);
+        }
+      },
+      oil.density_law);
 }
 
-double free_volume_thinning(const Lubricant& oil) {
-  const OilLaws laws(oil);
-  return -(oil.viscosity_law == ViscosityLaw::yasutomi
-               ? laws.log_viscosity_at<ViscosityLaw::yasutomi>(0.0, oil.temperature)
-               : laws.log_viscosity_at<ViscosityLaw::doolittle>(0.0, oil.temperature))
-              .by_temperature;
+double temperature_viscosity(const Lubricant& oil) {
+  return -log_relative_viscosity(oil, {.temperature = oil.temperature}, 0.0, oil.temperature).derivative;
 }
 
 }  // namespace gearfilm

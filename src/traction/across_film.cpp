@@ -52,8 +52,7 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
       upstream_factor(heat.points),
       downstream_factor(heat.points),
       law_(law),
-      oil_(oil),
-      viscosity_(oil, heat.oil),
+      viscosity_(viscosity_evaluator(oil, heat.oil)),
       log_ambient_(std::log(oil.viscosity)),
       velocities_(velocities),
       conductances_(conductances),
@@ -74,11 +73,11 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
 }
 
 /// Viscosities at the present temperatures.
-template <ViscosityLaw law>
-void AcrossFilm::find_viscosities() {
+template <EvaluatesViscosity Viscosity>
+void AcrossFilm::find_viscosities(Viscosity viscosity) {
   for (int k = 0; k < points(); ++k) {
     each_lane([&](int l) {
-      const TemperatureFunction eta = viscosity_.log_viscosity<law>(log_viscosity[l], pressure[l], T_[k][l]);
+      const TemperatureFunction eta = viscosity.log_viscosity(log_viscosity[l], pressure[l], T_[k][l]);
       log_viscosities_[k][l] = eta.value;
       fluidity_[k][l] = exp(-eta.value);
       slope_[k][l] = eta.derivative;
@@ -288,7 +287,7 @@ void AcrossFilm::update(bool sheared, int iteration) {
     if (iteration > 0 && std::ranges::all_of(change_, [](double change) { return change < small_change; })) {
       follow_viscosities();
     } else {
-      with_viscosity_law(oil_, [&]<ViscosityLaw law>() { find_viscosities<law>(); });
+      std::visit([&](const auto& viscosity) { find_viscosities(viscosity); }, viscosity_);
     }
     shear();
   }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
+#include "gearfilm/lubricant/independent_iterations.hpp"
 #include "gearfilm/traction/across_film.hpp"
 #include "gearfilm/traction/film_line.hpp"
 #include "gearfilm/traction/moving_source.hpp"
@@ -27,7 +28,8 @@ public:
         model_(model),
         velocities_(velocities),
         log_ambient_(std::log(film.scales().oil.viscosity)),
-        inverse_span_(inverse_roelands_span(film.scales().oil)),
+        viscosity_(viscosity_evaluator(film.scales().oil)),
+        heating_ratio_(film.grid().y_count()),
         h_x_(film.scales().length * grid_.h_x()),
         own_(flow == FilmFlow::own),
         response_{surface_response(model.bodies[0], velocities.pinion()),
@@ -103,6 +105,7 @@ private:
 
   void solve_line(int i) {
     line_.load(i);
+    std::visit([&](const auto& viscosity) { find_heating_ratios(viscosity); }, viscosity_);
     source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
     source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
     for (int first = solved_.begin; first < solved_.end; first += AcrossFilm::lanes) solve_rows(i, first);
@@ -176,15 +179,22 @@ private:
     flow_[j] = line_.density[j] * across_.flow[l] * h;
   }
 
-  /// ln F over theta (flow_correction.hpp).
-  double by_thinning(int l) const { return 1.0 + inverse_span_ * across_.log_viscosity[l]; }
+  /// g of the line, ln F over theta (flow_correction.hpp).
+  template <EvaluatesViscosity Viscosity>
+  void find_heating_ratios(Viscosity viscosity) {
+    const int count = rows();
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < count; ++j) {
+      heating_ratio_[j] = viscosity.heating_ratio(line_.log_viscosity[j] - log_ambient_, line_.pressure[j]).value;
+    }
+  }
 
   /// theta and ln S with which the film was solved.
   double theta(int i, int j) const { return film_.correction().empty() ? 0.0 : film_.correction().thinning[at(i, j)]; }
   double log_shear_factor(int i, int j, int l) const {
     const FlowCorrection& flow = film_.correction();
     if (!flow.sheared) return 0.0;
-    const double x = across_.log_viscosity[l] - theta(i, j) * by_thinning(l);
+    const double x = across_.log_viscosity[l] - theta(i, j) * heating_ratio_[j];
     return gearfilm::log_shear_factor(flow.shear_power, flow.shear[at(i, j)], x).value;
   }
 
@@ -193,7 +203,7 @@ private:
     const double log_S = log_shear_factor(i, j, l);
     across_.shear_factor[l] = std::exp(log_S);
     if (!line_.wet[j] || film_.film_pressure().row(i + 1)[j] <= 0.0) return;
-    const double h = line_.thickness[j], log_factor = theta(i, j) * by_thinning(l) + log_S;
+    const double h = line_.thickness[j], log_factor = theta(i, j) * heating_ratio_[j] + log_S;
     across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }
 
@@ -302,7 +312,7 @@ private:
         density_factor(film_.scales().oil, oil, line_.pressure[j], fields_.temperature_mean[node]);
     const double wedge = velocities_.sliding * (0.5 - across_.own_flow().centre[l]);
     fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
-    heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / by_thinning(l);
+    heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / heating_ratio_[j];
     heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
     if (model_.shear_in_film) {
       put_shear(model_.law, across_.log_newtonian(l), across_.half_gradient[l],
@@ -333,8 +343,9 @@ private:
   const TractionModel& model_;
   SurfaceVelocities velocities_;
   double log_ambient_;
-  double inverse_span_;
-  double h_x_;  // [m]
+  ViscosityEvaluator viscosity_;
+  std::vector<double> heating_ratio_;  // g of the nodes of a line
+  double h_x_;                         // [m]
   bool own_;
   std::array<double, 2> response_;  // of pinion and wheel (moving_source.hpp)
   bool returning_ = false;          // on the way back

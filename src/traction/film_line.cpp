@@ -5,6 +5,19 @@
 #include "gearfilm/lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
+namespace {
+
+template <EvaluatesViscosity Viscosity>
+void set_viscosity(Viscosity viscosity, double ambient, const std::vector<double>& pressure,
+                   std::vector<double>& log_viscosity) {
+  const double* p = pressure.data();
+  double* log_eta = log_viscosity.data();
+  const std::size_t count = pressure.size();
+  GEARFILM_INDEPENDENT_ITERATIONS
+  for (std::size_t j = 0; j < count; ++j) log_eta[j] = ambient + viscosity.log_viscosity(p[j]).value;
+}
+
+}  // namespace
 
 FilmLine::FilmLine(const ContactFilm& film)
     : pressure(film.grid().y_count()),
@@ -14,18 +27,7 @@ FilmLine::FilmLine(const ContactFilm& film)
       gradient(pressure.size()),
       wet(pressure.size()),
       film_(film),
-      laws_(film.scales().oil) {}
-
-template <ViscosityLaw law>
-void FilmLine::set_viscosity() {
-  const double ambient = std::log(film_.scales().oil.viscosity);
-  const double* p = pressure.data();
-  double* log_eta = log_viscosity.data();
-  const std::size_t count = pressure.size();
-  const OilLaws laws = laws_;
-  GEARFILM_INDEPENDENT_ITERATIONS
-  for (std::size_t j = 0; j < count; ++j) log_eta[j] = ambient + laws.log_viscosity<law>(p[j]).value;
-}
+      viscosity_(viscosity_evaluator(film.scales().oil)) {}
 
 void FilmLine::load(int i) {
   const Grid& grid = film_.grid();
@@ -42,7 +44,8 @@ void FilmLine::load(int i) {
     gradient[j] = by_x * (east[j] - west[j]);
     wet[j] = here[j] > 0.0;
   }
-  with_viscosity_law(scales.oil, [&]<ViscosityLaw law>() { set_viscosity<law>(); });
+  const double ambient = std::log(scales.oil.viscosity);
+  std::visit([&](auto viscosity) { set_viscosity(viscosity, ambient, pressure, log_viscosity); }, viscosity_);
 }
 
 }  // namespace gearfilm

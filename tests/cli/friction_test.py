@@ -90,7 +90,7 @@ class Friction(ProgramTest):
         for words, change in ((["'lubricant.pressure_viscosity'", "follows"], ["-lubricant_pressure_viscosity", 2e-8]),
                               (["'lubricant.yasutomi_glass_temperature'", "missing"],
                                ["-lubricant_viscosity_law", "yasutomi"]),
-                              (["no free volume"], ["-lubricant_doolittle_occupied", 0.98, "-thermal_temperature", 250])):
+                              (["no free volume"], ["-lubricant_doolittle_r0", 0.98, "-thermal_temperature", 250])):
             self.assert_wrong(words, "steady", squalane, *change)
 
     def test_coulombs_friction_loses_what_the_loss_factor_says(self):

@@ -48,7 +48,7 @@ void assemble(Mat matrix) {
 class TwoFilms : public testing::TestWithParam<const char*> {
 protected:
   TwoFilms() {
-    away.set_conditions(away_from_pitch());
+    move_surfaces(away, away_from_pitch());
     // Each film by itself under the static force.
     VectorXd H(2);
     for (int k = 0; k < 2; ++k) {

@@ -37,10 +37,8 @@ protected:
   // An incompressible oil whose viscosity does not depend on pressure.
   static Scales isoviscous_scales() {
     Scales scales = circular_contact().scales;
-    scales.oil = {.viscosity = 0.04,
-                  .pressure_viscosity = 1e-30,
-                  .viscosity_law = ViscosityLaw::barus,
-                  .density_law = DensityLaw::incompressible};
+    scales.oil = {
+        .viscosity = 0.04, .pressure_viscosity = 1e-30, .viscosity_law = Barus{}, .density_law = Incompressible{}};
     scales.lambda = lambda;
     return scales;
   }

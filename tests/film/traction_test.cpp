@@ -17,7 +17,7 @@
 namespace gearfilm {
 namespace {
 
-const Lubricant barus{.viscosity = 0.1, .pressure_viscosity = 2e-8, .viscosity_law = ViscosityLaw::barus};
+const Lubricant barus{.viscosity = 0.1, .pressure_viscosity = 2e-8, .viscosity_law = Barus{}};
 
 /// A film between walls that stay cold, of oil that stays where it is.
 AcrossFilm couette(const ShearLaw& law, double sliding, int points) {

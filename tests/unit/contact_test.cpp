@@ -287,7 +287,7 @@ TEST(FilmFormulas, agree_with_the_computed_film_of_table3_as_far_as_they_go) {
 TEST(FilmFormulas, agree_with_each_other_where_hamrock_and_dowson_fitted) {
   // Circular contact at M = 200, L = 10; the two fits are known to differ by less than 15 %.
   CircularContact contact;
-  contact.oil.density_law = DensityLaw::incompressible;
+  contact.oil.density_law = Incompressible{};
   const ContactOperation operation = operation_for_moes(contact.solids, contact.oil, 200.0, 10.0);
   const double moes = nijenbanning_venner_moes_central(contact.solids, contact.oil, operation);
   const double hamrock = hamrock_dowson_central(contact.solids, contact.oil, operation);
@@ -322,7 +322,7 @@ TEST(FilmFormulas, film_of_a_compressible_oil_is_thinner_by_the_density) {
   const double compressible = nijenbanning_venner_moes_central(pitch.solids, pitch.oil, pitch.operation);
   const double pressure = hertz_contact(pitch.solids, pitch.operation.load).pressure;
   const double density = relative_density(pitch.oil, pressure).value;
-  pitch.oil.density_law = DensityLaw::incompressible;
+  pitch.oil.density_law = Incompressible{};
   const double incompressible = nijenbanning_venner_moes_central(pitch.solids, pitch.oil, pitch.operation);
   EXPECT_NEAR(incompressible / compressible, density, round_off);
   EXPECT_GT(density, 1.2);
@@ -331,7 +331,7 @@ TEST(FilmFormulas, film_of_a_compressible_oil_is_thinner_by_the_density) {
 TEST(FilmFormulas, moes_film_reaches_the_rigid_isoviscous_limit_at_light_load) {
   // M -> 0, L -> 0: H = H_RI = 145 (1+0.796)^(-15/7)/M^2 for the circle, capped by nothing else.
   CircularContact contact;
-  contact.oil.density_law = DensityLaw::incompressible;
+  contact.oil.density_law = Incompressible{};
   const double M = 0.02;
   const double L = 1e-3;
   const ContactOperation operation = operation_for_moes(contact.solids, contact.oil, M, L);

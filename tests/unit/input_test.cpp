@@ -119,6 +119,24 @@ TEST(CaseFile, dotted_keys_and_nested_keys_are_the_same) {
   EXPECT_EQ(dotted[0].line, 2);
 }
 
+TEST(CaseFile, former_keys_and_options_are_read_as_the_present_ones) {
+  const auto entries = parse_case_text("x.yaml", "lubricant: {doolittle_occupied: 0.6}\n");
+  ASSERT_EQ(entries.size(), 1u);
+  EXPECT_EQ(entries[0].name, "lubricant.doolittle_r0");
+  expect_words(input_error([] { parse_case_text("x.yaml", "lubricant:\n  tait_slope: 11\n  tait_k0_prime: 12\n"); }),
+               {"x.yaml:3: duplicate key 'lubricant.tait_k0_prime' (formerly 'lubricant.tait_slope')", "line 2"});
+  const CommandLine options{{"-lubricant_tait_slope", "9"}, {"-lubricant_tait_beta_k", "0.02"}};
+  const ParameterValues values = read_input("squalane.yaml").parameters;
+  EXPECT_EQ(values.real("lubricant.tait_k0_prime"), 9.0);
+  EXPECT_EQ(values.origin("lubricant.tait_k0_prime"), "option -lubricant_tait_slope");
+  EXPECT_EQ(values.real("lubricant.tait_beta_k"), 0.02);
+  EXPECT_NO_THROW(require_single_options({"-lubricant_tait_slope", "9"}));
+  expect_words(input_error([] {
+                 require_single_options({"-lubricant_tait_slope", "9", "-Lubricant_tait_k0_prime"});
+               }),
+               {"'-lubricant_tait_k0_prime' (formerly '-lubricant_tait_slope') is given twice"});
+}
+
 TEST(CaseFile, name_of_the_file_is_the_default_name) {
   ParameterValues values("input/some_case.yaml");
   for (const CaseFileEntry& entry : parse_case_text("x", content(source_dir + "/input/circular_m20_l10.yaml")))

@@ -69,27 +69,25 @@ inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&Fil
 class FilmProperties {
 public:
   explicit FilmProperties(const Scales& scales)
-      : oil_(scales.oil),
-        laws_(scales.oil),
+      : viscosity_(viscosity_evaluator(scales.oil)),
+        density_(density_evaluator(scales.oil)),
         pressure_scale_(scales.pressure),
-        inverse_lambda_(1.0 / scales.lambda),
-        inverse_span_(inverse_roelands_span(scales.oil)) {}
+        inverse_lambda_(1.0 / scales.lambda) {}
 
   /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
   /// only inside an iteration) conducts nothing.
   void evaluate(FilmState& state, const FlowCorrection& correction = {}) const;
 
 private:
-  template <ViscosityLaw law, DensityLaw density_law>
-  void evaluate_line(FilmState& state, int i) const;
-  template <ViscosityLaw law, bool sheared>
-  void correct_line(FilmState& state, int i, const FlowCorrection& correction) const;
+  template <EvaluatesViscosity Viscosity, EvaluatesDensity Density>
+  void evaluate_line(Viscosity viscosity, Density density_law, FilmState& state, int i) const;
+  template <bool sheared, EvaluatesViscosity Viscosity>
+  void correct_line(Viscosity viscosity, FilmState& state, int i, const FlowCorrection& correction) const;
 
-  Lubricant oil_;
-  OilLaws laws_;
+  ViscosityEvaluator viscosity_;
+  DensityEvaluator density_;
   double pressure_scale_;
   double inverse_lambda_;
-  double inverse_span_;  ///< 1/c of flow_correction.hpp
 };
 
 /// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives, and A where it

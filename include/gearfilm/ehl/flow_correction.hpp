@@ -1,14 +1,15 @@
 // What heat across the film, and a shear law that is not Newton's, make of the flow: fields that Reynolds' equation is
 // given.
 //
-//   xi_R = F S rho H^3/(eta lambda),  ln F = theta (1 + ln(eta/eta_0)/c),  eta = eta(p, T_0)
+//   xi_R = F S rho H^3/(eta lambda),  ln F = theta g(p),  eta = eta(p, T_0)
 //   ln S = (m/2) ln[1 + exp 2 (kappa + ln(eta/eta_0) - ln F)];  across the entrainment A xi_R
 //   wedge d(rho H (U + W))/dX,  rho = r rho(p)
 // They stay as they are while a film is solved for: theta, ln F at ambient pressure, rather than F, because where
-// pressure changes F changes with it, by many decades. c = ln eta_0 + 9.67 with Roelands' law, by which the oil as warm
-// as that has it so at all pressures (thermal_oil.hpp); infinite with Barus'. Likewise kappa rather than S: with m = 1
-// it is Eyring's law, S = sqrt(1 + (eta u_s/(h tau_0))^2) where pressure drives little, with m = 1 - n Carreau's far
-// from Newton's; kappa is what gives the right S at the present state.
+// pressure changes F changes with it, by many decades. g is d ln eta/dT at T_0 over that at ambient pressure
+// (viscosity_law.hpp): in oil that is evenly warmer than T_0 by little, ln F is theta g at all pressures, by the laws of
+// Roelands and Barus also where it is warmer by much. Likewise kappa rather than S: with m = 1 it is Eyring's law,
+// S = sqrt(1 + (eta u_s/(h tau_0))^2) where pressure drives little, with m = 1 - n Carreau's far from Newton's; kappa is
+// what gives the right S at the present state.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@ namespace gearfilm {
 Lubricant read_lubricant(const ParameterValues& values);
 
 /// Absent where nothing says how the viscosity falls with temperature: neither lubricant.temperature_viscosity nor a
-/// law by free volume.
+/// law that knows it by itself.
 std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values);
 
 }  // namespace gearfilm

@@ -44,11 +44,14 @@ struct Parameter {
   std::vector<std::string> choices = {};
   std::string implied = {};  ///< what the option means without a value; empty: it needs one
   std::string meaning = {};
+  std::string former = {};  ///< the key of earlier releases, which is still read; empty where it is the same
 
   /// The part before the first dot: the section of the case file; empty for a key without section.
   std::string section() const;
   /// "-pinion_teeth" for "pinion.teeth".
   std::string option() const;
+  /// The same for the former key; empty without one.
+  std::string former_option() const;
   /// Whether the choices are yes and no, which may also be written true and false.
   bool is_yes_or_no() const;
 };
@@ -56,7 +59,7 @@ struct Parameter {
 /// All parameters, grouped by section. A new parameter is one more record in src/input/parameter_table.cpp.
 const std::vector<Parameter>& parameter_table();
 
-/// The record of a key, or nullptr.
+/// The record of a key, also of a former one, or nullptr.
 const Parameter* find_parameter(std::string_view name);
 
 /// The record whose key is spelled most like name (edit distance; a forgotten section counts little).

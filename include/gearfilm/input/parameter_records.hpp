@@ -18,7 +18,7 @@ inline Range left_open(double lower, double upper) { return {.lower = lower, .up
 inline Range right_open(double lower, double upper) { return {.lower = lower, .upper = upper, .upper_open = true}; }
 inline Range odd(double lower, double upper) { return {.lower = lower, .upper = upper, .odd = true}; }
 
-// One record; section() puts the section before the name.
+// One record; section() puts the section before the name, and before a former one.
 inline Parameter number(std::string name, std::string symbol, std::string unit, const Range& range,
                         std::string meaning) {
   return {.name = std::move(name),
@@ -71,6 +71,7 @@ inline Parameter flag(std::string name, std::string meaning) {
 inline Records section(const std::string& name, Scope scope, Records records) {
   for (Parameter& parameter : records) {
     if (!name.empty()) parameter.name = name + "." + parameter.name;
+    if (!name.empty() && !parameter.former.empty()) parameter.former = name + "." + parameter.former;
     parameter.scope = scope;
   }
   return records;

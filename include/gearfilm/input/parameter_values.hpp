@@ -23,8 +23,8 @@ public:
   /// file: the case file, named in messages that have no closer place.
   explicit ParameterValues(std::string file = {}) : file_(std::move(file)) {}
 
-  /// Reads text as the value of a parameter. origin says where it stands ("case.yaml:12", "option -grid_nx").
-  /// Throws InputError when the name is unknown or the type or the range is wrong.
+  /// Reads text as the value of a parameter, by its key or its former one. origin says where it stands ("case.yaml:12",
+  /// "option -grid_nx"). Throws InputError when the name is unknown or the type or the range is wrong.
   void set(const std::string& name, const std::string& text, const std::string& origin);
 
   /// Completes the set: defaults for what has one, and an InputError for keys of the other kind of case or

@@ -1,12 +1,9 @@
-// What heat meets in the oil: viscosity that falls with temperature, conductivity that grows with pressure.
+// What heat meets in the oil: viscosity and density that fall with temperature, conductivity that grows with pressure.
 //
-//   ln eta(p,T)/eta_0 = (ln(eta(p,T_0)/eta_0) + c) f(T) - c,   f = ((T-138)/(T_0-138))^(-S_0),  c = ln eta_0 + 9.67,
-//                       S_0 = beta (T_0-138)/c                                   with Roelands' law of pressure
-//   ln eta(p,T)/eta_0 = ln(eta(p,T_0)/eta_0) - beta (T - T_0)                    with Barus' law
 //   k(p) = k_0 (1 + c_1 p/(1 + c_2 p))
-// and the laws of free_volume.hpp as they stand there. T_0 is the temperature at which the oil has its viscosity eta_0:
-// there both are the isothermal laws of lubricant.hpp. Roelands 1966; k(p) with the constants of a paraffinic oil as
-// Larsson and Andersson 2000 are quoted (neither was looked up). Temperatures in [K].
+// with the constants of a paraffinic oil as Larsson and Andersson 2000 are quoted (not looked up). How viscosity and
+// density depend on temperature is part of their laws (lubricant.hpp). T_0 is the temperature at which the oil has its
+// viscosity eta_0; there they are those of the isothermal oil. Temperatures in [K].
 #pragma once
 
 #include "gearfilm/lubricant/lubricant.hpp"
@@ -28,46 +25,14 @@ struct ThermalOil {
   }
 };
 
-/// A value and its derivative with respect to temperature [1/K].
-struct TemperatureFunction {
-  double value;
-  double derivative;
-};
-
-/// rho(p,T)/rho(p,T_0): by Tait's law, else 1 - beta_rho (T - T_0).
+/// rho(p,T)/rho(p,T_0): by the law of density where it knows, else 1 - beta_rho (T - T_0).
 double density_factor(const Lubricant& oil, const ThermalOil& thermal, double pressure, double temperature);
-/// -d ln eta/dT at T_0 and ambient pressure, of a law by free volume [1/K].
-double free_volume_thinning(const Lubricant& oil);
 
-/// The viscosity of one oil as a function of temperature, without branches, for loops in vectors.
-class ViscosityByTemperature {
-public:
-  ViscosityByTemperature(const Lubricant& oil, const ThermalOil& thermal);
+/// -d ln eta/dT at T_0 and ambient pressure, of a law that does not take beta [1/K].
+double temperature_viscosity(const Lubricant& oil);
 
-  /// ln(eta(p,T)/eta_0) from that of the isothermal law at the same pressure.
-  template <ViscosityLaw law>
-  TemperatureFunction log_viscosity(double isothermal, double pressure, double temperature) const {
-    if constexpr (law == ViscosityLaw::doolittle || law == ViscosityLaw::yasutomi) {
-      const StateFunction log_eta = laws_.log_viscosity_at<law>(pressure, temperature);
-      return {log_eta.value, log_eta.by_temperature};
-    }
-    if constexpr (law == ViscosityLaw::barus) return {isothermal - beta_ * (temperature - reference_), -beta_};
-    // The law ends at 138 K; an iteration may try less.
-    const double above = temperature - pole > 1.0 ? temperature - pole : 1.0;
-    const double factor = exp(-exponent_ * log(above * inverse_span_));
-    return {(isothermal + c_) * factor - c_, -(isothermal + c_) * exponent_ * factor / above};
-  }
-
-private:
-  static constexpr double pole = 138.0;  // [K]
-
-  OilLaws laws_;
-  double reference_;  ///< T_0
-  double beta_;
-  double inverse_span_;  ///< 1/(T_0 - 138 K)
-  double c_ = 0.0;
-  double exponent_ = 0.0;  ///< S_0
-};
+/// The law of viscosity with beta and T_0 of the thermal oil, for loops.
+ViscosityEvaluator viscosity_evaluator(const Lubricant& oil, const ThermalOil& thermal);
 
 /// ln(eta(p,T)/eta_0).
 TemperatureFunction log_relative_viscosity(const Lubricant& oil, const ThermalOil& thermal, double pressure,

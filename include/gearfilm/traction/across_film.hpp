@@ -77,8 +77,8 @@ public:
   const std::vector<Lanes>& speeds() const { return speed_; }  ///< u_k [m/s]
 
 private:
-  template <ViscosityLaw law>
-  void find_viscosities();
+  template <EvaluatesViscosity Viscosity>
+  void find_viscosities(Viscosity viscosity);
   void follow_viscosities();
   void shear();
   void set_transport();
@@ -94,8 +94,7 @@ private:
   void take_stock();
 
   ShearLaw law_;
-  Lubricant oil_;
-  ViscosityByTemperature viscosity_;
+  ViscosityEvaluator viscosity_;
   double log_ambient_;
   SurfaceVelocities velocities_;
   std::array<double, 2> conductances_;

@@ -21,11 +21,8 @@ struct FilmLine {
   std::vector<char> wet;              ///< p > 0
 
 private:
-  template <ViscosityLaw law>
-  void set_viscosity();
-
   const ContactFilm& film_;
-  OilLaws laws_;
+  ViscosityEvaluator viscosity_;
 };
 
 }  // namespace gearfilm
