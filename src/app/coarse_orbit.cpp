@@ -27,9 +27,9 @@ constexpr double noise_of_decay = 3.0;    // Newton's tolerance for a decay, in 
 double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
 
 /// The case on the coarser grid, where its films have one.
-std::optional<Case> coarser_case(const Case& problem, const MeshModel& mesh, const Discretisation& films) {
+std::optional<Case> coarser_case(const Case& problem, const MeshModel& mesh, Discretisation& films) {
   const std::optional<NumericsCase> numerics = coarser(problem.numerics);
-  if (!numerics || !films.coarser()) return {};
+  if (!numerics || !films.prepare_coarser()) return {};
   Case coarse = problem;
   coarse.numerics = *numerics;
   // A start and an estimate of errors: both far coarser than that.

@@ -40,7 +40,7 @@ std::optional<CoarserSwing> swing_on(const Case& problem, const SharedDiscretisa
 
 std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDiscretisation& fine,
                                              const Watcher& watcher) {
-  if (const Discretisation* half = fine->coarser()) {
+  if (Discretisation* half = fine->prepare_coarser()) {
     const SharedDiscretisation films(fine, half);  // owned by the finer one
     if (const auto found = swing_on(problem, films, 2.0, watcher)) return found;
   }

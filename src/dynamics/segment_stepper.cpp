@@ -50,6 +50,8 @@ void SegmentStepper::create_time_scheme() {
         return petsc_callback([&] {
           auto* own = static_cast<SegmentStepper*>(context);
           own->pair_.place(own->state_time_);
+          // Between two stages PETSc asks for copies of the state that was solved last.
+          if (own->state_time_ == own->solved_time_) own->pair_.system().copied(own->solved_, state);
           own->pair_.system().transient(state, values);
         });
       },
@@ -161,6 +163,7 @@ void SegmentStepper::set_solved(double T, Vec state) {
   solved_time_ = T;
   solved_films_ = pair_.film_figures(state, T);
   petsc_check(VecCopy(state, solved_));
+  pair_.system().copied(state, solved_);
 }
 
 void SegmentStepper::set_failures(int failures) {
@@ -241,6 +244,7 @@ void SegmentStepper::finish_step() {
   petsc_check(TSGetSNESIterations(ts_, &newton));
   petsc_check(TSGetKSPIterations(ts_, &krylov));
   petsc_check(TSGetSolution(ts_, &state));
+  pair_.system().copied(solved_, state);
   StepRecord record;
   record.halvings = std::max(0, failures_ - whole_tries());
   if (failures_ > 0) set_failures(0);

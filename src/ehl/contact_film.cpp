@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "gearfilm/ehl/domain.hpp"
@@ -24,7 +23,7 @@ double longest_level_step(const Scales& scales) { return 1.2 * inlet_rise(Expect
 ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
     : discretisation_(std::move(discretisation)),
       grid_(discretisation_->grid()),
-      deformation_(discretisation_->deformation<double>()),
+      deformation_(discretisation_->prepare_deformation<double>()),
       scales_(scales),
       surfaces_(surfaces_of(grid_, scales, {})),
       properties_(scales),
@@ -40,7 +39,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
 void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
   surfaces_ = std::move(surfaces);
   set_entrained();
-  evaluated_ = false;
+  shown_ = 0;
 }
 
 void ContactFilm::set_correction(FlowCorrection correction) {
@@ -52,7 +51,7 @@ void ContactFilm::set_correction(FlowCorrection correction) {
     state_.across.load(correction_.across);
   }
   set_entrained();
-  evaluated_ = false;
+  shown_ = 0;
 }
 
 void ContactFilm::set_entrained() {
@@ -65,19 +64,8 @@ void ContactFilm::set_entrained() {
   }
 }
 
-// The processes must agree, since an evaluation is collective.
-bool ContactFilm::is_current(std::span<const double> pressure, double H0) const {
-  int same = evaluated_ && H0 == evaluated_H0_;
-  const std::size_t rows = grid_.y_count();
-  for (int i = 0; same && i < grid_.nx(); ++i) {
-    same = std::memcmp(pressure.data() + i * rows, state_.total_pressure.row(i), rows * sizeof(double)) == 0;
-  }
-  if (grid_.processes() > 1) MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_LAND, grid_.comm());
-  return same;
-}
-
-void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
-  if (is_current(pressure, H0)) return;
+void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVersion version) {
+  if (version != 0 && version == shown_ && H0 == shown_H0_) return;
   state_.total_pressure.load(pressure);
   deformation_.apply(state_.total_pressure, state_.thickness);
   ++convolutions_;
@@ -88,20 +76,20 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0) {
   }
   properties_.evaluate(state_, correction_);
   exchange_ghosts(discretisation_->halo(), state_);
-  evaluated_H0_ = H0;
-  evaluated_ = true;
+  shown_ = version;
+  shown_H0_ = H0;
   at_linearised_ = false;
 }
 
-void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze,
-                           std::span<double> rows) {
-  evaluate(pressure, H0);
+void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
+                           StateVersion version) {
+  evaluate(pressure, H0, version);
   at_linearised_ = false;
   reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, rows);
 }
 
-void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass) {
-  evaluate(pressure, H0);
+void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version) {
+  evaluate(pressure, H0, version);
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* density = state_.density.row(i);
     const double* thickness = state_.thickness.row(i);
@@ -125,8 +113,9 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
   return *for_stiff_;
 }
 
-void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift) {
-  evaluate(pressure, H0);
+void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
+                            StateVersion version) {
+  evaluate(pressure, H0, version);
   reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, shift);
@@ -205,8 +194,8 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
 
 void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
 
-FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0) {
-  evaluate(pressure, H0);
+FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, StateVersion version) {
+  evaluate(pressure, H0, version);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
   enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };

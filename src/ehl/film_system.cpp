@@ -106,6 +106,7 @@ Eigen::VectorXd FilmSystem::displacements(Vec state) const {
 }
 
 void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
+  const StateVersion version = versions_.of(state);
   const RateReading rates(rate);
   const VecReading in(state);
   const VecWriting out(rows);
@@ -113,7 +114,7 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const Eigen::VectorXd displaced = compliance_.displacements(bodies_.displacement * scalars, carried);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
-                        part(out.values(), k));
+                        part(out.values(), k), version);
   }
   if (!has_scalars()) return;
   Eigen::VectorXd scalar_rates = Eigen::VectorXd::Zero(bodies_.size());
@@ -122,14 +123,18 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
 }
 
 void FilmSystem::transient(Vec state, Vec values) {
+  const StateVersion version = versions_.of(state);
   const VecReading in(state);
   const VecWriting out(values);
   const Eigen::VectorXd scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
-  for (std::size_t k = 0; k < films(); ++k) films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k));
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k), version);
+  }
   put_scalars(scalars, out.values());
 }
 
 void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination) {
+  const StateVersion version = versions_.of(state);
   shift_ = shift;
   preconditionings_ = 0;
   elimination_ = compliance_.rigid() ? elimination : BlockElimination::exact;
@@ -139,7 +144,7 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimi
   reverse_jacobian_ = reverse_flanks_.jacobian(scalars);
   coupled_stiffness_.setZero(static_cast<Eigen::Index>(films()), bodies_.size());
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift);
+    films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift, version);
   }
   if (elimination_ == BlockElimination::exact) {
     responses_.resize(scalars_at());
@@ -247,10 +252,13 @@ void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<do
 }
 
 std::vector<FilmFigures> FilmSystem::figures(Vec state) {
+  const StateVersion version = versions_.of(state);
   const VecReading in(state);
   const Eigen::VectorXd displaced = displacements(in.values(), scalars_in(in.values()));
   std::vector<FilmFigures> figures;
-  for (std::size_t k = 0; k < films(); ++k) figures.push_back(films_[k]->figures(part(in.values(), k), displaced[k]));
+  for (std::size_t k = 0; k < films(); ++k) {
+    figures.push_back(films_[k]->figures(part(in.values(), k), displaced[k], version));
+  }
   return figures;
 }
 

@@ -43,10 +43,10 @@ StationaryResult film_on_coarser(const ContactFilm& film, ContactFilm& coarse, c
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                       const StationaryResult& result, const CoarseCoupling& couple) {
   const ScopedStage stage("Error of the grid");
-  const Discretisation &fine = *film.discretisation(), *coarser = fine.coarser();
+  Discretisation &fine = *film.discretisation(), *coarser = fine.prepare_coarser();
   if (!coarser) return {};
   const double step = film.grid().h_x();
-  if (!couple && result.before && fine.before() == coarser) return errors_between(result.figures, *result.before, step);
+  if (!couple && result.before && fine.prepare_sequencing_grid() == coarser) return errors_between(result.figures, *result.before, step);
   ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
   coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
   try {

@@ -23,7 +23,7 @@ std::optional<Coarsening> coarsening_of(const Grid& grid, bool keep_rows, int fe
 template <class Real>
 class FilmMultigrid final : public LinearisedFilm {
 public:
-  FilmMultigrid(const Discretisation& finest, const MultigridOptions& options, double longest_step)
+  FilmMultigrid(Discretisation& finest, const MultigridOptions& options, double longest_step)
       : options_(options), longest_step_(longest_step) {
     build_levels(finest);
     build_cycle();
@@ -61,8 +61,8 @@ private:
   };
 
   std::optional<Coarsening> next_coarsening(const Grid& coarsest) const;
-  void build_levels(const Discretisation& finest);
-  void build_whole_rest(const Discretisation& last);
+  void build_levels(Discretisation& finest);
+  void build_whole_rest(Discretisation& last);
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
@@ -95,11 +95,11 @@ std::optional<Coarsening> FilmMultigrid<Real>::next_coarsening(const Grid& coars
 }
 
 template <class Real>
-void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
+void FilmMultigrid<Real>::build_levels(Discretisation& finest) {
   levels_.push_back(std::make_unique<Level>(finest));
-  const Discretisation* last = &finest;
+  Discretisation* last = &finest;
   while (const auto along = next_coarsening(last->grid())) {
-    const Discretisation* next = last->coarser(*along);
+    Discretisation* next = last->prepare_coarser(*along);
     if (!next) {
       build_whole_rest(*last);
       return;
@@ -111,9 +111,9 @@ void FilmMultigrid<Real>::build_levels(const Discretisation& finest) {
 
 /// All coarser levels, whole on every process: the cut grid has too few rows.
 template <class Real>
-void FilmMultigrid<Real>::build_whole_rest(const Discretisation& last) {
-  const Discretisation* whole = last.whole();
-  gather_ = &last.gather();
+void FilmMultigrid<Real>::build_whole_rest(Discretisation& last) {
+  Discretisation* whole = last.prepare_replicated();
+  gather_ = &last.prepare_gather();
   MultigridOptions rest = options_;
   if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
   whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest, longest_step_);
@@ -292,7 +292,7 @@ void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state,
 
 template <class Real>
 void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) {
-  const Discretisation& everywhere = *levels_.back()->discretisation().whole();
+  const Discretisation& everywhere = *levels_.back()->discretisation().replicated();
   FilmState whole_state(everywhere.grid());
   std::vector<double> own(levels_.back()->grid().local_size());
   std::vector<double> whole(whole_change_.size());
@@ -308,7 +308,7 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) 
 
 }  // namespace
 
-std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
+std::unique_ptr<LinearisedFilm> make_linearised_film(Discretisation& discretisation,
                                                      const MultigridOptions& options, double longest_step) {
   if (options.precision == Precision::single_precision) {
     return std::make_unique<FilmMultigrid<float>>(discretisation, options, longest_step);

@@ -5,9 +5,9 @@
 namespace gearfilm {
 
 template <class Real>
-MultigridLevel<Real>::MultigridLevel(const Discretisation& discretisation)
+MultigridLevel<Real>::MultigridLevel(Discretisation& discretisation)
     : discretisation_(discretisation),
-      deformation_(discretisation.deformation<Real>()),
+      deformation_(discretisation.prepare_deformation<Real>()),
       linear_(grid()),
       smoother_(grid(), discretisation.halo(), deformation_),
       change_(grid()),

@@ -32,11 +32,19 @@ void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
   }
 }
 
-/// trial = state - length change, where no pressure becomes negative.
-void step_to(Vec trial, Vec state, double length, Vec change, PetscInt pressures) {
-  petsc_check(VecWAXPY(trial, -length, change, state));
-  const VecWriting pressure(trial);
-  for (PetscInt n = 0; n < pressures; ++n) pressure[n] = std::max(pressure[n], 0.0);
+/// trial = state - length change, where no pressure becomes negative. Whether an own value of the trial is another one
+/// than before.
+bool step_to(Vec trial, Vec state, double length, Vec change, PetscInt pressures) {
+  const VecReading from(state), step(change);
+  const VecWriting to(trial);
+  const auto count = static_cast<PetscInt>(to.values().size());
+  bool moved = false;
+  for (PetscInt n = 0; n < count; ++n) {
+    const double reached = from[n] - length * step[n], value = n < pressures ? std::max(reached, 0.0) : reached;
+    moved = moved || value != to[n];
+    to[n] = value;
+  }
+  return moved;
 }
 
 // Newton's direction would give d|F|^2/2 = -|F|^2 along it: no product with the Jacobian is needed to know the slope.
@@ -51,10 +59,13 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
   PetscBool changed = PETSC_FALSE;
   petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
   norm = system.merit(residual);
-  const auto take = [&](double length, Vec step) {
-    step_to(trial, state, length, step, pressures);
+  const auto evaluate_trial = [&] {
     petsc_check(SNESComputeFunction(snes, trial, trial_residual));
     trial_norm = system.merit(trial_residual);
+  };
+  const auto take = [&](double length, Vec step) {
+    step_to(trial, state, length, step, pressures);
+    evaluate_trial();
   };
   take(1.0, change);
   OwnedVec eased;
@@ -66,7 +77,10 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
     }
     if (!system.ease(eased, change, residual, trial_residual)) break;
     at_once = std::max(allowed, growth_of_eased);
-    take(1.0, eased);
+    // A pressure that ended at zero may do so with the shorter change too.
+    int moved = step_to(trial, state, 1.0, eased, pressures);
+    MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_LOR, system.comm());
+    if (moved != 0) evaluate_trial();
   }
   bool found = trial_norm < at_once * norm;
   for (double length = 1.0; !found; found = trial_norm < allowed * norm) {
@@ -79,6 +93,7 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
     take(length, change);
   }
   petsc_check(VecCopy(trial, state));
+  system.copied(trial, state);
   petsc_check(VecCopy(trial_residual, residual));
   petsc_check(SNESLineSearchComputeNorms(line_search));
   petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));

@@ -5,8 +5,8 @@
 namespace gearfilm {
 
 struct OscillatingFilm::Work {
-  explicit Work(const Discretisation& on)
-      : deformation(on.deformation<double>()),
+  explicit Work(Discretisation& on)
+      : deformation(on.prepare_deformation<double>()),
         linear(on.grid()),
         smoother(on.grid(), on.halo(), deformation),
         change(on.grid()),
@@ -45,7 +45,7 @@ void store_parts(const Field<std::complex<double>>& values, std::span<double> pa
 
 }  // namespace
 
-OscillatingFilm::OscillatingFilm(const Discretisation& discretisation)
+OscillatingFilm::OscillatingFilm(Discretisation& discretisation)
     : discretisation_(discretisation), work_(std::make_unique<Work>(discretisation)) {}
 
 OscillatingFilm::~OscillatingFilm() = default;

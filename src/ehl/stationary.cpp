@@ -27,13 +27,13 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
   const double tolerance = newton.tolerance();
   newton.aim_at(rough(tolerance));
   double step = first_pseudo_step, growth = pseudo_step_growth;
+  newton.begin(load, solution);
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
-    const std::vector<double> mass = newton.mass(load, solution);
-    FilmSolution next = solution;
-    if (newton.solve(load, next, ImplicitStep{1.0 / step, mass})) {
-      solution = std::move(next);
+    if (newton.step(1.0 / step)) {
+      solution = newton.films();
       step *= growth;
     } else {
+      newton.begin(load, solution);
       step *= 0.25;
       growth = careful_growth;
     }
@@ -95,12 +95,6 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
   return fine;
 }
 
-/// Of one film.
-FilmFigures figures_of(ContactFilm& film, const LoadCondition& load, const FilmSolution& solution) {
-  const double force = integral(film.grid(), solution.pressure);
-  return film.figures(solution.pressure, load.compliance.displacements(solution.H0, std::span(&force, 1)).front());
-}
-
 [[noreturn]] void report_failure(const Grid& grid, const StationaryNewton& newton) {
   const SolveCounts& counts = newton.counts();
   std::ostringstream message;
@@ -117,8 +111,8 @@ FilmFigures figures_of(ContactFilm& film, const LoadCondition& load, const FilmS
 StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options) {
   const ScopedStage stage("Stationary film");
   std::vector<SharedDiscretisation> coarser;  // next coarser first
-  for (const Discretisation* next = film.discretisation()->before(); next && next->grid().nx() >= coarsest_nx;
-       next = next->before()) {
+  for (Discretisation* next = film.discretisation()->prepare_sequencing_grid();
+       next && next->grid().nx() >= coarsest_nx; next = next->prepare_sequencing_grid()) {
     coarser.emplace_back(film.discretisation(), next);  // owned by the finest
   }
 
@@ -146,24 +140,23 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     }
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
-    if (n == 1 && solved) result.before = figures_of(present, load, result.solution);
+    if (n == 1 && solved) result.before = newton.figures().front();
+    if (n == 0) result.figures = newton.figures().front();
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from the dry pressure.
     before = solved ? &present.grid() : nullptr;
   }
   result.counts = result.by_grid.back();
-  result.figures = figures_of(film, load, result.solution);
   return result;
 }
 
 namespace {
 
-StationaryResult result_of(ContactFilm& film, const LoadCondition& load, FilmSolution solution,
-                           const SolveCounts& counts) {
+StationaryResult result_of(StationaryNewton& newton, FilmSolution solution) {
   StationaryResult result;
   result.solution = std::move(solution);
-  result.by_grid.push_back(counts);
-  result.counts = counts;
-  result.figures = figures_of(film, load, result.solution);
+  result.by_grid.push_back(newton.counts());
+  result.counts = newton.counts();
+  result.figures = newton.figures().front();
   return result;
 }
 
@@ -175,7 +168,7 @@ StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& loa
   FilmSolution solution = guess;
   if (load.kind == LoadCondition::Kind::displacement) solution.H0 = load.value;
   if (!solve_from(newton, load, solution)) return solve_stationary(film, load, options);
-  return result_of(film, load, std::move(solution), newton.counts());
+  return result_of(newton, std::move(solution));
 }
 
 std::optional<StationaryResult> improve_stationary(ContactFilm& film, const LoadCondition& load,
@@ -183,7 +176,7 @@ std::optional<StationaryResult> improve_stationary(ContactFilm& film, const Load
   StationaryNewton newton({&film}, options.newton);
   FilmSolution solution = guess;
   if (!newton.solve(load, solution)) return {};
-  return result_of(film, load, std::move(solution), newton.counts());
+  return result_of(newton, std::move(solution));
 }
 
 FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,

@@ -90,7 +90,7 @@ long StationaryNewton::convolutions() {
 }
 
 // A displacement that is given depends on no film: on rigid solids it comes first, exactly.
-void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films) {
+void StationaryNewton::begin(const LoadCondition& load, const FilmSolution& films) {
   const bool given = load.kind == LoadCondition::Kind::displacement;
   elimination_ = given ? FilmSystem::BlockElimination::scalars_first : FilmSystem::BlockElimination::exact;
   const auto held = given ? fixed_approach : load_balance;
@@ -101,7 +101,7 @@ void StationaryNewton::put(const LoadCondition& load, const FilmSolution& films)
   system_.set_scalars(state_, std::span(&films.H0, 1));
 }
 
-FilmSolution StationaryNewton::taken() const {
+FilmSolution StationaryNewton::films() const {
   FilmSolution films;
   for (std::size_t k = 0; k < system_.films(); ++k) {
     const std::vector<double> pressure = system_.field(state_, k);
@@ -111,17 +111,19 @@ FilmSolution StationaryNewton::taken() const {
   return films;
 }
 
-std::vector<double> StationaryNewton::mass(const LoadCondition& load, const FilmSolution& films) {
-  put(load, films);
+std::vector<double> StationaryNewton::mass_of_state() {
   system_.transient(state_, rate_);
   const VecReading values(rate_);
-  const auto mass = values.values().first(films.pressure.size());
+  const auto mass = values.values().first(static_cast<std::size_t>(system_.pressure_count()));
   return {mass.begin(), mass.end()};
 }
 
-bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step) {
-  put(load, guess);
-  step_ = step;
+std::vector<double> StationaryNewton::mass(const LoadCondition& load, const FilmSolution& films) {
+  begin(load, films);
+  return mass_of_state();
+}
+
+bool StationaryNewton::iterate() {
   const long before = convolutions();
   petsc_check(SNESSolve(snes_, nullptr, state_));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
@@ -135,8 +137,21 @@ bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, con
   counts_.krylov += krylov;
   counts_.convolutions += convolutions() - before;
   counts_.residual = norm / system_.weight();
-  guess = taken();
   return reason > 0;
+}
+
+bool StationaryNewton::step(double shift) {
+  mass_ = mass_of_state();
+  step_ = ImplicitStep{shift, mass_};
+  return iterate();
+}
+
+bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step) {
+  begin(load, guess);
+  step_ = step;
+  const bool found = iterate();
+  guess = films();
+  return found;
 }
 
 }  // namespace gearfilm

@@ -25,7 +25,7 @@ FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, cons
   if (!contacts.empty()) snapshot.shape = contacts.front().film->grid().shape();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
-    contact.fields.push_back({std::string(field::pressure.name), contacts[k].film->pressure()});
+    contact.fields.push_back({std::string(field::pressure.name), contacts[k].film->total_pressure()});
     contact.fields.push_back({std::string(field::thickness.name), contacts[k].film->thickness()});
     for (const auto& [name, values] : contacts[k].fields) {
       if (field_named(name).dataset.empty() || name == field::pressure.name) continue;

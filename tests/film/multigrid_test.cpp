@@ -52,7 +52,7 @@ protected:
   const Grid& grid = discretisation->grid();
   FilmState state{grid};
   MultigridLevel<double> fine{*discretisation};
-  MultigridLevel<double> coarse{*discretisation->coarser(Coarsening::x_only)};  // its cells are long
+  MultigridLevel<double> coarse{*discretisation->prepare_coarser(Coarsening::x_only)};  // its cells are long
   std::vector<double> right_side = std::vector<double>(grid.local_size(), 0.0);
 };
 

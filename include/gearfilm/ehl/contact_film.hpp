@@ -4,7 +4,8 @@
 //   G(P, H_0; d(rho H)/dT) = min(d P, R)        Reynolds' equation with cavitation, reynolds.hpp
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
 // them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
-// depends on a state is told it; a state that is the same as in the call before is not computed again.
+// depends on a state is told it, and the version of its pressures where they have one (state_version.hpp): the film of
+// the version and H_0 that it shows is not computed again.
 #pragma once
 
 #include <memory>
@@ -15,6 +16,7 @@
 #include "gearfilm/ehl/deformation.hpp"
 #include "gearfilm/ehl/linearised_film.hpp"
 #include "gearfilm/ehl/reynolds.hpp"
+#include "gearfilm/parallel/state_version.hpp"
 
 namespace gearfilm {
 
@@ -45,16 +47,18 @@ public:
   // Collective, all of them.
 
   /// Film and oil at (pressure, H_0), which state() and the fields then show.
-  void evaluate(std::span<const double> pressure, double H0);
-  FilmFigures figures(std::span<const double> pressure, double H0);
+  void evaluate(std::span<const double> pressure, double H0, StateVersion version = 0);
+  FilmFigures figures(std::span<const double> pressure, double H0, StateVersion version = 0);
   /// rows = G at (pressure, H_0).
-  void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows);
+  void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
+                StateVersion version = 0);
   /// mass = rho H at (pressure, H_0): what the time scheme differentiates.
-  void mass(std::span<const double> pressure, double H0, std::span<double> mass);
+  void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version = 0);
 
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
   /// says which nodes are wet.
-  void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift);
+  void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
+                 StateVersion version = 0);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
   /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the
@@ -83,7 +87,6 @@ public:
   long convolutions() const { return convolutions_; }
 
 private:
-  bool is_current(std::span<const double> pressure, double H0) const;
   LinearisedFilm& linearisation_for(double shift);
   void set_entrained();
 
@@ -105,8 +108,8 @@ private:
   std::vector<double> smallest_scales_;         ///< d of a node that conducts nothing, by row
   std::vector<float> weights_;                  ///< of rows in the merit: the smallest d over d
   std::vector<float> conductance_;              ///< xi_R at the state of the Jacobian
-  double evaluated_H0_ = 0.0;
-  bool evaluated_ = false;
+  StateVersion shown_ = 0;  ///< of the pressures of state_; 0 where surfaces or correction have changed since
+  double shown_H0_ = 0.0;
   long convolutions_ = 0;
 };
 

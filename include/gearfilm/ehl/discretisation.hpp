@@ -12,8 +12,9 @@
 
 namespace gearfilm {
 
-/// Immutable to its users. Parts that not every use needs are made when they are first asked for, collectively; the
-/// work space of the transforms is shared too, so that one film at a time is deformed.
+/// Parts that not every use needs are made by calls that begin with `prepare`, all of them collective and without
+/// effect where the part is there. The work space of the transforms is shared too, so that one film at a time is
+/// deformed.
 class Discretisation {
 public:
   /// C_h as in Scales.
@@ -25,33 +26,35 @@ public:
   const Halo& halo() const { return halo_; }
   /// K in either precision.
   template <class Real>
-  const Deformation<Real>& deformation() const;
+  const Deformation<Real>& prepare_deformation();
 
   /// Every second node along either direction or one, cut likewise among the processes; null where that would leave a
   /// process fewer than two rows, or where there are too few nodes.
-  const Discretisation* coarser(Coarsening along = Coarsening::both) const;
-  /// The grid before this one where a film is found on finer and finer grids: every second line while cells
-  /// are long across, else coarser(). Across, a slender contact's lines are few, and its edge moves by
-  /// many cells from one to the next: a film cannot be interpolated between them.
-  const Discretisation* before() const;
-  /// Where coarser(y_only) is null though there are nodes enough: this grid, whole on every process, for the rest of
-  /// the hierarchy; null otherwise.
-  const Discretisation* whole() const;
-  /// Between this grid and whole().
-  const Gather& gather() const;
+  Discretisation* prepare_coarser(Coarsening along = Coarsening::both);
+  /// The next coarser grid of a sequence on which a film is found from the coarsest to the finest: every second line
+  /// while cells are long across, else that of every second node. Across, a slender contact's lines are few, and its
+  /// edge moves by many cells from one to the next: a film cannot be interpolated between them.
+  Discretisation* prepare_sequencing_grid();
+  /// Where prepare_coarser(y_only) is null though there are nodes enough: this grid, whole on every process, for the
+  /// rest of a hierarchy; null otherwise.
+  Discretisation* prepare_replicated();
+  /// What prepare_replicated() has made.
+  const Discretisation* replicated() const { return replicated_.get(); }
+  /// Between this grid and the replicated one.
+  const Gather& prepare_gather();
 
 private:
   Grid grid_;
   double C_h_;
   Halo halo_;
-  mutable std::unique_ptr<const Deformation<double>> deformation_;
-  mutable std::unique_ptr<const Deformation<float>> single_deformation_;
-  mutable std::array<std::unique_ptr<const Discretisation>, 3> coarser_;  ///< by Coarsening
-  mutable std::unique_ptr<const Discretisation> whole_;
-  mutable std::unique_ptr<const Gather> gather_;
+  std::unique_ptr<const Deformation<double>> deformation_;
+  std::unique_ptr<const Deformation<float>> single_deformation_;
+  std::array<std::unique_ptr<Discretisation>, 3> coarser_;  ///< by Coarsening
+  std::unique_ptr<Discretisation> replicated_;
+  std::unique_ptr<const Gather> gather_;
 };
 
-using SharedDiscretisation = std::shared_ptr<const Discretisation>;
+using SharedDiscretisation = std::shared_ptr<Discretisation>;
 
 SharedDiscretisation discretise(const Grid& grid, const Scales& scales);
 

@@ -67,6 +67,7 @@ public:
   void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination);
   double merit(Vec rows) override;
   bool ease(Vec change, Vec whole, Vec before, Vec after) override;
+  void copied(Vec from, Vec to) override { versions_.copied(from, to); }
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
   void multiply_transient(Vec change, Vec rows);
@@ -117,6 +118,7 @@ private:
   double weight_;
   double shift_ = 0.0;
   BlockElimination elimination_ = BlockElimination::scalars_first;
+  StateVersions versions_;    ///< of states
   int preconditionings_ = 0;  ///< with the present Jacobian
   using Factors = Eigen::PartialPivLU<Eigen::MatrixXd>;
   Factors body_factors_;

@@ -37,7 +37,7 @@ public:
 
 /// Arithmetic and number of levels by the options; where these leave the number open, no level is coarser along X than
 /// the longest step. The discretisation must outlive the preconditioner.
-std::unique_ptr<LinearisedFilm> make_linearised_film(const Discretisation& discretisation,
-                                                     const MultigridOptions& options, double longest_step = HUGE_VAL);
+std::unique_ptr<LinearisedFilm> make_linearised_film(Discretisation& discretisation, const MultigridOptions& options,
+                                                     double longest_step = HUGE_VAL);
 
 }  // namespace gearfilm

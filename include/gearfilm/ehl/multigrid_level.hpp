@@ -13,7 +13,7 @@ template <class Real>
 class MultigridLevel {
 public:
   /// The discretisation must outlive the level.
-  explicit MultigridLevel(const Discretisation& discretisation);
+  explicit MultigridLevel(Discretisation& discretisation);
   MultigridLevel(const MultigridLevel&) = delete;
   MultigridLevel& operator=(const MultigridLevel&) = delete;
 

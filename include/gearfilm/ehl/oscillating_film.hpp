@@ -18,7 +18,7 @@ namespace gearfilm {
 class OscillatingFilm {
 public:
   /// The discretisation must outlive the film.
-  explicit OscillatingFilm(const Discretisation& discretisation);
+  explicit OscillatingFilm(Discretisation& discretisation);
   ~OscillatingFilm();
 
   // Collective, all of them.

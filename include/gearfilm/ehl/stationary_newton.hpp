@@ -57,6 +57,15 @@ public:
   /// Solves from `guess` in place: the stationary films, or the films after one step. False if Newton did not reach
   /// its tolerance; then `guess` holds the last iterate.
   bool solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step = {});
+  /// Makes films the ones from which step() goes on, under a load.
+  void begin(const LoadCondition& load, const FilmSolution& films);
+  /// One implicit step of pseudo-time on, with d(rho H)/dT = shift times the change of rho H. False if Newton's method
+  /// did not reach its tolerance; then begin() has to be called again.
+  bool step(double shift);
+  /// The films that solve() or step() has left.
+  FilmSolution films() const;
+  /// Of these films. Collective.
+  std::vector<FilmFigures> figures() { return system_.figures(state_); }
 
   /// For solves from now on: a root mean square of the residual.
   void aim_at(double tolerance) {
@@ -73,9 +82,9 @@ public:
   WorstNode worst(std::size_t film) const { return system_.worst_node(residual_, film); }
 
 private:
-  /// Makes films the state of the system under a load.
-  void put(const LoadCondition& load, const FilmSolution& films);
-  FilmSolution taken() const;
+  /// From the present state.
+  bool iterate();
+  std::vector<double> mass_of_state();
   long convolutions();
   /// d(rho H)/dT at a state, none where there is no step.
   FilmSystem::Rate rate_at(Vec state);
@@ -88,6 +97,7 @@ private:
   FilmSystem system_;
   FilmSystem::BlockElimination elimination_ = FilmSystem::BlockElimination::exact;
   std::optional<ImplicitStep> step_;
+  std::vector<double> mass_;  ///< before a step of step()
   OwnedVec state_, residual_, rate_;
   OwnedMat jacobian_;
   OwnedSNES snes_;
