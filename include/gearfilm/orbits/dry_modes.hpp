@@ -2,8 +2,7 @@
 //
 //   M phi'' + K phi = 0 ,   M = diag(I_g1, I_g2) ,   K = k_el r r^T ,   r = (R_b1, -R_b2)
 // One mode is the rigid rotation of the geared pair, at zero frequency; the other has f_n = sqrt(k_el/m_ge)/(2 pi),
-// (28) of doi 10.1016/j.triboint.2013.01.017. Solved as a generalised
-// symmetric eigenvalue problem.
+// (28) of doi 10.1016/j.triboint.2013.01.017. Both are solutions of the generalised symmetric eigenvalue problem.
 #pragma once
 
 #include <array>
