@@ -6,10 +6,10 @@
 //   wedge d(rho H (U + W))/dX,  rho = r rho(p)
 // They stay as they are while a film is solved for: theta, ln F at ambient pressure, rather than F, because where
 // pressure changes F changes with it, by many decades. g is d ln eta/dT at T_0 over that at ambient pressure
-// (viscosity_law.hpp): in oil that is evenly warmer than T_0 by little, ln F is theta g at all pressures, by the laws of
-// Roelands and Barus also where it is warmer by much. Likewise kappa rather than S: with m = 1 it is Eyring's law,
-// S = sqrt(1 + (eta u_s/(h tau_0))^2) where pressure drives little, with m = 1 - n Carreau's far from Newton's; kappa is
-// what gives the right S at the present state.
+// (viscosity_law.hpp): in oil that is evenly warmer than T_0 by little, ln F is theta g at all pressures, by the laws
+// of Roelands and Barus also where it is warmer by much. Likewise kappa rather than S: with m = 1 it is Eyring's law,
+// S = sqrt(1 + (eta u_s/(h tau_0))^2) where pressure drives little, with m = 1 - n Carreau's far from Newton's; kappa
+// is what gives the right S at the present state.
 #pragma once
 
 #include <cstddef>
