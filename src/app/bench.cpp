@@ -94,25 +94,24 @@ private:
     constexpr double typical_step = 1e-6;  // s
     TractionModel model = warm_film(problem_);
     const HeatOptions heat = *model.heat;
-    const double u_m = problem_.scales.operation.entrainment_velocity;
-    const SurfaceVelocities velocities{.mean = u_m, .sliding = 0.2 * u_m};
+    move_surfaces(film_, {.sliding = 0.2});
     film_.evaluate(result_.solution.pressure, result_.solution.H0);
     model.heat.reset();
-    report("friction", median_time([&] { traction(model, film_, velocities); }, 0.0, 0, kernel_runs));
+    report("friction", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
     model.heat = heat;
     model.heat->in_film = false;
-    report("heat across the film", median_time([&] { traction(model, film_, velocities); }, 0.0, 0, kernel_runs));
+    report("heat across the film", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
     model.heat->in_film = true;
     FilmHeat warm;
-    coupled_traction(model, film_, velocities, warm);  // the first sweep begins cold
+    coupled_traction(model, film_, warm);  // the first sweep begins cold
     FilmHeat again = warm;
     report("heat of a film that feels it", median_time(
                                                [&] {
                                                  again = warm;
-                                                 coupled_traction(model, film_, velocities, again, typical_step);
+                                                 coupled_traction(model, film_, again, typical_step);
                                                },
                                                0.0, 0, kernel_runs));
-    report("flow by the shear law", median_time([&] { sheared_flow(model, film_, velocities); }, 0.0, 0, kernel_runs));
+    report("flow by the shear law", median_time([&] { sheared_flow(model, film_); }, 0.0, 0, kernel_runs));
   }
 
   MPI_Comm comm_;

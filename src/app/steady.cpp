@@ -235,16 +235,15 @@ struct FilmOnGrid {
 };
 
 /// Goes on to the film that feels its heat and shear.
-void couple_film(const Case& problem, const SurfaceVelocities& velocities, const LoadCondition& load,
-                 FilmOnGrid& solved) {
+void couple_film(const Case& problem, const LoadCondition& load, FilmOnGrid& solved) {
   const SolverOptions& options = problem.numerics.solver;
   const TractionModel& model = *problem.traction;
   solved.bare = solved.result.figures;
-  solved.coupled = solve_coupled(*solved.film, load, options, model, velocities, solved.result);
+  solved.coupled = solve_coupled(*solved.film, load, options, model, solved.result);
   solved.result = solved.coupled->film;
   solved.errors =
       grid_errors(*solved.film, load, options, solved.result, [&](ContactFilm& coarse, const StationaryResult& cold) {
-        return solve_coupled(coarse, load, options, model, velocities, cold).film;
+        return solve_coupled(coarse, load, options, model, cold).film;
       });
 }
 
@@ -258,8 +257,7 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
   solved.result =
       located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
   if (problem.traction && problem.traction->corrects_film()) {
-    located(position.label,
-            [&] { couple_film(problem, velocities_of(problem.scales, position.contact), load, solved); });
+    located(position.label, [&] { couple_film(problem, load, solved); });
   } else {
     solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
   }
@@ -270,8 +268,7 @@ FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& posit
 Traction traction_of(const Case& problem, const Position& position, const FilmOnGrid& solved) {
   if (solved.coupled) return solved.coupled->traction;
   if (!problem.traction) return {};
-  const SurfaceVelocities velocities = velocities_of(problem.scales, position.contact);
-  return located(position.label, [&] { return traction(*problem.traction, *solved.film, velocities); });
+  return located(position.label, [&] { return traction(*problem.traction, *solved.film); });
 }
 
 /// What heat, or shear alone, has made of the film.

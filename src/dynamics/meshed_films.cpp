@@ -141,8 +141,7 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
     const Room needed = needed_room(number, entered.figures.pressure_integral);
     if (has_room(needed)) {
       check_validity(*film, entered.figures, label(number));
-      return located(label(number),
-                     [&] { return begin_contact(mesh_, number, T_, film, load, options_.films, entered); });
+      return located(label(number), [&] { return begin_contact(mesh_, number, film, load, options_.films, entered); });
     }
     make_room(needed);
   }
@@ -172,8 +171,8 @@ void MeshedFilms::balance_at_rest() {
     const LoadCondition load =
         carries ? LoadCondition::force(dry_forces[k]) : LoadCondition::displacement(displaced[k]);
     StationaryResult found = located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
-    contacts_.push_back(located(
-        label(numbers[k]), [&] { return begin_contact(mesh_, numbers[k], T_, film, load, options_.films, found); }));
+    contacts_.push_back(located(label(numbers[k]),
+                                [&] { return begin_contact(mesh_, numbers[k], film, load, options_.films, found); }));
     if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
   }
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));

@@ -37,19 +37,18 @@ void follow_shear(const FlowCorrection& before, FlowCorrection& now) {
   }
 }
 
-TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, const SurfaceVelocities& velocities,
-                            double dT) {
+TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, double dT) {
   const TractionModel& model = *mesh.traction;
-  if (!live.heat) return traction(model, *live.film, velocities).figures;
+  if (!live.heat) return traction(model, *live.film).figures;
   LiveHeat& heat = *live.heat;
   if (dT > 0.0) {
     const FlowCorrection before = heat.state.flow;
-    heat.traction = coupled_traction(model, *live.film, velocities, heat.state, dT * mesh.scales.time);
+    heat.traction = coupled_traction(model, *live.film, heat.state, dT * mesh.scales.time);
     follow_shear(before, heat.state.flow);
     live.film->set_correction(extrapolated(before, heat.state.flow));
   } else {
     FilmHeat still = heat.state;
-    heat.traction = coupled_traction(model, *live.film, velocities, still, moment);
+    heat.traction = coupled_traction(model, *live.film, still, moment);
   }
   return heat.traction->figures;
 }
@@ -63,8 +62,7 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
     const MeshedContact contact = mesh.contact(contacts[k].number, T);
     ContactMoment at{mesh.scales, contact, figures[k], {}, mesh.roughness};
     if (mesh.traction) {
-      at.traction = with_powers_times(mesh.load_factor(),
-                                      traction_of(mesh, contacts[k], velocities_of(mesh.scales, contact), dT));
+      at.traction = with_powers_times(mesh.load_factor(), traction_of(mesh, contacts[k], dT));
     }
     records.push_back({contacts[k].number, contact.position, figures_of(at)});
   }

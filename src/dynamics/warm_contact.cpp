@@ -14,11 +14,10 @@ ContactFields still(std::vector<double> pressure) {
 
 }  // namespace
 
-LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFilm* film, const LoadCondition& load,
+LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
                           const SolverOptions& options, StationaryResult& found) {
   if (!corrects_films(mesh)) return {number, film, still(found.solution.pressure), {}};
-  const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(number, T));
-  CoupledFilm heated = solve_coupled(*film, load, options, *mesh.traction, velocities, found);
+  CoupledFilm heated = solve_coupled(*film, load, options, *mesh.traction, found);
   found = std::move(heated.film);
   LiveContact contact{number, film, still(found.solution.pressure), {}};
   keep_heat(*mesh.traction, heated.heat, film->grid().y_count(), contact.fields);

@@ -3,11 +3,9 @@
 namespace gearfilm {
 namespace {
 
-void add_traction(const MeshModel& mesh, double T, const LiveContact& live, ContactSnapshot& snapshot) {
-  const SurfaceVelocities velocities = velocities_of(mesh.scales, mesh.contact(live.number, T));
+void add_traction(const MeshModel& mesh, const LiveContact& live, ContactSnapshot& snapshot) {
   const bool known = live.heat && live.heat->traction;
-  const TractionFields fields =
-      known ? live.heat->traction->fields : traction(*mesh.traction, *live.film, velocities).fields;
+  const TractionFields fields = known ? live.heat->traction->fields : traction(*mesh.traction, *live.film).fields;
   for (const field::OfTraction& kind : field::traction) {
     const std::vector<double>& values = fields.*kind.values;
     if (values.empty()) continue;
@@ -33,7 +31,7 @@ FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, cons
       field.load(values);
       contact.fields.push_back({name, std::move(field)});
     }
-    if (mesh.traction) add_traction(mesh, record.T, contacts[k], contact);
+    if (mesh.traction) add_traction(mesh, contacts[k], contact);
     snapshot.contacts.push_back(std::move(contact));
   }
   return snapshot;

@@ -42,8 +42,7 @@ inline double neighbour_coefficient(double conduction, double flow) {
 
 }  // namespace
 
-AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
-                       const SurfaceVelocities& velocities, const std::array<double, 2>& conductances, FilmFlow kind)
+AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FilmFlow kind)
     : upstream(heat.points),
       before(heat.points),
       earlier(heat.points),
@@ -54,8 +53,6 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
       law_(law),
       viscosity_(viscosity_evaluator(oil, heat.oil)),
       log_ambient_(std::log(oil.viscosity)),
-      velocities_(velocities),
-      conductances_(conductances),
       flow_(kind),
       weights_(trapezoidal_weights(heat.points)),
       places_(evenly_spaced(heat.points)),
@@ -99,7 +96,6 @@ void AcrossFilm::follow_viscosities() {
 /// Their shares across the film, and the mean stress.
 void AcrossFilm::shear() {
   const int count = points();
-  const double sliding = std::abs(velocities_.sliding);
   Lanes mean{}, inverse;
   for (int k = 0; k < count; ++k) {
     const double weight = weights_[k];
@@ -107,14 +103,14 @@ void AcrossFilm::shear() {
   }
   each_lane([&](int l) {
     inverse[l] = wet[l] / mean[l];
-    log_newtonian_[l] = log_ambient_ + log(sliding / (thickness[l] * mean[l]));
+    log_newtonian_[l] = log_ambient_ + log(std::abs(sliding[l]) / (thickness[l] * mean[l]));
   });
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) { share_[k][l] = fluidity_[k][l] * inverse[l] + (1.0 - wet[l]); });
   }
   for (int l = 0; l < lanes; ++l) {
     stress_[l] = by_rate_[l] = 0.0;
-    if (wet[l] == 0.0 || sliding == 0.0) continue;
+    if (wet[l] == 0.0 || sliding[l] == 0.0) continue;
     const MeanShear found = mean_shear(law_, log_newtonian_[l], half_gradient[l], pressure[l]);
     stress_[l] = found.stress;
     by_rate_[l] = found.by_rate;
@@ -123,13 +119,13 @@ void AcrossFilm::shear() {
 
 void AcrossFilm::set_transport() {
   const int count = points();
-  const SurfaceVelocities& u = velocities_;
   Lanes passed{}, mean{}, conduction;
   for (int k = 0; k < count; ++k) {
     const double place = places_[k], weight = weights_[k], half = 0.5 / (count - 1);
     each_lane([&](int l) {
       if (k > 0) passed[l] += half * (share_[k - 1][l] + share_[k][l]);
-      const double speed = u.wheel() + u.sliding * passed[l] + 6.0 * poiseuille_flow[l] * place * (1.0 - place);
+      const double wheel = mean_velocity[l] - 0.5 * sliding[l];
+      const double speed = wheel + sliding[l] * passed[l] + 6.0 * poiseuille_flow[l] * place * (1.0 - place);
       transport_[k][l] = speed > 0.0 ? speed : 0.0;
       mean[l] += weight * transport_[k][l];
     });
@@ -151,14 +147,14 @@ void AcrossFilm::set_transport() {
 /// That of film_flow.hpp; of a torn film the part that fills it, between walls that shear it evenly.
 void AcrossFilm::set_own_transport() {
   const int count = points();
-  const SurfaceVelocities& u = velocities_;
   Lanes passed{}, mean_change{}, flow_up{};
   for (int k = 0; k < count; ++k) {
     const double weight = weights_[k], half = 0.5 / (count - 1);
     each_lane([&](int l) {
       if (k > 0) passed[l] += half * (share_[k - 1][l] + share_[k][l]);
-      const double filled = wet[l] + (1.0 - wet[l]) * flow[l] / u.mean;
-      const double speed = filled * (u.wheel() + u.sliding * passed[l]) + own_.poiseuille[k][l];
+      const double filled = wet[l] + (1.0 - wet[l]) * flow[l] / mean_velocity[l];
+      const double wheel = mean_velocity[l] - 0.5 * sliding[l];
+      const double speed = filled * (wheel + sliding[l] * passed[l]) + own_.poiseuille[k][l];
       const double passing = thickness[l] * carried[l] * speed;
       speed_[k][l] = speed;
       source_[k][l] = speed < 0.0 ? downstream[k][l] : upstream[k][l];
@@ -184,7 +180,6 @@ void AcrossFilm::set_own_transport() {
 template <bool own>
 void AcrossFilm::assemble(double resistance) {
   const int count = points();
-  const double sliding = std::abs(velocities_.sliding);
   for (int k = 0; k < count; ++k) {
     const Lanes& below = T_[std::max(k - 1, 0)];
     const Lanes& above = T_[std::min(k + 1, count - 1)];
@@ -193,13 +188,13 @@ void AcrossFilm::assemble(double resistance) {
     each_lane([&](int l) {
       const double width = weight * thickness[l], T = T_[k][l];
       // Heat of sliding in the cell: tau_m u_s n w.
-      const double heat = weight * sliding * stress_[l] * share_[k][l];
+      const double heat = weight * std::abs(sliding[l]) * stress_[l] * share_[k][l];
       const double bulk = own ? own_.heat[k][l] : bent_[k] * poiseuille_heat[l];
       right_[k][l] = heat + width * bulk - transport_[k][l] * (T - source[l]) + below_[k][l] * (below[l] - T) +
                      above_[k][l] * (above[l] - T);
       diagonal_[k][l] =
           transport_[k][l] + (1.0 + 0.5 * resistance) * (below_[k][l] + above_[k][l]) + heat * slope_[k][l];
-      bordered_[k][l] = -weight * sliding * (stress_[l] + by_rate_[l]) * share_[k][l];
+      bordered_[k][l] = -weight * std::abs(sliding[l]) * (stress_[l] + by_rate_[l]) * share_[k][l];
       if constexpr (own) {
         right_[k][l] -= width * stored[l] * (T - earlier[k][l]);
         diagonal_[k][l] += width * (stored[l] + own_.diagonal[k][l]);
@@ -208,10 +203,10 @@ void AcrossFilm::assemble(double resistance) {
     });
   }
   each_lane([&](int l) {
-    right_.front()[l] -= (T_.front()[l] - base_wheel[l]) * conductances_[1];
-    diagonal_.front()[l] += conductances_[1];
-    right_.back()[l] -= (T_.back()[l] - base_pinion[l]) * conductances_[0];
-    diagonal_.back()[l] += conductances_[0];
+    right_.front()[l] -= (T_.front()[l] - base_wheel[l]) * conductance_wheel[l];
+    diagonal_.front()[l] += conductance_wheel[l];
+    right_.back()[l] -= (T_.back()[l] - base_pinion[l]) * conductance_pinion[l];
+    diagonal_.back()[l] += conductance_pinion[l];
   });
 }
 
@@ -292,9 +287,8 @@ void AcrossFilm::update(bool sheared, int iteration) {
     shear();
   }
   if (own) {
-    own_.update({fluidity_, slope_, log_viscosities_, share_},
-                {wet, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_),
-                 velocities_.sliding});
+    own_.update({fluidity_, slope_, log_viscosities_, share_}, {wet, thickness, log_viscosity, poiseuille_flow, stress_,
+                                                                shear_factor, std::exp(log_ambient_), sliding});
     if (iteration == 0) set_own_transport();
   } else if (iteration < profile_iterations) {
     set_transport();
@@ -329,7 +323,6 @@ bool AcrossFilm::missed(int lane) const { return !(change_[lane] < tolerance); }
 /// that heat is balanced as these are solved.
 template <bool own>
 void AcrossFilm::take_stock() {
-  const double sliding = std::abs(velocities_.sliding);
   const int count = points();
   Lanes conduction, found;
   each_lane([&](int l) {
@@ -338,7 +331,7 @@ void AcrossFilm::take_stock() {
     by_stress_[l] *= found[l];
     by_heat_[l] *= found[l];
     stress_[l] += by_rate_[l] * by_stress_[l];
-    heat_generated_[l] = stress_[l] * sliding;
+    heat_generated_[l] = stress_[l] * std::abs(sliding[l]);
     heat_carried_[l] = mean_temperature_[l] = largest_temperature_[l] = 0.0;
   });
   for (int k = 0; k < count; ++k) {

@@ -115,14 +115,14 @@ double loaded_change(const ContactFilm& film, const std::vector<double>& before,
 }
 
 /// As warm everywhere as the oil that enters, and less sheared than the film without correction.
-FilmHeat cold_film(const ContactFilm& film, const TractionModel& model, const SurfaceVelocities& velocities) {
+FilmHeat cold_film(const ContactFilm& film, const TractionModel& model) {
   FilmHeat cold;
   if (model.heats_film()) {
     cold.temperatures.assign(film.grid().local_size() * model.heat->points, model.heat->oil.temperature);
   }
   cold.flow = FlowCorrection::none(film.grid().local_size());
   if (!model.shear_in_film) return cold;
-  FlowCorrection sheared = sheared_flow(model, film, velocities);
+  FlowCorrection sheared = sheared_flow(model, film);
   cold.flow.shear = std::move(sheared.shear);
   cold.flow.shear_power = sheared.shear_power;
   cold.flow.sheared = true;
@@ -133,14 +133,13 @@ FilmHeat cold_film(const ContactFilm& film, const TractionModel& model, const Su
 }  // namespace
 
 CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
-                          const TractionModel& model, const SurfaceVelocities& velocities,
-                          const StationaryResult& isothermal) {
+                          const TractionModel& model, const StationaryResult& isothermal) {
   SolverOptions careful = options;
   careful.newton.max_iterations = std::min(options.newton.max_iterations, most_newton);
   careful.newton.krylov_tolerance = krylov_tolerance;
   const Unknowns unknowns(model.heats_film() ? model.heat->points : 1);
   AndersonMixing mixing(film.grid().comm(), memory, relaxation);
-  FilmHeat present = cold_film(film, model, velocities);
+  FilmHeat present = cold_film(film, model);
   CoupledFilm found;
   found.film = isothermal;
   found.change = HUGE_VAL;
@@ -148,7 +147,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
   std::vector<Turn> turns;
   while (found.turns < most_turns) {
     FilmHeat swept = present;
-    Traction traction = coupled_traction(model, film, velocities, swept);
+    Traction traction = coupled_traction(model, film, swept);
     ++found.turns;
     const double warmed = loaded_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
     const double sheared = loaded_change(film, present.flow.shear, swept.flow.shear);

@@ -42,8 +42,8 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     const double gradient = -inwards[l] * speed * inverse;  // G h/eta_0
     const double forwards = speed / second_moment_;
     own_scale[l] = exact * thinned * gradient * gradient;
-    stress_scale[l] = gradient * (film.sliding < 0.0 ? -film.stress[l] : film.stress[l]);
-    rate_scale[l] = gradient * thinned * film.sliding / film.thickness[l];
+    stress_scale[l] = gradient * (film.sliding[l] < 0.0 ? -film.stress[l] : film.stress[l]);
+    rate_scale[l] = gradient * thinned * film.sliding[l] / film.thickness[l];
     parabola_scale[l] = exact * (film.wet[l] - inwards[l]) * thinned * exp(log_mean[l]) * forwards * forwards;
     own_row[l] = inwards[l] * inverse;
     parabola_row[l] = (1.0 - inwards[l]) * film.wet[l];

@@ -20,30 +20,30 @@ constexpr double least_filled = 1e-3;  // of a torn film
 /// The march along x.
 class HeatMarch {
 public:
-  HeatMarch(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities, FilmFlow flow,
-            FilmHeat& heat, std::optional<double> time_step = {})
+  HeatMarch(const TractionModel& model, const ContactFilm& film, FilmFlow flow, FilmHeat& heat,
+            std::optional<double> time_step = {})
       : grid_(film.grid()),
         solved_(grid_.inner_rows()),
         film_(film),
         model_(model),
-        velocities_(velocities),
         log_ambient_(std::log(film.scales().oil.viscosity)),
         viscosity_(viscosity_evaluator(film.scales().oil)),
         heating_ratio_(film.grid().y_count()),
         h_x_(film.scales().length * grid_.h_x()),
         own_(flow == FilmFlow::own),
-        response_{surface_response(model.bodies[0], velocities.pinion()),
-                  surface_response(model.bodies[1], velocities.wheel())},
         source_(grid_.nx(), h_x_),
         line_(film),
-        across_(model.law, film.scales().oil, *model.heat, velocities,
-                {1.0 / (response_[0] * source_.own_weight()), 1.0 / (response_[1] * source_.own_weight())}, flow),
+        across_(model.law, film.scales().oil, *model.heat, flow),
         heat_(heat),
         flow_(rows(), HUGE_VAL),
         base_pinion_(rows()),
         base_wheel_(rows()),
         gain_(static_cast<std::size_t>(rows()) * points()) {
     const std::size_t nodes = grid_.local_size();
+    for (const SurfaceVelocities& u : line_.velocities) {
+      response_pinion_.push_back(surface_response(model.bodies[0], u.pinion()));
+      response_wheel_.push_back(surface_response(model.bodies[1], u.wheel()));
+    }
     if (time_step) {
       storage_ = model.heat->oil.density * model.heat->oil.heat_capacity / *time_step;
       earlier_ = heat.temperatures;
@@ -69,9 +69,10 @@ public:
     line_.load(0);
     for (int j = 0; j < rows(); ++j) {
       store_entering(0, j);
+      const SurfaceVelocities& u = line_.velocities[j];
       for (int k = 0; own_ && k < points(); ++k) {
         const double place = static_cast<double>(k) / (points() - 1);
-        passing(0, k)[j] = line_.density[j] * line_.thickness[j] * (velocities_.wheel() + place * velocities_.sliding);
+        passing(0, k)[j] = line_.density[j] * line_.thickness[j] * (u.wheel() + place * u.sliding);
       }
     }
     for (int i = 1; i < grid_.nx(); ++i) {
@@ -151,7 +152,8 @@ private:
   void load_lane(int l, int j) {
     const double h = line_.thickness[j], p = line_.pressure[j], density = line_.density[j];
     const bool wet = line_.wet[j] != 0;
-    const double filled = wet ? 1.0 : std::clamp(flow_[j] / (density * velocities_.mean * h), least_filled, 1.0);
+    const SurfaceVelocities& u = line_.velocities[j];
+    const double filled = wet ? 1.0 : std::clamp(flow_[j] / (density * u.mean * h), least_filled, 1.0);
     across_.wet[l] = wet ? 1.0 : 0.0;
     across_.pressure[l] = p;
     across_.thickness[l] = h;
@@ -159,11 +161,15 @@ private:
     across_.half_gradient[l] = 0.5 * h * line_.gradient[j];
     across_.carried[l] = density * heat_by_step();
     across_.conductivity[l] = filled * model_.heat->oil.conductivity_at(p);
-    across_.base_pinion[l] = model_.bodies[0].temperature + response_[0] * base_pinion_[j];
-    across_.base_wheel[l] = model_.bodies[1].temperature + response_[1] * base_wheel_[j];
+    across_.base_pinion[l] = model_.bodies[0].temperature + response_pinion_[j] * base_pinion_[j];
+    across_.base_wheel[l] = model_.bodies[1].temperature + response_wheel_[j] * base_wheel_[j];
+    across_.conductance_pinion[l] = 1.0 / (response_pinion_[j] * source_.own_weight());
+    across_.conductance_wheel[l] = 1.0 / (response_wheel_[j] * source_.own_weight());
+    across_.mean_velocity[l] = u.mean;
+    across_.sliding[l] = u.sliding;
     across_.poiseuille_flow[l] = 0.0;
     across_.poiseuille_heat[l] = 0.0;
-    across_.flow[l] = filled * velocities_.mean;
+    across_.flow[l] = filled * u.mean;
   }
 
   // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
@@ -171,10 +177,11 @@ private:
     if (!line_.wet[j]) return;
     const double h = line_.thickness[j], p_x = line_.gradient[j];
     const double inverse_viscosity = std::exp(log_shear_factor(i, j, l) - line_.log_viscosity[j]);
-    const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -velocities_.mean;
+    const double u_m = line_.velocities[j].mean;
+    const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -u_m;
     const double part = poiseuille < back ? back / poiseuille : 1.0;
     across_.poiseuille_flow[l] = part * poiseuille;
-    across_.flow[l] = std::max(least_flow * velocities_.mean, velocities_.mean + across_.poiseuille_flow[l]);
+    across_.flow[l] = std::max(least_flow * u_m, u_m + across_.poiseuille_flow[l]);
     across_.poiseuille_heat[l] = part * part * h * h * p_x * p_x * inverse_viscosity;
     flow_[j] = line_.density[j] * across_.flow[l] * h;
   }
@@ -294,7 +301,7 @@ private:
 
   void store_lane(int l, int i, int j) {
     const std::size_t node = at(i, j);
-    fields_.shear_stress[node] = std::copysign(across_.stress()[l], velocities_.sliding);
+    fields_.shear_stress[node] = std::copysign(across_.stress()[l], line_.velocities[j].sliding);
     fields_.heat_flux_pinion[node] = across_.heat_pinion(l);
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
     fields_.heat_generated[node] = across_.heat_generated()[l];
@@ -310,7 +317,7 @@ private:
     const ThermalOil& oil = model_.heat->oil;
     heat_.flow.density[node] =
         density_factor(film_.scales().oil, oil, line_.pressure[j], fields_.temperature_mean[node]);
-    const double wedge = velocities_.sliding * (0.5 - across_.own_flow().centre[l]);
+    const double wedge = line_.velocities[j].sliding * (0.5 - across_.own_flow().centre[l]);
     fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
     heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / heating_ratio_[j];
     heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
@@ -318,7 +325,7 @@ private:
       put_shear(model_.law, across_.log_newtonian(l), across_.half_gradient[l],
                 across_.log_viscosity[l] - across_.own_flow().log_factor[l], node, heat_.flow);
     }
-    if (line_.wet[j]) flow_[j] = mass * (velocities_.mean + wedge + across_.poiseuille_flow[l]);
+    if (line_.wet[j]) flow_[j] = mass * (line_.velocities[j].mean + wedge + across_.poiseuille_flow[l]);
   }
 
   /// Oil that enters between its walls.
@@ -341,16 +348,15 @@ private:
   RowRange solved_;  ///< own rows that are not on an edge of the grid
   const ContactFilm& film_;
   const TractionModel& model_;
-  SurfaceVelocities velocities_;
   double log_ambient_;
   ViscosityEvaluator viscosity_;
   std::vector<double> heating_ratio_;  // g of the nodes of a line
   double h_x_;                         // [m]
   bool own_;
-  std::array<double, 2> response_;  // of pinion and wheel (moving_source.hpp)
-  bool returning_ = false;          // on the way back
-  double storage_ = 0.0;            // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
-  std::vector<double> earlier_;     // T_k a time step ago
+  std::vector<double> response_pinion_, response_wheel_;  // of every row (moving_source.hpp)
+  bool returning_ = false;                                // on the way back
+  double storage_ = 0.0;                                  // rho_0 c over the time step [W/(m^3 K)]; 0 at rest
+  std::vector<double> earlier_;                           // T_k a time step ago
   MovingSource source_;
   FilmLine line_;
   AcrossFilm across_;
@@ -364,14 +370,14 @@ private:
 
 }  // namespace
 
-TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+TractionFields heated_film(const TractionModel& model, const ContactFilm& film) {
   FilmHeat heat;
-  return HeatMarch(model, film, velocities, FilmFlow::isothermal, heat).march();
+  return HeatMarch(model, film, FilmFlow::isothermal, heat).march();
 }
 
-TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat, std::optional<double> time_step) {
-  return HeatMarch(model, film, velocities, FilmFlow::own, heat, time_step).march();
+TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
+                          std::optional<double> time_step) {
+  return HeatMarch(model, film, FilmFlow::own, heat, time_step).march();
 }
 
 }  // namespace gearfilm

@@ -19,6 +19,16 @@ void set_viscosity(Viscosity viscosity, double ambient, const std::vector<double
 
 }  // namespace
 
+std::vector<SurfaceVelocities> row_velocities(const ContactFilm& film) {
+  const double u_m = film.scales().operation.entrainment_velocity;
+  const ContactSurfaces& surfaces = film.surfaces();
+  std::vector<SurfaceVelocities> velocities;
+  for (std::size_t j = 0; j < surfaces.entrainment.size(); ++j) {
+    velocities.push_back({.mean = u_m * surfaces.entrainment[j], .sliding = u_m * surfaces.sliding[j]});
+  }
+  return velocities;
+}
+
 FilmLine::FilmLine(const ContactFilm& film)
     : pressure(film.grid().y_count()),
       thickness(pressure.size()),
@@ -26,6 +36,7 @@ FilmLine::FilmLine(const ContactFilm& film)
       density(pressure.size()),
       gradient(pressure.size()),
       wet(pressure.size()),
+      velocities(row_velocities(film)),
       film_(film),
       viscosity_(viscosity_evaluator(film.scales().oil)) {}
 

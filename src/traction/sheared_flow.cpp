@@ -14,19 +14,19 @@ void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, 
   flow.across[node] = std::exp(thinning.log_across - thinning.log_along);
 }
 
-FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
+FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film) {
   const Grid& grid = film.grid();
   FlowCorrection flow = FlowCorrection::none(grid.local_size());
   flow.sheared = true;
   FilmLine line(film);
-  const double log_ambient = std::log(film.scales().oil.viscosity),
-               log_sliding = std::log(std::abs(velocities.sliding));
+  const double log_ambient = std::log(film.scales().oil.viscosity);
   for (int i = 0; i < grid.nx(); ++i) {
     line.load(i);
     for (int j = 0; j < grid.y_count(); ++j) {
       const double h = line.thickness[j], log_viscosity = line.log_viscosity[j];
-      put_shear(model.law, log_viscosity + log_sliding - std::log(h), 0.5 * h * line.gradient[j],
-                log_viscosity - log_ambient, static_cast<std::size_t>(i) * grid.y_count() + j, flow);
+      put_shear(model.law, log_viscosity + std::log(std::abs(line.velocities[j].sliding) / h),
+                0.5 * h * line.gradient[j], log_viscosity - log_ambient,
+                static_cast<std::size_t>(i) * grid.y_count() + j, flow);
     }
   }
   return flow;

@@ -16,21 +16,19 @@ namespace gearfilm {
 namespace {
 
 /// tau_m of a film that is as warm everywhere.
-TractionFields isothermal_film(const TractionModel& model, const ContactFilm& film,
-                               const SurfaceVelocities& velocities) {
+TractionFields isothermal_film(const TractionModel& model, const ContactFilm& film) {
   const Grid& grid = film.grid();
   TractionFields fields;
   fields.shear_stress.assign(grid.local_size(), 0.0);
-  if (velocities.sliding == 0.0) return fields;
   FilmLine line(film);
-  const double log_sliding = std::log(std::abs(velocities.sliding));
   for (int i = 0; i < grid.nx(); ++i) {
     line.load(i);
     for (int j = 0; j < grid.y_count(); ++j) {
-      if (!line.wet[j]) continue;
-      const double h = line.thickness[j], log_newtonian = line.log_viscosity[j] + log_sliding - std::log(h);
+      const double h = line.thickness[j], sliding = line.velocities[j].sliding;
+      if (!line.wet[j] || sliding == 0.0) continue;
+      const double log_newtonian = line.log_viscosity[j] + std::log(std::abs(sliding) / h);
       const double stress = mean_shear(model.law, log_newtonian, 0.5 * h * line.gradient[j], line.pressure[j]).stress;
-      fields.shear_stress[static_cast<std::size_t>(i) * grid.y_count() + j] = std::copysign(stress, velocities.sliding);
+      fields.shear_stress[static_cast<std::size_t>(i) * grid.y_count() + j] = std::copysign(stress, sliding);
     }
   }
   return fields;
@@ -51,20 +49,27 @@ std::vector<double> rolling_stress(const ContactFilm& film) {
   return stress;
 }
 
+/// tau_m u_s, the heat of sliding [W/m^2], compact.
+std::vector<double> sliding_heat(const std::vector<SurfaceVelocities>& velocities, std::vector<double> shear_stress) {
+  for (std::size_t n = 0; n < shear_stress.size(); ++n) shear_stress[n] *= velocities[n % velocities.size()].sliding;
+  return shear_stress;
+}
+
 /// The largest flash temperature of the own rows: both surfaces under the heat together.
-double common_flash(const TractionModel& model, const Grid& grid, double h_x, const SurfaceVelocities& velocities,
-                    const std::vector<double>& shear_stress) {
-  std::vector<double> heat(shear_stress.size()), rise(grid.y_count());
-  std::ranges::transform(shear_stress, heat.begin(), [&](double stress) { return stress * velocities.sliding; });
+double common_flash(const TractionModel& model, const Grid& grid, double h_x,
+                    const std::vector<SurfaceVelocities>& velocities, const std::vector<double>& heat) {
+  std::vector<double> rise(velocities.size()), response;
+  for (const SurfaceVelocities& u : velocities) {
+    response.push_back(1.0 / (1.0 / surface_response(model.bodies[0], u.pinion()) +
+                              1.0 / surface_response(model.bodies[1], u.wheel())));
+  }
   const MovingSource source(grid.nx(), h_x);
-  const double response = 1.0 / (1.0 / surface_response(model.bodies[0], velocities.pinion()) +
-                                 1.0 / surface_response(model.bodies[1], velocities.wheel()));
   double largest = 0.0;
   for (int i = 0; i < grid.nx(); ++i) {
     source.earlier(heat, i, rise);
     for (int j = 0; j < grid.y_count(); ++j) {
       const double own = source.own_weight() * heat[static_cast<std::size_t>(i) * grid.y_count() + j];
-      largest = std::max(largest, response * (rise[j] + own));
+      largest = std::max(largest, response[j] * (rise[j] + own));
     }
   }
   return largest;
@@ -90,8 +95,7 @@ double largest_of(const std::vector<double>& values) {
 }
 
 /// Figures of fields that are known.
-Traction summed(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                TractionFields known) {
+Traction summed(const TractionModel& model, const ContactFilm& film, TractionFields known) {
   const Grid& grid = film.grid();
   const Scales& scales = film.scales();
   Traction result;
@@ -99,14 +103,21 @@ Traction summed(const TractionModel& model, const ContactFilm& film, const Surfa
   const TractionFields& fields = result.fields;
   TractionFigures& figures = result.figures;
 
-  enum Sum { stress, rolling, pressure, pinion, wheel, oil, generated, sums };
+  const std::vector<SurfaceVelocities> velocities = row_velocities(film);
+  const std::vector<double> heat = sliding_heat(velocities, fields.shear_stress);
+  std::vector<double> rolling_power = rolling_stress(film);
+
+  enum Sum { stress, rolling, sliding_loss, rolling_loss, pressure, pinion, wheel, oil, generated, sums };
   const std::size_t size = grid.local_size();
   std::vector<double> values(sums * size, 0.0);
   const auto put = [&](Sum sum, const std::vector<double>& field) {
     std::ranges::copy(field, values.begin() + static_cast<std::ptrdiff_t>(sum * size));
   };
   put(stress, fields.shear_stress);
-  put(rolling, rolling_stress(film));
+  put(rolling, rolling_power);
+  for (std::size_t n = 0; n < size; ++n) rolling_power[n] *= 2.0 * velocities[n % velocities.size()].mean;
+  put(sliding_loss, heat);
+  put(rolling_loss, rolling_power);
   double missed[] = {fields.missed, 0.0};
   std::vector<double> own(size);
   film.total_pressure().store(own);
@@ -122,13 +133,12 @@ Traction summed(const TractionModel& model, const ContactFilm& film, const Surfa
   figures.rolling_force = total[rolling];
   const double force = scales.pressure * total[pressure];
   figures.coefficient = force > 0.0 ? figures.sliding_force / force : 0.0;
-  figures.power_sliding = velocities.sliding * figures.sliding_force;
-  figures.power_rolling = 2.0 * velocities.mean * figures.rolling_force;
+  figures.power_sliding = total[sliding_loss];
+  figures.power_rolling = total[rolling_loss];
 
-  std::array<double, 5> maxima = {
-      common_flash(model, grid, scales.length * grid.h_x(), velocities, fields.shear_stress),
-      largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel), largest_of(fields.temperature_mean),
-      largest_of(fields.temperature_max)};
+  std::array<double, 5> maxima = {common_flash(model, grid, scales.length * grid.h_x(), velocities, heat),
+                                  largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel),
+                                  largest_of(fields.temperature_mean), largest_of(fields.temperature_max)};
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
   missed[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
   MPI_Allreduce(MPI_IN_PLACE, missed, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
@@ -158,19 +168,18 @@ TractionFigures with_powers_times(double factor, TractionFigures figures) {
   return figures;
 }
 
-Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities) {
-  if (!model.heat) return summed(model, film, velocities, isothermal_film(model, film, velocities));
-  return summed(model, film, velocities, agreed(film, [&] { return heated_film(model, film, velocities); }));
+Traction traction(const TractionModel& model, const ContactFilm& film) {
+  if (!model.heat) return summed(model, film, isothermal_film(model, film));
+  return summed(model, film, agreed(film, [&] { return heated_film(model, film); }));
 }
 
-Traction coupled_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat, std::optional<double> time_step) {
+Traction coupled_traction(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
+                          std::optional<double> time_step) {
   if (!model.heats_film()) {
-    heat.flow = sheared_flow(model, film, velocities);
-    return traction(model, film, velocities);
+    heat.flow = sheared_flow(model, film);
+    return traction(model, film);
   }
-  return summed(model, film, velocities,
-                agreed(film, [&] { return sweep_heat(model, film, velocities, heat, time_step); }));
+  return summed(model, film, agreed(film, [&] { return sweep_heat(model, film, heat, time_step); }));
 }
 
 }  // namespace gearfilm

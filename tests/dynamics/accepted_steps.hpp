@@ -21,7 +21,7 @@ inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveCon
     const FilmState& film = contact.film->state();
     const Grid& grid = contact.film->grid();
     std::vector<double> pressure(grid.local_size()), density(grid.local_size()), mass(grid.local_size());
-    film.pressure.store(pressure);
+    film.total_pressure.store(pressure);
     film.density.store(density);
     film.thickness.store(mass);
     for (std::size_t n = 0; n < mass.size(); ++n) mass[n] *= density[n];

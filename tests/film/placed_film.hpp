@@ -23,7 +23,8 @@ struct PlacedFilm {
                   .sliding = line.sliding_velocity(xi, table3::pinion_speed)};
     film = std::make_unique<ContactFilm>(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
     move_surfaces(*film, {.relative_radius = line.radius_x(xi) / pitch.scales.solids.radius_x,
-                          .entrainment = velocities.mean / u_m});
+                          .entrainment = velocities.mean / u_m,
+                          .sliding = velocities.sliding / u_m});
     result = solve_stationary(*film, load, SolverOptions{});
   }
 

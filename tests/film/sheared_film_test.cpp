@@ -19,7 +19,7 @@ TractionModel sheared(ShearLawKind kind) {
 
 struct ShearedFilm : PlacedFilm {
   ShearedFilm(double xi, int nx, int ny, const TractionModel& model)
-      : PlacedFilm(xi, 1.0, nx, ny), coupled(solve_coupled(*film, load, SolverOptions{}, model, velocities, result)) {}
+      : PlacedFilm(xi, 1.0, nx, ny), coupled(solve_coupled(*film, load, SolverOptions{}, model, result)) {}
 
   double factor() const { return coupled.film.figures.central_film / result.figures.central_film; }
 
@@ -58,7 +58,7 @@ TEST(ShearedFilm, has_the_flow_of_its_own_shear) {
   const TractionModel model = sheared(ShearLawKind::carreau);
   const ShearedFilm film(0.005, 65, 33, model);
   const FlowCorrection& kept = film.film->correction();
-  const FlowCorrection own = sheared_flow(model, *film.film, film.velocities);
+  const FlowCorrection own = sheared_flow(model, *film.film);
   const Grid& grid = film.grid;
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {

@@ -33,7 +33,7 @@ struct KnownFlow {
     std::vector<Lanes> share = fluidity;
     for (Lanes& lanes : share) lanes = all(lanes[0] / mean);
     flow.update({fluidity, slope, log_viscosity, share},
-                {all(1.0), all(film_height), all(0.0), all(q), all(stress), all(1.0), viscosity, sliding});
+                {all(1.0), all(film_height), all(0.0), all(q), all(stress), all(1.0), viscosity, all(sliding)});
   }
 
   static std::vector<double> places_of(int points) {
@@ -96,7 +96,7 @@ struct HotFilm : PlacedFilm {
   HotFilm(double xi, int nx, int ny, const TractionModel& model = heated(), Domain domain = wide,
           Edge lower = Edge::symmetry)
       : PlacedFilm(xi, 1.0, nx, ny, domain, lower),
-        thermal(solve_coupled(*film, load, SolverOptions{}, in_film(model), velocities, result)) {}
+        thermal(solve_coupled(*film, load, SolverOptions{}, in_film(model), result)) {}
 
   double factor() const { return thermal.film.figures.central_film / result.figures.central_film; }
 

@@ -8,9 +8,9 @@ namespace gearfilm {
 
 inline bool corrects_films(const MeshModel& mesh) { return mesh.traction && mesh.traction->corrects_film(); }
 
-/// A contact that begins at time T with a stationary film: where films feel their heat, with the warm one, which
+/// A contact that begins with a stationary film: where films feel their heat, with the warm one, which
 /// `found` then is too. Collective. Throws SolveError.
-LiveContact begin_contact(const MeshModel& mesh, int number, double T, ContactFilm* film, const LoadCondition& load,
+LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
                           const SolverOptions& options, StationaryResult& found);
 
 /// Takes up the heat that is among the contact's fields, if films feel it.

@@ -25,9 +25,7 @@ public:
   static constexpr int lanes = film_lanes;  ///< places side by side, for vector instructions
   using Lanes = FilmLanes;
 
-  /// conductances: of pinion and wheel [W/(m^2 K)].
-  AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, const SurfaceVelocities& velocities,
-             const std::array<double, 2>& conductances, FilmFlow kind = FilmFlow::isothermal);
+  AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FilmFlow kind = FilmFlow::isothermal);
 
   // To be given for every lane.
   Lanes wet{};              ///< 1; 0 where there is neither shear nor Poiseuille heat
@@ -40,6 +38,10 @@ public:
   Lanes conductivity{};     ///< k [W/(m K)]
   Lanes base_pinion{};      ///< wall temperatures without heat [K]
   Lanes base_wheel{};
+  Lanes conductance_pinion{};  ///< from the walls into the bodies [W/(m^2 K)]
+  Lanes conductance_wheel{};
+  Lanes mean_velocity{};        ///< u_m [m/s]
+  Lanes sliding{};              ///< u_s [m/s]
   std::vector<Lanes> upstream;  ///< T_k there, the wheel's wall first [K]
   std::vector<Lanes> before;    ///< T_k of a guess, which makes u(z) of a film that feels its heat
   // Of a film that does not feel its heat, and of a torn one.
@@ -64,8 +66,10 @@ public:
   // Of the solution.
   const std::vector<Lanes>& temperatures() const { return T_; }  ///< T_k [K]
   const Lanes& stress() const { return stress_; }                ///< |tau_m| [Pa]
-  double heat_pinion(int lane) const { return (T_.back()[lane] - base_pinion[lane]) * conductances_[0]; }  ///< [W/m^2]
-  double heat_wheel(int lane) const { return (T_.front()[lane] - base_wheel[lane]) * conductances_[1]; }
+  double heat_pinion(int lane) const {
+    return (T_.back()[lane] - base_pinion[lane]) * conductance_pinion[lane];
+  }  ///< [W/m^2]
+  double heat_wheel(int lane) const { return (T_.front()[lane] - base_wheel[lane]) * conductance_wheel[lane]; }
   const Lanes& heat_generated() const { return heat_generated_; }  ///< [W/m^2]
   const Lanes& heat_carried() const { return heat_carried_; }
   const Lanes& mean_temperature() const { return mean_temperature_; }  ///< [K]
@@ -96,8 +100,6 @@ private:
   ShearLaw law_;
   ViscosityEvaluator viscosity_;
   double log_ambient_;
-  SurfaceVelocities velocities_;
-  std::array<double, 2> conductances_;
   FilmFlow flow_;
   std::vector<double> weights_;  ///< w_k, of a mean over the film
   std::vector<double> places_;   ///< z_k/h

@@ -23,7 +23,6 @@ struct CoupledFilm {
 
 /// From the film without heat and shear. The film keeps its correction. Collective. Throws SolveError.
 CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
-                          const TractionModel& model, const SurfaceVelocities& velocities,
-                          const StationaryResult& isothermal);
+                          const TractionModel& model, const StationaryResult& isothermal);
 
 }  // namespace gearfilm

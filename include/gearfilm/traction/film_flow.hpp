@@ -39,7 +39,7 @@ public:
   struct Film {
     const Lanes &wet, &thickness, &log_viscosity, &poiseuille_flow, &stress, &shear_factor;
     double ambient_viscosity;  ///< eta_0 [Pa s]
-    double sliding;            ///< u_s [m/s]
+    const Lanes& sliding;      ///< u_s [m/s]
   };
   void update(const Oil& oil, const Film& film);
 

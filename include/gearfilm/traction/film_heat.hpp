@@ -38,7 +38,7 @@ struct TractionFields {
 };
 
 /// Of the film at its present state, which does not feel it. Throws SolveError where a temperature is not found.
-TractionFields heated_film(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
+TractionFields heated_film(const TractionModel& model, const ContactFilm& film);
 
 /// The heat of a film, and what heat and shear make of the flow, from one sweep to the next.
 struct FilmHeat {
@@ -56,7 +56,7 @@ inline std::size_t rows_at_point(std::size_t line, std::size_t point, std::size_
 
 /// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or,
 /// with none, what it tends to. Throws SolveError likewise.
-TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat, std::optional<double> time_step = {});
+TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
+                          std::optional<double> time_step = {});
 
 }  // namespace gearfilm

@@ -4,8 +4,12 @@
 #include <vector>
 
 #include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
+
+/// Of both surfaces in every own row, in SI.
+std::vector<SurfaceVelocities> row_velocities(const ContactFilm& film);
 
 struct FilmLine {
   explicit FilmLine(const ContactFilm& film);
@@ -19,6 +23,7 @@ struct FilmLine {
   std::vector<double> density;        ///< rho/rho_0
   std::vector<double> gradient;       ///< dp/dx [Pa/m], central
   std::vector<char> wet;              ///< p > 0
+  std::vector<SurfaceVelocities> velocities;
 
 private:
   const ContactFilm& film_;

@@ -17,6 +17,6 @@ void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, 
                FlowCorrection& flow);
 
 /// Of a film at its present state that is as warm everywhere.
-FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
+FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film);
 
 }  // namespace gearfilm

@@ -2,7 +2,7 @@
 //
 //   t_1 = -(tau_m + h p_x/2),  t_2 = tau_m - h p_x/2          traction on pinion and wheel along +x
 //   F_s = Int Int tau_m,  F_r = Int Int h p_x/2,  F_1 = -F_s - F_r,  F_2 = F_s - F_r,  mu = F_s/F
-//   power lost = -(u_1 F_1 + u_2 F_2) = u_s F_s + 2 u_m F_r
+//   power lost = Int Int (u_s tau_m + u_m h p_x) = u_s F_s + 2 u_m F_r where all rows move alike
 // tau_m is zero where the film is torn. It has the sign of the sliding velocity, which is that of xi.
 #pragma once
 
@@ -40,11 +40,11 @@ struct Traction {
 };
 
 /// Of a film at its present state. Collective. Throws SolveError where temperatures are not found.
-Traction traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities);
+Traction traction(const TractionModel& model, const ContactFilm& film);
 
 /// The same of a film that feels its heat or its shear, with what both make of its flow: one sweep over the
 /// temperatures.
-Traction coupled_traction(const TractionModel& model, const ContactFilm& film, const SurfaceVelocities& velocities,
-                          FilmHeat& heat, std::optional<double> time_step = {});
+Traction coupled_traction(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
+                          std::optional<double> time_step = {});
 
 }  // namespace gearfilm
