@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "gearfilm/ehl/stationary.hpp"
-#include "gearfilm/ehl/validity.hpp"
+#include "gearfilm/solver/stationary.hpp"
+#include "gearfilm/film/validity.hpp"
 #include "gearfilm/parallel/mpi_settings.hpp"
 
 using namespace gearfilm;

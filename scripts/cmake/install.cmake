@@ -3,27 +3,11 @@
 include(CMakePackageConfigHelpers)
 set(GEARFILM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gearfilm)
 
-# The interface of the library: all headers of these rooms but the private ones, which no public header includes.
-set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel ehl traction dynamics orbits input)
-set(GEARFILM_PRIVATE_HEADERS
-  lubricant/independent_iterations.hpp
-  parallel/agreement.hpp parallel/anderson_mixing.hpp parallel/events.hpp parallel/lu_factors.hpp
-  ehl/line_smoother.hpp ehl/film_stencil.hpp ehl/multigrid_level.hpp ehl/transfer.hpp
-  traction/across_film.hpp traction/film_flow.hpp traction/film_lanes.hpp traction/film_line.hpp traction/moving_source.hpp
-  traction/tridiagonal_lanes.hpp
-  orbits/mode_solver.hpp
-  input/case_checks.hpp input/case_file.hpp input/case_numerics.hpp input/memory.hpp input/oddities.hpp input/options.hpp input/plain_text.hpp input/roff.hpp
-  input/case_lubricant.hpp input/case_teeth.hpp input/case_traction.hpp input/parameter_records.hpp input/point_table.hpp input/text_file.hpp)
-set(exclude "")
-foreach(header ${GEARFILM_PRIVATE_HEADERS})
-  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/include/gearfilm/${header})
-    message(FATAL_ERROR "scripts/cmake/install.cmake names a header that is not there: ${header}")
-  endif()
-  list(APPEND exclude PATTERN gearfilm/${header} EXCLUDE)
-endforeach()
+# The interface of the library: the headers in include. None of them includes one that lies beside its sources.
+set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel numerics grid elasticity film solver traction mesh dynamics orbits input)
 foreach(room ${GEARFILM_PUBLIC_ROOMS})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
-          COMPONENT headers FILES_MATCHING PATTERN *.hpp ${exclude})
+          COMPONENT headers FILES_MATCHING PATTERN *.hpp)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/include/gearfilm/error.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
         COMPONENT headers)

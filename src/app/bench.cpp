@@ -1,16 +1,16 @@
 // Speed of the kernels, of stationary solves and of a mesh period, in seconds, per node, and in convolution times
 // (yardstick.hpp).
 
-#include "gearfilm/app/bench_pair.hpp"
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/stopwatch.hpp"
-#include "gearfilm/app/yardstick.hpp"
-#include "gearfilm/ehl/multigrid_level.hpp"
-#include "gearfilm/ehl/stationary.hpp"
+#include "app/bench_pair.hpp"
+#include "app/commands.hpp"
+#include "app/stopwatch.hpp"
+#include "app/yardstick.hpp"
+#include "film/multigrid_level.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/summary.hpp"
+#include "gearfilm/solver/stationary.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
+#include "output/output_directory.hpp"
+#include "output/summary.hpp"
 
 namespace gearfilm {
 namespace {

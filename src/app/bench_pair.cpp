@@ -1,13 +1,13 @@
-#include "gearfilm/app/bench_pair.hpp"
+#include "app/bench_pair.hpp"
 
 #include <algorithm>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/yardstick.hpp"
+#include "app/commands.hpp"
+#include "app/yardstick.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_orbit.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
@@ -31,7 +31,7 @@ MeshPeriod march_a_period(MPI_Comm comm, const Case& problem, GridSize size) {
   const double mesh_period = mesh.path.mesh_period();
   MarchStatistics statistics(mesh_period, mesh.scales.static_force);
   MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    statistics.add(record, mesh.given(true));
+    statistics.add(record, given_figures(mesh, true));
   });
   march.start(dry_guess(resized, films, dry_start(mesh)).motion);
   march.run(mesh_period);

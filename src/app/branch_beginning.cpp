@@ -1,7 +1,7 @@
-#include "gearfilm/app/branch_beginning.hpp"
+#include "app/branch_beginning.hpp"
 
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/coarse_orbit.hpp"
+#include "app/case_at.hpp"
+#include "app/coarse_orbit.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_branch.hpp"

@@ -1,9 +1,9 @@
-#include "gearfilm/app/branch_report.hpp"
+#include "app/branch_report.hpp"
 
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/warning.hpp"
+#include "app/warning.hpp"
 
 namespace gearfilm {
 namespace {

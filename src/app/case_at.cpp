@@ -1,4 +1,4 @@
-#include "gearfilm/app/case_at.hpp"
+#include "app/case_at.hpp"
 
 namespace gearfilm {
 

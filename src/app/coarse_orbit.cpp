@@ -1,15 +1,15 @@
-#include "gearfilm/app/coarse_orbit.hpp"
+#include "app/coarse_orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
-#include "gearfilm/ehl/domain.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_numerics.hpp"
+#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "input/case_numerics.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,10 +1,10 @@
 // The table of commands as text: -help and the manual page.
-#include "gearfilm/app/command_docs.hpp"
+#include "app/command_docs.hpp"
 
-#include "gearfilm/app/command_table.hpp"
+#include "app/command_table.hpp"
 #include "gearfilm/input/parameter.hpp"
-#include "gearfilm/input/roff.hpp"
 #include "gearfilm/version.hpp"
+#include "input/roff.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,21 +1,21 @@
-#include "gearfilm/app/command_line.hpp"
+#include "app/command_line.hpp"
 
 #include <cctype>
 #include <map>
 
-#include "gearfilm/app/command_docs.hpp"
-#include "gearfilm/app/command_table.hpp"
-#include "gearfilm/app/warning.hpp"
+#include "app/command_docs.hpp"
+#include "app/command_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case.hpp"
-#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/input/memory.hpp"
-#include "gearfilm/input/oddities.hpp"
-#include "gearfilm/input/options.hpp"
-#include "gearfilm/output/provenance.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
+#include "input/case_numerics.hpp"
+#include "input/memory.hpp"
+#include "input/oddities.hpp"
+#include "input/options.hpp"
+#include "output/provenance.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,12 +1,12 @@
-#include "gearfilm/app/command_table.hpp"
+#include "app/command_table.hpp"
 
 #include <array>
 
-#include "gearfilm/app/command_docs.hpp"
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived_records.hpp"
+#include "app/command_docs.hpp"
+#include "app/commands.hpp"
+#include "app/derived_records.hpp"
 #include "gearfilm/input/parameter.hpp"
-#include "gearfilm/output/results_docs.hpp"
+#include "output/results_docs.hpp"
 
 namespace gearfilm {
 namespace {

@@ -2,8 +2,8 @@
 #include <sstream>
 #include <vector>
 
-#include "gearfilm/app/command_docs.hpp"
-#include "gearfilm/app/command_table.hpp"
+#include "app/command_docs.hpp"
+#include "app/command_table.hpp"
 #include "gearfilm/input/parameter.hpp"
 
 namespace gearfilm {

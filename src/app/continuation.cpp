@@ -1,14 +1,14 @@
 // `gearfilm continuation`: branches of periodic states in speed, torque, mass or viscosity, through folds and flips.
-#include "gearfilm/app/branch_beginning.hpp"
-#include "gearfilm/app/branch_report.hpp"
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/resumable_run.hpp"
-#include "gearfilm/app/screen_table.hpp"
+#include "app/branch_beginning.hpp"
+#include "app/branch_report.hpp"
+#include "app/case_at.hpp"
+#include "app/commands.hpp"
+#include "app/derived.hpp"
+#include "app/resumable_run.hpp"
+#include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/results_table.hpp"
+#include "output/results_table.hpp"
 
 namespace gearfilm {
 namespace {

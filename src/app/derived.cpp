@@ -1,16 +1,16 @@
-#include "gearfilm/app/derived.hpp"
+#include "app/derived.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/app/friction_summary.hpp"
+#include "app/friction_summary.hpp"
 #include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/gear/tooth_space.hpp"
-#include "gearfilm/input/case_numerics.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/format_version.hpp"
-#include "gearfilm/output/provenance.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
+#include "input/case_numerics.hpp"
+#include "output/format_version.hpp"
+#include "output/provenance.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/app/derived_records.hpp"
+#include "app/derived_records.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "gearfilm/app/dry_point.hpp"
+#include "app/dry_point.hpp"
 
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/marched_point.hpp"
+#include "app/case_at.hpp"
+#include "app/marched_point.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_following.hpp"

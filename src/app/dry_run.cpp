@@ -1,4 +1,4 @@
-#include "gearfilm/app/dry_run.hpp"
+#include "app/dry_run.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
@@ -38,7 +38,7 @@ OrbitRun describe_dry_orbit(const Case& problem, const MeshModel& mesh, const Dr
   MotionSignal signal;
   OrbitRun run;
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& none) {
-    statistics.add(record, mesh.given(false));
+    statistics.add(record, given_figures(mesh, false));
     signal.add(record);
     const double mesh_periods = record.T / mesh.path.mesh_period(), next = std::round(mesh_periods);
     const bool leaving = std::abs(mesh_periods - next) < 1e-9 && next < static_cast<double>(mesh.periods());

@@ -3,21 +3,21 @@
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/dry_run.hpp"
-#include "gearfilm/app/film_swing.hpp"
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/orbit_run.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/app/resumable_run.hpp"
-#include "gearfilm/app/screen_table.hpp"
-#include "gearfilm/app/warning.hpp"
+#include "app/commands.hpp"
+#include "app/dry_run.hpp"
+#include "app/film_swing.hpp"
+#include "app/friction_summary.hpp"
+#include "app/orbit_run.hpp"
+#include "app/result_warnings.hpp"
+#include "app/resumable_run.hpp"
+#include "app/screen_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"
-#include "gearfilm/output/progress.hpp"
+#include "output/progress.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,14 +1,14 @@
-#include "gearfilm/app/film_swing.hpp"
+#include "app/film_swing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
-#include "gearfilm/ehl/discretisation.hpp"
-#include "gearfilm/ehl/estimate.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_numerics.hpp"
+#include "gearfilm/film/discretisation.hpp"
+#include "gearfilm/numerics/estimate.hpp"
+#include "input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/app/friction_summary.hpp"
+#include "app/friction_summary.hpp"
 
 #include <numbers>
 

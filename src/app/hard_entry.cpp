@@ -1,9 +1,9 @@
-#include "gearfilm/app/hard_entry.hpp"
+#include "app/hard_entry.hpp"
 
 #include <sstream>
 
-#include "gearfilm/app/warning.hpp"
-#include "gearfilm/dynamics/static_mesh.hpp"
+#include "app/warning.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
 
 namespace gearfilm {
 

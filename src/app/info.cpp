@@ -2,11 +2,11 @@
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/derived_records.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/output/output_directory.hpp"
+#include "app/commands.hpp"
+#include "app/derived.hpp"
+#include "app/derived_records.hpp"
+#include "app/result_warnings.hpp"
+#include "output/output_directory.hpp"
 
 namespace gearfilm {
 

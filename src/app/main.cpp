@@ -8,11 +8,11 @@
 #include <new>
 #include <optional>
 
-#include "gearfilm/app/command_line.hpp"
-#include "gearfilm/app/session.hpp"
+#include "app/command_line.hpp"
+#include "app/session.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/plain_text.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "input/plain_text.hpp"
+#include "parallel/agreement.hpp"
 
 namespace {
 

@@ -1,12 +1,12 @@
-#include "gearfilm/app/march_output.hpp"
+#include "app/march_output.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/friction_summary.hpp"
+#include "app/derived.hpp"
+#include "app/friction_summary.hpp"
 
 namespace gearfilm {
 
@@ -41,7 +41,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& gri
 
 void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
   history_->append(record);
-  statistics_.add(record, mesh_.given(lubricated_));
+  statistics_.add(record, given_figures(mesh_, lubricated_));
   signal_.add(record);
   section_.add(record);
   const double period = mesh_.path.mesh_periods(record.T);

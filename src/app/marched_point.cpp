@@ -1,4 +1,4 @@
-#include "gearfilm/app/marched_point.hpp"
+#include "app/marched_point.hpp"
 
 #include <algorithm>
 

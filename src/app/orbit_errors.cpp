@@ -1,10 +1,10 @@
-#include "gearfilm/app/orbit_errors.hpp"
+#include "app/orbit_errors.hpp"
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/error_bar.hpp"
+#include "app/error_bar.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,10 +1,10 @@
-#include "gearfilm/app/orbit_run.hpp"
+#include "app/orbit_run.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "gearfilm/app/march_output.hpp"
+#include "app/march_output.hpp"
 #include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {
@@ -36,7 +36,7 @@ OrbitRun run_orbit(const Case& problem, const SharedDiscretisation& films, const
   bool searching = true;
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
     if (searching) {
-      statistics.add(record, mesh.given(true));
+      statistics.add(record, given_figures(mesh, true));
       signal.add(record);
       const double mesh_periods = record.T / mesh.path.mesh_period();
       if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)

@@ -2,17 +2,17 @@
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/dry_run.hpp"
-#include "gearfilm/app/error_bar.hpp"
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/hard_entry.hpp"
-#include "gearfilm/app/march_output.hpp"
-#include "gearfilm/app/orbit_errors.hpp"
-#include "gearfilm/app/orbit_run.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/app/screen_table.hpp"
-#include "gearfilm/app/warning.hpp"
+#include "app/commands.hpp"
+#include "app/dry_run.hpp"
+#include "app/error_bar.hpp"
+#include "app/friction_summary.hpp"
+#include "app/hard_entry.hpp"
+#include "app/march_output.hpp"
+#include "app/orbit_errors.hpp"
+#include "app/orbit_run.hpp"
+#include "app/result_warnings.hpp"
+#include "app/screen_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 

@@ -1,11 +1,11 @@
-#include "gearfilm/app/result_warnings.hpp"
+#include "app/result_warnings.hpp"
 
 #include <initializer_list>
 #include <optional>
 #include <sstream>
 
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/warning.hpp"
+#include "app/friction_summary.hpp"
+#include "app/warning.hpp"
 
 namespace gearfilm {
 namespace {

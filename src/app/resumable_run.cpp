@@ -1,9 +1,9 @@
-#include "gearfilm/app/resumable_run.hpp"
+#include "app/resumable_run.hpp"
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/output/run_identity.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/file_ownership.hpp"
+#include "output/run_identity.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

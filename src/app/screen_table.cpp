@@ -1,4 +1,4 @@
-#include "gearfilm/app/screen_table.hpp"
+#include "app/screen_table.hpp"
 
 #include <algorithm>
 #include <cmath>

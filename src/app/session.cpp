@@ -1,4 +1,4 @@
-#include "gearfilm/app/session.hpp"
+#include "app/session.hpp"
 
 #include <hdf5.h>
 #include <slepcsys.h>
@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/agreement.hpp"
-#include "gearfilm/parallel/events.hpp"
 #include "gearfilm/parallel/mpi_settings.hpp"
+#include "parallel/agreement.hpp"
+#include "parallel/events.hpp"
 
 namespace gearfilm {
 

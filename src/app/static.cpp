@@ -4,17 +4,17 @@
 #include <iomanip>
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/hard_entry.hpp"
-#include "gearfilm/app/screen_table.hpp"
-#include "gearfilm/dynamics/static_mesh.hpp"
+#include "app/commands.hpp"
+#include "app/derived.hpp"
+#include "app/hard_entry.hpp"
+#include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/results_table.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
+#include "output/file_ownership.hpp"
+#include "output/output_directory.hpp"
+#include "output/results_table.hpp"
 
 namespace gearfilm {
 namespace {

@@ -4,22 +4,22 @@
 #include <memory>
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/error_bar.hpp"
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/app/screen_table.hpp"
-#include "gearfilm/app/warning.hpp"
-#include "gearfilm/ehl/grid_error.hpp"
-#include "gearfilm/ehl/validity.hpp"
-#include "gearfilm/input/case_numerics.hpp"
+#include "app/commands.hpp"
+#include "app/derived.hpp"
+#include "app/error_bar.hpp"
+#include "app/friction_summary.hpp"
+#include "app/result_warnings.hpp"
+#include "app/screen_table.hpp"
+#include "app/warning.hpp"
+#include "gearfilm/film/validity.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/progress.hpp"
-#include "gearfilm/output/results_file.hpp"
-#include "gearfilm/output/xdmf.hpp"
+#include "gearfilm/solver/grid_error.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
+#include "input/case_numerics.hpp"
+#include "output/output_directory.hpp"
+#include "output/progress.hpp"
+#include "output/results_file.hpp"
+#include "output/xdmf.hpp"
 
 namespace gearfilm {
 namespace {

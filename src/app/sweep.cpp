@@ -4,22 +4,22 @@
 #include <limits>
 #include <sstream>
 
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/derived.hpp"
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/hard_entry.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/app/screen_table.hpp"
-#include "gearfilm/app/sweep_chain.hpp"
-#include "gearfilm/app/sweep_mending.hpp"
-#include "gearfilm/app/sweep_tables.hpp"
+#include "app/case_at.hpp"
+#include "app/commands.hpp"
+#include "app/derived.hpp"
+#include "app/friction_summary.hpp"
+#include "app/hard_entry.hpp"
+#include "app/result_warnings.hpp"
+#include "app/screen_table.hpp"
+#include "app/sweep_chain.hpp"
+#include "app/sweep_mending.hpp"
+#include "app/sweep_tables.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/results_table.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/output_directory.hpp"
+#include "output/results_table.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,18 +1,18 @@
-#include "gearfilm/app/sweep_chain.hpp"
+#include "app/sweep_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/coarse_orbit.hpp"
-#include "gearfilm/app/dry_point.hpp"
-#include "gearfilm/app/marched_point.hpp"
+#include "app/case_at.hpp"
+#include "app/coarse_orbit.hpp"
+#include "app/dry_point.hpp"
+#include "app/marched_point.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/output/state_file.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/file_ownership.hpp"
+#include "output/state_file.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

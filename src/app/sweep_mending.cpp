@@ -1,8 +1,8 @@
-#include "gearfilm/app/sweep_mending.hpp"
+#include "app/sweep_mending.hpp"
 
-#include "gearfilm/app/case_at.hpp"
-#include "gearfilm/app/dry_point.hpp"
-#include "gearfilm/app/sweep_chain.hpp"
+#include "app/case_at.hpp"
+#include "app/dry_point.hpp"
+#include "app/sweep_chain.hpp"
 #include "gearfilm/input/case_setup.hpp"
 
 namespace gearfilm {

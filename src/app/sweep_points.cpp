@@ -1,11 +1,11 @@
-#include "gearfilm/app/sweep_points.hpp"
+#include "app/sweep_points.hpp"
 
 #include <cstdio>
 #include <fstream>
 
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/output/run_identity.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/file_ownership.hpp"
+#include "output/run_identity.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,14 +1,14 @@
-#include "gearfilm/app/sweep_tables.hpp"
+#include "app/sweep_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "gearfilm/app/derived.hpp"
+#include "app/derived.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/output/results_table.hpp"
+#include "output/results_table.hpp"
 
 namespace gearfilm {
 namespace {

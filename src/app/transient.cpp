@@ -1,12 +1,12 @@
 // `gearfilm transient`: the gear pair marched in time through its mesh periods.
 #include <sstream>
 
-#include "gearfilm/app/commands.hpp"
-#include "gearfilm/app/friction_summary.hpp"
-#include "gearfilm/app/hard_entry.hpp"
-#include "gearfilm/app/march_output.hpp"
-#include "gearfilm/app/result_warnings.hpp"
-#include "gearfilm/app/screen_table.hpp"
+#include "app/commands.hpp"
+#include "app/friction_summary.hpp"
+#include "app/hard_entry.hpp"
+#include "app/march_output.hpp"
+#include "app/result_warnings.hpp"
+#include "app/screen_table.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"

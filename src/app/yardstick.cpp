@@ -1,7 +1,7 @@
-#include "gearfilm/app/yardstick.hpp"
+#include "app/yardstick.hpp"
 
-#include "gearfilm/app/stopwatch.hpp"
-#include "gearfilm/ehl/fftw.hpp"
+#include "app/stopwatch.hpp"
+#include "gearfilm/elasticity/fftw.hpp"
 
 namespace gearfilm {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numeric>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
-#include "gearfilm/ehl/similar_pressure.hpp"
+#include "gearfilm/film/similar_pressure.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

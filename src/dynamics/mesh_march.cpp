@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
-#include "gearfilm/ehl/validity.hpp"
-#include "gearfilm/parallel/events.hpp"
+#include "gearfilm/film/validity.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
+#include "parallel/events.hpp"
 
 namespace gearfilm {
 namespace {

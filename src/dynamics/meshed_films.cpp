@@ -5,14 +5,14 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/dynamics/warm_contact.hpp"
-#include "gearfilm/ehl/integral.hpp"
-#include "gearfilm/ehl/refit.hpp"
-#include "gearfilm/ehl/similar_pressure.hpp"
-#include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/events.hpp"
+#include "gearfilm/film/similar_pressure.hpp"
+#include "gearfilm/film/validity.hpp"
+#include "gearfilm/grid/integral.hpp"
+#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/mesh/dry_force.hpp"
+#include "parallel/events.hpp"
 
 namespace gearfilm {
 MeshedFilms::MeshedFilms(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gearfilm/ehl/refit.hpp"
-#include "gearfilm/ehl/transfer.hpp"
+#include "film/transfer.hpp"
+#include "gearfilm/grid/refit.hpp"
 
 namespace gearfilm {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

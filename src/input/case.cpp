@@ -7,16 +7,16 @@
 #include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
-#include "gearfilm/dynamics/static_mesh.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/tooth_space.hpp"
-#include "gearfilm/input/case_checks.hpp"
-#include "gearfilm/input/case_file.hpp"
-#include "gearfilm/input/case_lubricant.hpp"
-#include "gearfilm/input/case_numerics.hpp"
-#include "gearfilm/input/case_teeth.hpp"
-#include "gearfilm/input/case_traction.hpp"
-#include "gearfilm/input/point_table.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
+#include "input/case_checks.hpp"
+#include "input/case_file.hpp"
+#include "input/case_lubricant.hpp"
+#include "input/case_numerics.hpp"
+#include "input/case_teeth.hpp"
+#include "input/case_traction.hpp"
+#include "input/point_table.hpp"
 
 namespace gearfilm {
 namespace {

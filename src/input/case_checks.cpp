@@ -1,4 +1,4 @@
-#include "gearfilm/input/case_checks.hpp"
+#include "input/case_checks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // YAML events rather than yaml-cpp's nodes: nodes keep one of two equal keys without a word.
-#include "gearfilm/input/case_file.hpp"
+#include "input/case_file.hpp"
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/options.hpp"
-#include "gearfilm/input/text_file.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "input/options.hpp"
+#include "input/text_file.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

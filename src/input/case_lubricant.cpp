@@ -1,4 +1,4 @@
-#include "gearfilm/input/case_lubricant.hpp"
+#include "input/case_lubricant.hpp"
 
 #include "gearfilm/error.hpp"
 

@@ -1,11 +1,11 @@
-#include "gearfilm/input/case_numerics.hpp"
+#include "input/case_numerics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
-#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/mesh/natural_frequency.hpp"
 
 namespace gearfilm {
 namespace {

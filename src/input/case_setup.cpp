@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/ehl/validity.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/memory.hpp"
+#include "gearfilm/film/validity.hpp"
+#include "input/memory.hpp"
 
 namespace gearfilm {
 

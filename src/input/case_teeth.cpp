@@ -1,10 +1,10 @@
-#include "gearfilm/input/case_teeth.hpp"
+#include "input/case_teeth.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/point_table.hpp"
+#include "input/point_table.hpp"
 
 namespace gearfilm {
 namespace {

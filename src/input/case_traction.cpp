@@ -1,10 +1,10 @@
-#include "gearfilm/input/case_traction.hpp"
+#include "input/case_traction.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_lubricant.hpp"
+#include "input/case_lubricant.hpp"
 
 namespace gearfilm {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gearfilm/input/parameter_records.hpp"
+#include "input/parameter_records.hpp"
 
 namespace gearfilm {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gearfilm/input/parameter_records.hpp"
 #include "gearfilm/lubricant/thermal_oil.hpp"
+#include "input/parameter_records.hpp"
 
 namespace gearfilm {
 namespace {

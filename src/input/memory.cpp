@@ -1,4 +1,4 @@
-#include "gearfilm/input/memory.hpp"
+#include "input/memory.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,5 @@
 // What is usual: steel gears of machines under mineral and synthetic oils, and the grids that resolve their films.
-#include "gearfilm/input/oddities.hpp"
+#include "input/oddities.hpp"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "gearfilm/contact/film_formulas.hpp"
 #include "gearfilm/gear/tooth_space.hpp"
-#include "gearfilm/input/case_numerics.hpp"
+#include "input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {

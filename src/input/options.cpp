@@ -1,4 +1,4 @@
-#include "gearfilm/input/options.hpp"
+#include "input/options.hpp"
 
 #include <petscsys.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_file.hpp"
 #include "gearfilm/parallel/petsc.hpp"
+#include "input/case_file.hpp"
 
 namespace gearfilm {
 namespace {
@@ -21,9 +21,11 @@ constexpr auto object_prefixes = std::to_array<std::string_view>(
      "mat_",  "matmatmult_", "mfn_", "mg_",  "nep_",  "npc_", "pc_",  "pep_",        "redundant_", "rg_", "sf_",
      "snes_", "st_",         "sub_", "svd_", "tao_",  "ts_",  "vec_", "vecscatter_", "viewer_"});
 // The same for this program's own solvers, by their prefixes.
-constexpr auto solver_prefixes = std::to_array<std::string_view>(
-    {"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_", "dry_snes_", "dry_ksp_",
-     "dry_eps_", "modes_eps_", "modes_ksp_", "modes_st_", "floquet_eps_"});
+constexpr auto solver_prefixes =
+    std::to_array<std::string_view>({"steady_snes_", "steady_ksp_", "step_ts_", "step_snes_", "step_ksp_", "dry_ts_",
+                                     "dry_snes_", "dry_ksp_", "modes_eps_", "modes_ksp_", "modes_st_", "floquet_eps_"});
+// Marches are built on steps of BDF2, whose length is theirs to choose.
+constexpr auto chosen_by_program = std::to_array<std::string_view>({"step_ts_type", "step_ts_adapt_type"});
 // What PETSc reads at its start or when it ends, whatever the program does.
 constexpr auto general_prefixes = std::to_array<std::string_view>(
     {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",
@@ -140,6 +142,11 @@ void require_known_options(const std::vector<std::string>& arguments) {
   for (const Option& option : options_left()) {
     const std::string name = lower_case(option.name);
     if (!typed.contains(name) && !typed.contains(std::string("-").append(name))) continue;
+    if (begins_with_any(option.name, chosen_by_program)) {
+      throw InputError("command line: '" + as_typed(option) +
+                       "' cannot be given: marches rest on their own time scheme; "
+                       "delete it (time.tolerance has their steps controlled)");
+    }
     const bool with_equals = option.name.find('=') != std::string::npos;
     if (!with_equals && (is_petsc_option(option.name) || is_parameter_option(option.name))) continue;
     throw InputError("command line: " + unknown_option(option));

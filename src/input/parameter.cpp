@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/plain_text.hpp"
+#include "input/plain_text.hpp"
 
 namespace gearfilm {
 namespace {

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "gearfilm/input/parameter.hpp"
-#include "gearfilm/input/roff.hpp"
+#include "input/roff.hpp"
 
 namespace gearfilm {
 namespace {

@@ -5,13 +5,13 @@
 #include <iterator>
 #include <utility>
 
-#include "gearfilm/ehl/domain.hpp"
-#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/film/solver_options.hpp"
+#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/continuation_options.hpp"
-#include "gearfilm/input/parameter_records.hpp"
 #include "gearfilm/orbits/dry_orbit.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
+#include "input/parameter_records.hpp"
 
 namespace gearfilm {
 namespace {

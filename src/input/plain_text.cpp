@@ -1,4 +1,4 @@
-#include "gearfilm/input/plain_text.hpp"
+#include "input/plain_text.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/input/point_table.hpp"
+#include "input/point_table.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "gearfilm/input/roff.hpp"
+#include "input/roff.hpp"
 
 namespace gearfilm {
 

@@ -1,10 +1,10 @@
-#include "gearfilm/input/text_file.hpp"
+#include "input/text_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
-#include "gearfilm/input/plain_text.hpp"
+#include "input/plain_text.hpp"
 
 namespace gearfilm {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gearfilm/input/parameter_records.hpp"
 #include "gearfilm/traction/traction_model.hpp"
+#include "input/parameter_records.hpp"
 
 namespace gearfilm {
 namespace {

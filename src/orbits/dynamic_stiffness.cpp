@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/ehl/integral.hpp"
-#include "gearfilm/ehl/oscillating_film.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/orbits/mode_solver.hpp"
-#include "gearfilm/parallel/lu_factors.hpp"
+#include "gearfilm/film/oscillating_film.hpp"
+#include "gearfilm/grid/integral.hpp"
+#include "numerics/lu_factors.hpp"
+#include "orbits/mode_solver.hpp"
 
 namespace gearfilm {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/orbits/mode_solver.hpp"
+#include "orbits/mode_solver.hpp"
 
 namespace gearfilm {
 namespace {

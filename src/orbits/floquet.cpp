@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/grid/refit.hpp"
 
 namespace gearfilm {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "gearfilm/ehl/fftw.hpp"
+#include "gearfilm/elasticity/fftw.hpp"
 
 namespace gearfilm {
 

@@ -1,16 +1,16 @@
-#include "gearfilm/output/checkpoint.hpp"
+#include "output/checkpoint.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
-#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/output/own_file.hpp"
-#include "gearfilm/output/state_file.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "gearfilm/grid/refit.hpp"
+#include "output/file_ownership.hpp"
+#include "output/own_file.hpp"
+#include "output/state_file.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

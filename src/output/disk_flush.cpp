@@ -1,4 +1,4 @@
-#include "gearfilm/output/disk_flush.hpp"
+#include "output/disk_flush.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

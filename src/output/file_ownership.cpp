@@ -1,4 +1,4 @@
-#include "gearfilm/output/file_ownership.hpp"
+#include "output/file_ownership.hpp"
 
 #include <hdf5.h>
 
@@ -8,10 +8,10 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/restart_mark.hpp"
-#include "gearfilm/output/summary.hpp"
-#include "gearfilm/output/xdmf.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/restart_mark.hpp"
+#include "output/summary.hpp"
+#include "output/xdmf.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
@@ -71,7 +71,10 @@ bool own_results(const fs::path& file) {
 bool own_part(const fs::path& file) {
   const std::string extension = file.stem().extension();
   if (file.filename() == "results.h5.part") return true;  // HDF5 gives a file its content when it is closed
-  const std::string_view mark = extension == ".json" ? "{" : extension == ".xmf" ? xdmf_head : extension == ".txt" ? shares_head : restart_mark;
+  const std::string_view mark = extension == ".json"  ? "{"
+                                : extension == ".xmf" ? xdmf_head
+                                : extension == ".txt" ? shares_head
+                                                      : restart_mark;
   return begins_at_most_with(file, mark);
 }
 

@@ -1,4 +1,4 @@
-#include "gearfilm/output/film_snapshot.hpp"
+#include "output/film_snapshot.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,7 +1,7 @@
-#include "gearfilm/output/format_version.hpp"
+#include "output/format_version.hpp"
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/plain_text.hpp"
+#include "input/plain_text.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/output/history.hpp"
+#include "output/history.hpp"
 
 namespace gearfilm {
 namespace {
@@ -22,7 +22,7 @@ std::vector<TableColumn> columns_of(const Keys& keys, const Figures& figures, co
 
 History::History(ResultsFile& file, const MeshModel& mesh, bool lubricated)
     : mesh_(mesh),
-      given_(mesh.given(lubricated)),
+      given_(given_figures(mesh, lubricated)),
       steps_(file, "/history/steps", columns_of(step_keys, step_figures, given_)),
       contacts_(file, "/history/contacts", columns_of(contact_keys, contact_figures, given_)) {}
 

@@ -1,4 +1,4 @@
-#include "gearfilm/output/output_directory.hpp"
+#include "output/output_directory.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/file_ownership.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/file_ownership.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,12 +1,12 @@
-#include "gearfilm/output/own_file.hpp"
+#include "output/own_file.hpp"
 
 #include <fstream>
 #include <string>
 
-#include "gearfilm/output/checksum.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/restart_mark.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/checksum.hpp"
+#include "output/output_directory.hpp"
+#include "output/restart_mark.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

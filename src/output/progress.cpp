@@ -1,4 +1,4 @@
-#include "gearfilm/output/progress.hpp"
+#include "output/progress.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gearfilm/parallel/agreement.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/output/provenance.hpp"
+#include "output/provenance.hpp"
 
 #include <fftw3.h>
 #include <hdf5.h>
@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "gearfilm/parallel/agreement.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

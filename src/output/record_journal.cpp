@@ -1,13 +1,13 @@
-#include "gearfilm/output/record_journal.hpp"
+#include "output/record_journal.hpp"
 
 #include <fstream>
 
 #include "gearfilm/dynamics/value_list.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/checksum.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/restart_mark.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/checksum.hpp"
+#include "output/output_directory.hpp"
+#include "output/restart_mark.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,9 +1,9 @@
-#include "gearfilm/output/results_docs.hpp"
+#include "output/results_docs.hpp"
 
 #include <sstream>
 
 #include "gearfilm/dynamics/period_figures.hpp"
-#include "gearfilm/output/history.hpp"
+#include "output/history.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,12 +1,12 @@
-#include "gearfilm/output/results_file.hpp"
+#include "output/results_file.hpp"
 
 #include <hdf5_hl.h>
 
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/hdf5_handle.hpp"
-#include "gearfilm/output/output_directory.hpp"
+#include "output/hdf5_handle.hpp"
+#include "output/output_directory.hpp"
 
 namespace gearfilm {
 namespace {

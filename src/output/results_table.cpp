@@ -1,8 +1,8 @@
-#include "gearfilm/output/results_table.hpp"
+#include "output/results_table.hpp"
 
 #include <utility>
 
-#include "gearfilm/output/hdf5_handle.hpp"
+#include "output/hdf5_handle.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,11 +1,11 @@
-#include "gearfilm/output/run_identity.hpp"
+#include "output/run_identity.hpp"
 
 #include <algorithm>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_file.hpp"
-#include "gearfilm/output/format_version.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "input/case_file.hpp"
+#include "output/format_version.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/output/snapshots.hpp"
+#include "output/snapshots.hpp"
 
 #include <iomanip>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "gearfilm/output/state_file.hpp"
+#include "output/state_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/checksum.hpp"
-#include "gearfilm/output/format_version.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/restart_mark.hpp"
-#include "gearfilm/parallel/agreement.hpp"
+#include "output/checksum.hpp"
+#include "output/format_version.hpp"
+#include "output/output_directory.hpp"
+#include "output/restart_mark.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

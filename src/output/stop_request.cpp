@@ -1,4 +1,4 @@
-#include "gearfilm/output/stop_request.hpp"
+#include "output/stop_request.hpp"
 
 #include <array>
 #include <sstream>

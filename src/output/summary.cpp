@@ -1,10 +1,10 @@
-#include "gearfilm/output/summary.hpp"
+#include "output/summary.hpp"
 
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/output_directory.hpp"
-#include "gearfilm/output/provenance.hpp"
+#include "output/output_directory.hpp"
+#include "output/provenance.hpp"
 
 namespace gearfilm {
 namespace {

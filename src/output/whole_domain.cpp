@@ -1,4 +1,4 @@
-#include "gearfilm/output/whole_domain.hpp"
+#include "output/whole_domain.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "gearfilm/output/xdmf.hpp"
+#include "output/xdmf.hpp"
 
 #include <algorithm>
 #include <sstream>
 
-#include "gearfilm/output/output_directory.hpp"
+#include "output/output_directory.hpp"
 
 namespace gearfilm {
 namespace {

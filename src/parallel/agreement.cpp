@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/agreement.hpp"
+#include "parallel/agreement.hpp"
 
 #include <chrono>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/events.hpp"
+#include "parallel/events.hpp"
 
 #include <array>
 

@@ -3,6 +3,7 @@
 #include <petsc/private/petscimpl.h>  // declares PetscObjectStateGet
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace gearfilm {
 
@@ -29,6 +30,11 @@ StateVersion StateVersions::of(Vec vec) {
 }
 
 void StateVersions::copied(Vec from, Vec to) {
+#ifndef NDEBUG
+  PetscBool same = PETSC_FALSE;
+  petsc_check(VecEqual(from, to, &same));
+  if (same != PETSC_TRUE) throw std::logic_error("a vector is called a copy of another one, but has other values");
+#endif
   const StateVersion version = of(from);
   const Name name = name_of(to);
   const auto found = std::ranges::find(known_, name, &Known::name);

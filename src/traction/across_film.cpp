@@ -1,10 +1,10 @@
-#include "gearfilm/traction/across_film.hpp"
+#include "traction/across_film.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/traction/tridiagonal_lanes.hpp"
+#include "traction/tridiagonal_lanes.hpp"
 
 namespace gearfilm {
 namespace {

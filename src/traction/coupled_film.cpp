@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/anderson_mixing.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
+#include "numerics/anderson_mixing.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/traction/film_flow.hpp"
+#include "traction/film_flow.hpp"
 
 #include <cmath>
 

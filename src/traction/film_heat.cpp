@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/lubricant/independent_iterations.hpp"
-#include "gearfilm/traction/across_film.hpp"
-#include "gearfilm/traction/film_line.hpp"
-#include "gearfilm/traction/moving_source.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
+#include "lubricant/independent_iterations.hpp"
+#include "traction/across_film.hpp"
+#include "traction/film_line.hpp"
+#include "traction/moving_source.hpp"
 
 namespace gearfilm {
 namespace {

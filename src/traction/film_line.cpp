@@ -1,8 +1,8 @@
-#include "gearfilm/traction/film_line.hpp"
+#include "traction/film_line.hpp"
 
 #include <cmath>
 
-#include "gearfilm/lubricant/independent_iterations.hpp"
+#include "lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,10 +1,10 @@
-#include "gearfilm/traction/moving_source.hpp"
+#include "traction/moving_source.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/lubricant/independent_iterations.hpp"
+#include "lubricant/independent_iterations.hpp"
 
 namespace gearfilm {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gearfilm/traction/film_line.hpp"
+#include "traction/film_line.hpp"
 
 namespace gearfilm {
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "gearfilm/ehl/integral.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/agreement.hpp"
-#include "gearfilm/traction/film_line.hpp"
-#include "gearfilm/traction/moving_source.hpp"
+#include "gearfilm/grid/integral.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
+#include "parallel/agreement.hpp"
+#include "traction/film_line.hpp"
+#include "traction/moving_source.hpp"
 
 namespace gearfilm {
 namespace {

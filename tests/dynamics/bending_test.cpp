@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/dynamics/back_flanks.hpp"
 #include "gearfilm/dynamics/lubricated_pair.hpp"
+#include "gearfilm/mesh/back_flanks.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -1,13 +1,13 @@
 // What is kept on disk of a march comes back to the bit, or not at all.
-#include "gearfilm/output/checkpoint.hpp"
+#include "output/checkpoint.hpp"
 
 #include <filesystem>
 #include <fstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/output/checksum.hpp"
-#include "gearfilm/output/restart_mark.hpp"
-#include "gearfilm/output/state_file.hpp"
+#include "output/checksum.hpp"
+#include "output/restart_mark.hpp"
+#include "output/state_file.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -1,5 +1,5 @@
 // What travels between processes: the model of docs/performance.md against PETSc's counters.
-#include "gearfilm/ehl/row_sums.hpp"
+#include "gearfilm/elasticity/row_sums.hpp"
 #include "gearfilm/traction/traction.hpp"
 #include "pair_case.hpp"
 

@@ -1,5 +1,5 @@
 // Files that reach the disk beside what goes on: what cannot is said by the one who waits for it, once.
-#include "gearfilm/output/disk_flush.hpp"
+#include "output/disk_flush.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "gearfilm/dynamics/natural_frequency.hpp"
+#include "gearfilm/mesh/natural_frequency.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -72,7 +72,7 @@ TEST(Losses, mean_power_is_that_of_the_steps) {
   MarchStatistics statistics(march.path().mesh_period(), march.static_force());
   double energy = 0.0, last = 0.0;
   for (const StepRecord& record : march.records()) {
-    statistics.add(record, march.mesh().given(true));
+    statistics.add(record, given_figures(march.mesh(), true));
     energy += 0.5 * (last + record.power_sliding()) * record.dT;
     last = record.power_sliding();
   }

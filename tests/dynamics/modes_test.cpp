@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/dynamics/static_mesh.hpp"
-#include "gearfilm/input/case_numerics.hpp"
+#include "gearfilm/mesh/natural_frequency.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/dynamic_stiffness.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
+#include "input/case_numerics.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

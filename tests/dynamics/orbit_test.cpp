@@ -2,11 +2,11 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "gearfilm/dynamics/natural_frequency.hpp"
-#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/mesh/natural_frequency.hpp"
 #include "gearfilm/orbits/floquet.hpp"
 #include "gearfilm/orbits/free_decay.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/solver/stationary.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -13,8 +13,8 @@
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/input/case.hpp"
-#include "gearfilm/input/case_file.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "input/case_file.hpp"
 
 namespace gearfilm {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/solver/stationary.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -1,13 +1,13 @@
 // What long work says of itself, and who tells it.
-#include "gearfilm/output/progress.hpp"
+#include "output/progress.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
-#include "gearfilm/parallel/agreement.hpp"
 #include "pair_case.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {

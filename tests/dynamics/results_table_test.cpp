@@ -1,10 +1,10 @@
 // Tables that grow in results.h5: every row once and in order, under its columns' names and units, whatever the number
 // of processes.
-#include "gearfilm/output/results_table.hpp"
+#include "output/results_table.hpp"
 
 #include <filesystem>
 
-#include "gearfilm/output/output_directory.hpp"
+#include "output/output_directory.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

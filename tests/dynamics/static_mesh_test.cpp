@@ -1,5 +1,5 @@
 // The dry pair on teeth that bend: turned slowly and marched, against tests/reference/teeth.json.
-#include "gearfilm/dynamics/static_mesh.hpp"
+#include "gearfilm/mesh/static_mesh.hpp"
 
 #include <numeric>
 

@@ -2,7 +2,7 @@
 // two.
 #include <algorithm>
 
-#include "gearfilm/ehl/refit.hpp"
+#include "gearfilm/grid/refit.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

@@ -1,11 +1,11 @@
 // The body equations: their rows in each kind, and their solution together with films that give way.
-#include "gearfilm/ehl/body_equations.hpp"
+#include "gearfilm/solver/body_equations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "gearfilm/parallel/lu_factors.hpp"
+#include "numerics/lu_factors.hpp"
 
 namespace gearfilm {
 namespace {

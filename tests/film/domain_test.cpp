@@ -1,6 +1,6 @@
 // Domain and steps that follow from the film to be expected, and the error that a film says its grid has.
 #include "film_case.hpp"
-#include "gearfilm/ehl/grid_error.hpp"
+#include "gearfilm/solver/grid_error.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,5 @@
 // The linearised Reynolds equation, row by row, against differences of its residual, without any deformation.
-#include "gearfilm/ehl/film_stencil.hpp"
+#include "film/film_stencil.hpp"
 
 #include "film_case.hpp"
 

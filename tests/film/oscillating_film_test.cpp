@@ -1,10 +1,10 @@
 // The film that oscillates: the linearised film at a complex rate, and its relaxation where oil carries waves along.
-#include "gearfilm/ehl/oscillating_film.hpp"
+#include "gearfilm/film/oscillating_film.hpp"
 
 #include <algorithm>
 
 #include "film_case.hpp"
-#include "gearfilm/ehl/newton.hpp"
+#include "gearfilm/numerics/newton.hpp"
 
 namespace gearfilm {
 namespace {

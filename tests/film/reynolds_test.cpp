@@ -1,5 +1,5 @@
 // Reynolds' equation with cavitation: oil properties on the grid, consistency, complementarity.
-#include "gearfilm/ehl/reynolds.hpp"
+#include "gearfilm/film/reynolds.hpp"
 
 #include "film_case.hpp"
 

@@ -1,9 +1,9 @@
 // Fields carried to another grid of the same lattice, and grids that are widened.
-#include "gearfilm/ehl/room.hpp"
+#include "gearfilm/film/room.hpp"
 
 #include "film_case.hpp"
-#include "gearfilm/ehl/refit.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/grid/refit.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,5 @@
 // Rows and what lies beyond them.
-#include "gearfilm/ehl/row_axis.hpp"
+#include "gearfilm/grid/row_axis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Pressures of a contact whose ellipse has become smaller or larger.
-#include "gearfilm/ehl/similar_pressure.hpp"
+#include "gearfilm/film/similar_pressure.hpp"
 
 #include "film_case.hpp"
-#include "gearfilm/ehl/contact_film.hpp"
-#include "gearfilm/ehl/integral.hpp"
+#include "gearfilm/film/contact_film.hpp"
+#include "gearfilm/grid/integral.hpp"
 
 namespace gearfilm {
 namespace {

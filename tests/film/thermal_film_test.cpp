@@ -4,8 +4,8 @@
 
 #include "friction_reference.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
-#include "gearfilm/traction/film_flow.hpp"
 #include "placed_film.hpp"
+#include "traction/film_flow.hpp"
 
 namespace gearfilm {
 namespace {

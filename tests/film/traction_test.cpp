@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "friction_reference.hpp"
-#include "gearfilm/ehl/integral.hpp"
-#include "gearfilm/traction/across_film.hpp"
-#include "gearfilm/traction/moving_source.hpp"
-#include "gearfilm/traction/tridiagonal_lanes.hpp"
+#include "gearfilm/grid/integral.hpp"
 #include "placed_film.hpp"
+#include "traction/across_film.hpp"
+#include "traction/moving_source.hpp"
+#include "traction/tridiagonal_lanes.hpp"
 
 namespace gearfilm {
 namespace {

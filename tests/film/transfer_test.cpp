@@ -1,5 +1,5 @@
 // Ghost rows, and the transfer of fields between a grid and its coarsening.
-#include "gearfilm/ehl/transfer.hpp"
+#include "film/transfer.hpp"
 
 #include "film_case.hpp"
 

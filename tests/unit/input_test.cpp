@@ -12,9 +12,9 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case.hpp"
-#include "gearfilm/input/case_file.hpp"
-#include "gearfilm/input/options.hpp"
 #include "gearfilm/parallel/petsc.hpp"
+#include "input/case_file.hpp"
+#include "input/options.hpp"
 
 namespace gearfilm {
 namespace {

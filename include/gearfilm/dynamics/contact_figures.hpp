@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "gearfilm/dynamics/figure.hpp"
-#include "gearfilm/dynamics/meshed_contact.hpp"
-#include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/film/contact_film.hpp"
+#include "gearfilm/mesh/mesh_model.hpp"
 #include "gearfilm/traction/traction.hpp"
 
 namespace gearfilm {
@@ -22,6 +22,9 @@ struct ContactMoment {
 /// Which figures there are.
 Given given_figures(bool lubricated, const std::optional<TractionModel>& traction,
                     const std::optional<double>& roughness);
+inline Given given_figures(const MeshModel& mesh, bool lubricated) {
+  return given_figures(lubricated, mesh.traction, mesh.roughness);
+}
 
 /// h_min/Rq; zero without roughness.
 double film_ratio(const ContactMoment& at);

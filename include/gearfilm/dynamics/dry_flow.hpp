@@ -11,8 +11,8 @@
 #include <functional>
 #include <vector>
 
-#include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/mesh/dry_force.hpp"
 
 namespace gearfilm {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
-#include "gearfilm/dynamics/dry_force.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
+#include "gearfilm/mesh/dry_force.hpp"
 
 namespace gearfilm {
 

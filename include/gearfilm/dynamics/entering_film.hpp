@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gearfilm/dynamics/value_list.hpp"
-#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/solver/stationary.hpp"
 
 namespace gearfilm {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gearfilm/dynamics/friction_force.hpp"
-#include "gearfilm/ehl/film_system.hpp"
+#include "gearfilm/solver/film_system.hpp"
 
 namespace gearfilm {
 

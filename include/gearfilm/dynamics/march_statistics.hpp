@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gearfilm/dynamics/period_figures.hpp"
-#include "gearfilm/dynamics/speed_course.hpp"
+#include "gearfilm/mesh/speed_course.hpp"
 
 namespace gearfilm {
 

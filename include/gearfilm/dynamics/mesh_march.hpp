@@ -15,8 +15,9 @@ namespace gearfilm {
 
 /// Multigrid levels that serve time steps best, by measurement: 1, the smoother alone, on grids of up to 10000 nodes,
 /// and up to 50000 where a step is no longer than a few mesh widths, so that squeezing makes the operator well
-/// conditioned: it takes more Krylov iterations, but cheap ones; 0, all levels, beyond. Where cells are long (ehl/grid)
-/// and a step is no longer than 1.5 mesh widths, 1 on grids of any size: levels with half the rows diverge there.
+/// conditioned: it takes more Krylov iterations, but cheap ones; 0, all levels, beyond. Where cells are long
+/// (grid/grid) and a step is no longer than 1.5 mesh widths, 1 on grids of any size: levels with half the rows diverge
+/// there.
 int step_levels(const Grid& grid, double dT);
 
 class MeshMarch {

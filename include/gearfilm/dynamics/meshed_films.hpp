@@ -12,7 +12,7 @@
 #include "gearfilm/dynamics/entering_film.hpp"
 #include "gearfilm/dynamics/pair_state.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
-#include "gearfilm/ehl/room.hpp"
+#include "gearfilm/film/room.hpp"
 
 namespace gearfilm {
 

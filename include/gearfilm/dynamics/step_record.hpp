@@ -8,8 +8,8 @@
 #include "gearfilm/dynamics/contact_fields.hpp"
 #include "gearfilm/dynamics/contact_figures.hpp"
 #include "gearfilm/dynamics/live_heat.hpp"
-#include "gearfilm/dynamics/mesh_model.hpp"
-#include "gearfilm/dynamics/motion.hpp"
+#include "gearfilm/mesh/mesh_model.hpp"
+#include "gearfilm/mesh/motion.hpp"
 
 namespace gearfilm {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "gearfilm/ehl/grid.hpp"
+#include "gearfilm/grid/grid.hpp"
 
 namespace gearfilm {
 

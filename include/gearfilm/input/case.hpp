@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/dynamics/prescribed_load.hpp"
-#include "gearfilm/ehl/domain.hpp"
-#include "gearfilm/ehl/solver_options.hpp"
+#include "gearfilm/film/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
 #include "gearfilm/gear/teeth.hpp"
+#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/continuation_options.hpp"
 #include "gearfilm/input/parameter_values.hpp"
 #include "gearfilm/input/sweep_options.hpp"
+#include "gearfilm/mesh/prescribed_load.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/periodic_orbit.hpp"
 #include "gearfilm/traction/traction_model.hpp"

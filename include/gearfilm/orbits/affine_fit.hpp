@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-#include "gearfilm/dynamics/motion.hpp"
+#include "gearfilm/mesh/motion.hpp"
 #include "gearfilm/orbits/monodromy.hpp"
 
 namespace gearfilm {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gearfilm/dynamics/dry_flow.hpp"
-#include "gearfilm/dynamics/mesh_model.hpp"
+#include "gearfilm/mesh/mesh_model.hpp"
 
 namespace gearfilm {
 

@@ -10,7 +10,7 @@
 #include <complex>
 #include <optional>
 
-#include "gearfilm/dynamics/motion.hpp"
+#include "gearfilm/mesh/motion.hpp"
 
 namespace gearfilm {
 

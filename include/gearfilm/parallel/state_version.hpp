@@ -2,7 +2,8 @@
 // instead of comparing values, and all processes get the same answer without asking each other.
 //
 // PETSc raises the state of an object with every write (PetscObjectStateGet), so that identity and state name the
-// values. A copy is another object: whoever copies says so.
+// values. A copy is another object: whoever copies says so. That processes agree rests on two rules: all of them write
+// a vector together, those without own changes too, and what else they decide by is the same to the bit on all.
 #pragma once
 
 #include <array>
@@ -12,14 +13,16 @@
 
 namespace gearfilm {
 
-/// Zero: of values that nobody knows.
+/// Of a whole state, so that two parts of one state are told apart by their place in it. Zero: of values that nobody
+/// knows.
 using StateVersion = std::uint64_t;
 
 class StateVersions {
 public:
   /// Of what a vector has now; no two of different values are the same, in whatever object.
   StateVersion of(Vec vec);
-  /// `to` has the values of `from`, until it is written again.
+  /// `to` has the values of `from`, until it is written again. Throws std::logic_error in builds with assertions where
+  /// it has not.
   void copied(Vec from, Vec to);
 
 private:

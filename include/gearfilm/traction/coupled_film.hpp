@@ -7,7 +7,7 @@
 // turns round in the inlet: it loses its heat in many rounds only.
 #pragma once
 
-#include "gearfilm/ehl/stationary.hpp"
+#include "gearfilm/solver/stationary.hpp"
 #include "gearfilm/traction/traction.hpp"
 
 namespace gearfilm {

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/film/contact_film.hpp"
 #include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {

@@ -1,5 +1,5 @@
 // What a shear law that is not Newton's makes of the flow along a film (lubricant/shear_law.hpp), as fields that
-// Reynolds' equation is given (ehl/flow_correction.hpp).
+// Reynolds' equation is given (film/flow_correction.hpp).
 //
 // The flow that pressure drives is S times that of a Newtonian oil along the sliding velocity, and A S times at right
 // angles to it: shear by sliding thins the oil for it, along more than across. Where the film is as warm everywhere S
@@ -7,7 +7,7 @@
 // drives little beside sliding.
 #pragma once
 
-#include "gearfilm/ehl/contact_film.hpp"
+#include "gearfilm/film/contact_film.hpp"
 #include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {

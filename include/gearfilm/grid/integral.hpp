@@ -1,0 +1,17 @@
+// Int Int over the grid of values at its nodes, common to all processes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gearfilm/grid/grid.hpp"
+
+namespace gearfilm {
+
+/// Of the compact own nodes of one field: the sum of the values, each times h_x and the weight of its row, over all
+/// processes. Collective.
+double integral(const Grid& grid, std::span<const double> values);
+/// The same of each of some fields, one after the other.
+std::vector<double> integrals(const Grid& grid, std::span<const double> values, std::size_t fields);
+
+}  // namespace gearfilm

@@ -1,0 +1,69 @@
+// The pair at rest on its films, and the mode in which it swings there, with what the grid leaves of errors.
+//
+// The mode on every second node tells the error, and gives the first guess; where that grid carries no film, the mode
+// on half of all nodes, in steps longer by the root of two. Where the pair swings many times while oil
+// crosses a contact, the films have no time to flow: they are stiff springs between the bodies.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gearfilm/dynamics/lubricated_pair.hpp"
+#include "gearfilm/input/case_setup.hpp"
+#include "gearfilm/orbits/dynamic_stiffness.hpp"
+#include "output/summary.hpp"
+
+namespace gearfilm {
+
+/// The pair at the chosen position, its films in balance with the static force.
+class RestingPair {
+public:
+  /// Throws SolveError where there are no such films. Collective.
+  RestingPair(const Case& problem, const SharedDiscretisation& discretisation);
+
+  LubricatedPair& pair() { return *pair_; }
+  Vec state() const { return state_; }
+  std::size_t contacts() const { return films_.size(); }
+  double displacement() const { return H0_; }  ///< H_0 [-]
+  /// Wider than that which was given, where a film had no room there.
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
+
+private:
+  MeshModel mesh_;
+  SharedDiscretisation discretisation_;
+  std::vector<std::unique_ptr<ContactFilm>> films_;
+  std::optional<LubricatedPair> pair_;
+  OwnedVec state_;
+  double H0_ = 0.0;
+};
+
+/// On a grid with steps that are longer by a ratio.
+struct CoarserSwing {
+  SwingingMode mode;
+  double ratio = 2.0;
+};
+
+struct FilmSwing {
+  SwingingMode mode;
+  Steps steps;                            ///< of its grid
+  std::optional<CoarserSwing> coarser{};  ///< nothing where no coarser grid has a mode
+
+  /// |s|/U from which films are springs.
+  static constexpr double stiff_from = 10.0;
+  bool on_stiff_films() const { return mode.swings_in_passage > stiff_from; }
+  /// Cells in a wave of the film that oil carries away while the pair swings, 2 pi U/|s| long.
+  double cells_in_wave() const;
+};
+
+/// The mode. Throws SolveError where there is none. Collective.
+FilmSwing film_swing(const Case& problem, RestingPair& rest, const Watcher& watcher);
+
+/// Frequency and damping ratio with their errors, null where no coarser grid has a mode; what the mode took. On stiff
+/// films also what the damping ratio is at most.
+void add_swing(const Scales& scales, const FilmSwing& swing, Summary& summary);
+
+/// What is to be said of a mode on stiff films, its limit and what is known of the damping, or of one whose errors are
+/// not known. Empty for others.
+std::string swing_remark(const FilmSwing& swing, const Summary& summary);
+
+}  // namespace gearfilm

@@ -1,0 +1,12 @@
+// Teeth that meet their mates under load before the path of contact begins: what is said of them.
+#pragma once
+
+#include "gearfilm/mesh/mesh_model.hpp"
+#include "gearfilm/parallel/petsc.hpp"
+
+namespace gearfilm {
+
+/// Warns where an entering contact meets its mate at once under the static force.
+void warn_of_hard_entry(MPI_Comm comm, const MeshModel& mesh);
+
+}  // namespace gearfilm

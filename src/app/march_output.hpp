@@ -1,0 +1,79 @@
+// What every march in time leaves on disk and on the screen: history, snapshots, statistics, progress.
+#pragma once
+
+#include <optional>
+
+#include "app/resumable_run.hpp"
+#include "gearfilm/dynamics/march_statistics.hpp"
+#include "gearfilm/input/case.hpp"
+#include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/orbits/poincare.hpp"
+#include "gearfilm/orbits/spectrum.hpp"
+#include "output/history.hpp"
+#include "output/progress.hpp"
+#include "output/snapshots.hpp"
+#include "output/summary.hpp"
+
+namespace gearfilm {
+
+/// What a march is for: itself, with fields written as it goes; or a search, of which only the last period's fields are
+/// wanted.
+enum class MarchPurpose { march, search };
+
+class MarchOutput {
+public:
+  /// Creates results.h5 in the run's folder; where a run goes on, it takes the place of the earlier one as soon as it
+  /// holds the same. The mesh must outlive the output. expected_periods: the whole of the work, for the time left.
+  MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const MeshModel& mesh, MarchPurpose purpose,
+              double expected_periods);
+
+  void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
+
+  /// A period of a search is over: its fields are written where it is the wanted one, else dropped.
+  void end_search_period(const SearchPeriod& period);
+  /// A line on the screen.
+  void note(const std::string& text) { progress_.note(text); }
+  /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
+  Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
+
+  /// Writes and closes results.h5.
+  void finish();
+
+  /// Adds the table /history/poincare, and says in the summary how the march repeats and settles.
+  void describe_recurrence(Summary& summary);
+
+  const MarchStatistics& statistics() const { return statistics_; }
+  ResultsFile& file() { return file_; }
+
+private:
+  void take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void publish();
+  void report(const StepRecord& record, double period);
+
+  Checkpoint& checkpoint_;
+  const Case& problem_;
+  const MeshModel& mesh_;
+  MarchPurpose purpose_;
+  bool lubricated_;
+  double expected_periods_;
+  ResultsFile file_;
+  std::optional<History> history_;
+  std::optional<Snapshots> snapshots_;
+  std::vector<FilmSnapshot> held_;  ///< of a search's present period: only at its end is known whether they are wanted
+  MarchStatistics statistics_;
+  MotionSignal signal_;
+  PoincareSection section_;
+  Progress progress_;
+  double next_snapshot_ = 0.0;
+};
+
+/// How far a period of a search was from repeating, in a line.
+std::string text_of(const SearchPeriod& period);
+/// Figures of one mesh period, in SI.
+Summary period_summary(const Scales& scales, const PeriodFigures& period);
+/// The grid that a run ended on, widened or not, in the units of the case's parameters.
+Summary grid_summary(const Scales& scales, const GridShape& shape);
+/// All of a march: its periods, their extremes, events and losses of contact.
+Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics);
+
+}  // namespace gearfilm

@@ -1,0 +1,37 @@
+// The short table with which a command ends: main figures with units and error bars, and where the results are.
+#pragma once
+
+#include <petscsys.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/summary.hpp"
+
+namespace gearfilm {
+
+class ScreenTable {
+public:
+  /// The figures are looked up in a summary, in SI.
+  explicit ScreenTable(Summary summary) : summary_(std::move(summary)) {}
+
+  /// A figure times a factor, with its error where there is one (`KEY_error`); nothing where the summary has none.
+  ScreenTable& add(const std::string& label, const std::string& key, double factor = 1.0, const std::string& unit = "");
+  /// The same of another summary.
+  ScreenTable& add(const Summary& summary, const std::string& label, const std::string& key, double factor = 1.0,
+                   const std::string& unit = "");
+  ScreenTable& text(const std::string& label, const std::string& value);
+
+  /// On the first process; then the files of the results.
+  void print(MPI_Comm comm, const std::filesystem::path& folder) const;
+
+private:
+  struct Row {
+    std::string label, value, error, unit;
+  };
+  Summary summary_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,161 @@
+#include "gearfilm/elasticity/row_sums.hpp"
+
+#include "gearfilm/grid/halo.hpp"
+
+namespace gearfilm {
+namespace {
+
+#ifdef __AVX2__
+constexpr int most_rows = 40;
+#else
+constexpr int most_rows = 24;  // FFTW has wider vectors than the compiler is allowed
+#endif
+constexpr int most_spectra = 10000;  // wave numbers of all rows, each of which has a row of the matrix
+constexpr int piece_bytes = 12288;   // messages that wait in memory that is shared until they are received
+constexpr int tag = 1;
+constexpr int few = 24, many = 40;  // rows that are summed side by side: they fill vectors, and their sums registers
+static_assert(most_rows <= many);
+
+/// sums += matrix times rows.
+template <int width, class Real>
+void add_rows(const Real* __restrict matrix, const std::complex<Real>* rows, int count, Real* __restrict sums) {
+  const Real* in = reinterpret_cast<const Real*>(rows);
+  Real real[width], imaginary[width];
+  std::copy_n(sums, width, real);
+  std::copy_n(sums + width, width, imaginary);
+  for (int l = 0; l < count; ++l, matrix += width) {
+    const Real re = in[2 * l], im = in[2 * l + 1];
+    for (int j = 0; j < width; ++j) {
+      real[j] += matrix[j] * re;
+      imaginary[j] += matrix[j] * im;
+    }
+  }
+  std::copy_n(real, width, sums);
+  std::copy_n(imaginary, width, sums + width);
+}
+
+}  // namespace
+
+template <class Real>
+bool RowSums<Real>::serve(int waves, int rows) {
+  return rows <= most_rows && waves * rows <= most_spectra;
+}
+
+template <class Real>
+int RowSums<Real>::pieces(int waves, int rows) {
+  const int bytes = waves * rows * static_cast<int>(sizeof(Complex));
+  return (bytes + piece_bytes - 1) / piece_bytes;
+}
+
+template <class Real>
+RowSums<Real>::RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Real>& spectra)
+    : comm_(grid.comm()),
+      rank_(grid.rank()),
+      waves_(spectra.waves()),
+      sources_(grid.row_axis().inner({0, grid.rows()}).end),
+      width_(grid.y_count() <= few ? few : many),
+      y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
+      pieces_(pieces(waves_, (grid.rows() + grid.processes() - 1) / grid.processes())),
+      matrix_(static_cast<std::size_t>(waves_) * sources_ * width_),
+      spectra_(static_cast<std::size_t>(waves_) * grid.rows()),
+      sums_(static_cast<std::size_t>(waves_) * 2 * width_),
+      result_(grid.y_count()) {
+  fill_matrix(grid.row_axis(), kernel, spectra);
+}
+
+template <class Real>
+void RowSums<Real>::fill_matrix(const RowAxis& rows, const Influence& kernel, RowSpectra<Real>& spectra) {
+  const int distances = 2 * sources_ + 1, own = spectra.own_rows(), begin = y_ranges_[rank_];
+  const Real scale = Real(1.0 / spectra.length());
+  std::vector<Real> transforms(static_cast<std::size_t>(waves_) * distances);  // [wave number][distance]
+  const auto transform = [&](int k, int distance) -> Real& {
+    return transforms[static_cast<std::size_t>(k) * distances + distance];
+  };
+  for (int first = 0; first < distances; first += own) {
+    spectra.transform_even([&](int i, int j) { return first + j < distances ? kernel(i, first + j) : 0.0; });
+    for (int k = 0; k < waves_; ++k) {
+      spectra.separate(k, result_.data());
+      for (int j = 0; j < own && first + j < distances; ++j) transform(k, first + j) = scale * result_[j].real();
+    }
+  }
+  Real* entry = matrix_.data();
+  for (int k = 0; k < waves_; ++k) {
+    for (int l = 0; l < sources_; ++l, entry += width_) {
+      for (int j = 0; j < own; ++j) {
+        entry[j] = transform(k, std::abs(begin + j - l));
+        if (const auto distance = rows.distance_to_image(begin + j, l)) entry[j] += transform(k, *distance);
+      }
+    }
+  }
+}
+
+template <class Real>
+void RowSums<Real>::add(int k, int process, const Complex* rows, Real* sums) const {
+  const int first = y_ranges_[process], count = std::min(rows_of(process), sources_ - first);
+  const Real* matrix = matrix_.data() + (static_cast<std::size_t>(k) * sources_ + first) * width_;
+  if (width_ == few) {
+    add_rows<few>(matrix, rows, count, sums);
+  } else {
+    add_rows<many>(matrix, rows, count, sums);
+  }
+}
+
+template <class Real>
+void RowSums<Real>::combine(int k, const Real* sums, RowSpectra<Real>& spectra) {
+  for (std::size_t j = 0; j < result_.size(); ++j) result_[j] = {sums[j], sums[width_ + j]};
+  spectra.combine(k, result_.data());
+}
+
+template <class Real>
+void RowSums<Real>::apply_alone(RowSpectra<Real>& spectra) {
+  for (int k = 0; k < waves_; ++k) {
+    Complex* rows = spectrum(0, 0);
+    spectra.separate(k, rows);
+    std::fill_n(sums_.data(), 2 * width_, Real(0));
+    add(k, 0, rows, sums_.data());
+    combine(k, sums_.data(), spectra);
+  }
+}
+
+template <class Real>
+void RowSums<Real>::apply(RowSpectra<Real>& spectra) {
+  if (processes() == 1) return apply_alone(spectra);
+  received_.clear();
+  sent_.clear();
+  const auto numbers = [&](int piece, int process) {
+    return 2 * (first_wave(piece + 1) - first_wave(piece)) * rows_of(process);
+  };
+  const auto with_others = [&](auto work) {
+    for (int p = 0; p < processes(); ++p) {
+      if (p != rank_) work(p);
+    }
+  };
+  for (int piece = 0; piece < pieces_; ++piece) {
+    with_others([&](int p) {
+      MPI_Irecv(spectrum(p, first_wave(piece)), numbers(piece, p), mpi_type<Real>(), p, tag, comm_,
+                &received_.emplace_back());
+    });
+  }
+  for (int piece = 0; piece < pieces_; ++piece) {
+    for (int k = first_wave(piece); k < first_wave(piece + 1); ++k) spectra.separate(k, spectrum(rank_, k));
+    with_others([&](int p) {
+      MPI_Isend(spectrum(rank_, first_wave(piece)), numbers(piece, rank_), mpi_type<Real>(), p, tag, comm_,
+                &sent_.emplace_back());
+    });
+  }
+  std::fill_n(sums_.data(), static_cast<std::size_t>(waves_) * 2 * width_, Real(0));
+  for (int k = 0; k < waves_; ++k) add(k, rank_, spectrum(rank_, k), sums_at(k));
+  for (int piece = 0; piece < pieces_; ++piece) {
+    MPI_Waitall(processes() - 1, received_.data() + piece * (processes() - 1), MPI_STATUSES_IGNORE);
+    for (int k = first_wave(piece); k < first_wave(piece + 1); ++k) {
+      with_others([&](int p) { add(k, p, spectrum(p, k), sums_at(k)); });
+      combine(k, sums_at(k), spectra);
+    }
+  }
+  MPI_Waitall(static_cast<int>(sent_.size()), sent_.data(), MPI_STATUSES_IGNORE);
+}
+
+template class RowSums<float>;
+template class RowSums<double>;
+
+}  // namespace gearfilm

@@ -1,0 +1,240 @@
+#include "gearfilm/film/contact_film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gearfilm/film/overshoot.hpp"
+#include "gearfilm/film/pressure_spike.hpp"
+#include "gearfilm/grid/domain.hpp"
+#include "gearfilm/grid/integral.hpp"
+#include "parallel/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Of levels of the preconditioner. Coarser ones see neither the rise of pressure in a thin film's inlet nor its fall
+/// at the outlet: the conductances that they are given there differ by orders of magnitude, and their corrections
+/// diverge.
+double longest_level_step(const Scales& scales) { return 1.2 * inlet_rise(ExpectedFilm(scales)); }
+
+}  // namespace
+
+ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
+    : discretisation_(std::move(discretisation)),
+      grid_(discretisation_->grid()),
+      deformation_(discretisation_->prepare_deformation<double>()),
+      scales_(scales),
+      surfaces_(surfaces_of(grid_, scales, {})),
+      properties_(scales),
+      state_(grid_),
+      options_(options),
+      longest_step_(longest_level_step(scales)),
+      as_ordered_(make_linearised_film(*discretisation_, options, longest_step_)),
+      displacement_column_(grid_.local_size()),
+      smallest_scales_(grid_.y_count()),
+      weights_(displacement_column_.size()),
+      conductance_(displacement_column_.size()) {}
+
+void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
+  surfaces_ = std::move(surfaces);
+  set_entrained();
+  shown_ = 0;
+}
+
+void ContactFilm::set_correction(FlowCorrection correction) {
+  correction_ = std::move(correction);
+  state_.isotropic = !correction_.sheared;
+  if (correction_.empty()) {
+    state_.across.fill(1.0);
+  } else {
+    state_.across.load(correction_.across);
+  }
+  set_entrained();
+  shown_ = 0;
+}
+
+void ContactFilm::set_entrained() {
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* entrained = state_.entrained.row(i);
+    std::ranges::copy(surfaces_.entrainment, entrained);
+    if (correction_.empty()) continue;
+    const double* wedge = correction_.wedge.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) entrained[j] += wedge[j];
+  }
+}
+
+void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVersion version) {
+  if (version != 0 && version == shown_ && H0 == shown_H0_) return;
+  state_.total_pressure.load(pressure);
+  deformation_.apply(state_.total_pressure, state_.thickness);
+  ++convolutions_;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* thickness = state_.thickness.row(i);
+    const double* gap = surfaces_.gap.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) thickness[j] += H0 + gap[j];
+  }
+  properties_.evaluate(state_, correction_);
+  exchange_ghosts(discretisation_->halo(), state_);
+  shown_ = version;
+  shown_H0_ = H0;
+  at_linearised_ = false;
+}
+
+void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
+                           StateVersion version) {
+  evaluate(pressure, H0, version);
+  at_linearised_ = false;
+  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, rows);
+}
+
+void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version) {
+  evaluate(pressure, H0, version);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* density = state_.density.row(i);
+    const double* thickness = state_.thickness.row(i);
+    double* line = mass.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * thickness[j];
+  }
+}
+
+// In single precision the deformation has an error of 1e-7, which a short time step multiplies by its shift: beyond
+// this ratio to the wedge Newton's method fails where pressures change fast.
+LinearisedFilm& ContactFilm::linearisation_for(double shift) {
+  constexpr double stiff = 8.0;
+  if (options_.precision == Precision::double_precision || shift * grid_.h_x() < stiff * conditions().entrainment) {
+    return *as_ordered_;
+  }
+  if (!for_stiff_) {
+    MultigridOptions options = options_;
+    options.precision = Precision::double_precision;
+    for_stiff_ = make_linearised_film(*discretisation_, options, longest_step_);
+  }
+  return *for_stiff_;
+}
+
+void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
+                            StateVersion version) {
+  evaluate(pressure, H0, version);
+  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
+  linearised_ = &linearisation_for(shift);
+  linearised_->update(state_, shift);
+  linearised_->displacement_column(displacement_column_);
+  at_linearised_ = true;
+  const ReynoldsWeights scale_weights(grid_, surfaces_.entrainment, shift);
+  for (int j = 0; j < grid_.y_count(); ++j) smallest_scales_[j] = scale_weights.row_scale(j, 0.0);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double *scale = state_.row_scale.row(i), *conductance = state_.conductance.row(i);
+    const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
+    float *weight = weights_.data() + first, *kept = conductance_.data() + first;
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      weight[j] = static_cast<float>(smallest_scales_[j] / std::max(scale[j], smallest_scales_[j]));
+      kept[j] = static_cast<float>(conductance[j]);
+    }
+  }
+}
+
+void ContactFilm::multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
+  const ScopedEvent event(Kernel::jacobian_apply);
+  linearised_->multiply(change, rows);
+  ++convolutions_;
+  if (change_H0 == 0.0) return;
+  for (std::size_t n = 0; n < rows.size(); ++n) rows[n] += change_H0 * displacement_column_[n];
+}
+
+void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {
+  if (!at_linearised_) throw std::logic_error("a film's Jacobian is used at a state at which it was not linearised");
+  Field<double> pressure_change(grid_), deformed(grid_);
+  pressure_change.load(change);
+  deformation_.apply(pressure_change, deformed);
+  ++convolutions_;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* line = rows.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const double mass = state_.density.row(i)[j] * (deformed.row(i)[j] + change_H0) +
+                          state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * pressure_change.row(i)[j];
+      line[j] = state_.wet.row(i)[j] * mass;
+    }
+  }
+}
+
+double ContactFilm::merit(std::span<const double> rows) const {
+  double sum = 0.0;
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const double row = rows[n] * weights_[n];
+    sum += row * row;
+  }
+  return sum;
+}
+
+bool ContactFilm::ease(std::span<double> change, std::span<const double> whole, std::span<const double> before,
+                       std::span<const double> after) const {
+  bool eased = false;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* conductance = state_.conductance.row(i);
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const std::size_t n = static_cast<std::size_t>(i) * grid_.y_count() + j;
+      if (change[n] <= 0.0 || conductance_[n] <= 0.0F) continue;  // pressures fall by positive changes
+      const Overshoot node{.expected = smallest_scales_[j] / weights_[n] * whole[n],
+                           .taken = change[n] / whole[n],
+                           .before = before[n],
+                           .after = after[n],
+                           .growth = std::log(conductance[j] / conductance_[n])};
+      if (!has_overshot(node)) continue;
+      change[n] = part_to_take(node) * whole[n];
+      eased = true;
+    }
+  }
+  return eased;
+}
+
+void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {
+  linearised_->apply(rows, change);
+}
+
+void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
+
+FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, StateVersion version) {
+  evaluate(pressure, H0, version);
+  const double carried = integral(grid_, pressure);
+  // The smallest film is minus the largest negative one; one reduction serves all.
+  enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
+  double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.total_pressure), -INFINITY, -INFINITY, -INFINITY};
+  if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
+    const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
+    maxima[central_pressure] = state_.total_pressure.row(i_centre)[central];
+    maxima[central_film] = state_.thickness.row(i_centre)[central];
+  }
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.total_pressure.row(i)[j]);
+      maxima[negative_film] = std::max(maxima[negative_film], -state_.thickness.row(i)[j]);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, maxima, count, MPI_DOUBLE, MPI_MAX, grid_.comm());
+  // A maximum may pass over what is not a number; the integral does not.
+  bool finite = std::isfinite(carried);
+  for (const double maximum : maxima) finite = finite && std::isfinite(maximum);
+  return {carried,
+          maxima[central_film],
+          -maxima[negative_film],
+          maxima[central_pressure],
+          maxima[largest_pressure],
+          maxima[spike],
+          finite};
+}
+
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure,
+                    double centre) {
+  const double top = contact.pressure / scales.pressure;
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double x = (grid.x(i) - centre) * scales.length / contact.a, y = grid.y(j) * scales.length / contact.b;
+      const double inside = 1.0 - x * x - y * y;
+      const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
+      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;
+    }
+  }
+}
+
+}  // namespace gearfilm

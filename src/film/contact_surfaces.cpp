@@ -1,0 +1,44 @@
+#include "gearfilm/film/contact_surfaces.hpp"
+
+#include "film/transfer.hpp"
+#include "gearfilm/film/contact_film.hpp"
+
+namespace gearfilm {
+
+ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const ContactConditions& conditions) {
+  const auto rows = static_cast<std::size_t>(grid.y_count());
+  ContactSurfaces surfaces{.conditions = conditions,
+                           .gap = std::vector<double>(grid.local_size()),
+                           .entrainment = std::vector<double>(rows, conditions.entrainment),
+                           .sliding = std::vector<double>(rows, conditions.sliding),
+                           .of_conditions = true};
+  for (int i = 0; i < grid.nx(); ++i) {
+    const double x = grid.x(i);
+    const double along = conditions.gap_offset + 0.5 * x * x / conditions.relative_radius +
+                         conditions.local(x * scales.length) / scales.thickness;
+    double* line = surfaces.gap.data() + static_cast<std::size_t>(i) * rows;
+    for (int j = 0; j < grid.y_count(); ++j) line[j] = along + 0.5 * scales.radius_ratio * grid.y(j) * grid.y(j);
+  }
+  return surfaces;
+}
+
+ContactSurfaces injected_surfaces(const Grid& fine_grid, const Grid& coarse_grid, const ContactSurfaces& fine) {
+  Field<double> gap(fine_grid), coarse_gap(coarse_grid);
+  gap.load(fine.gap);
+  inject(fine_grid, coarse_grid, gap, coarse_gap);
+  ContactSurfaces coarse{fine.conditions, std::vector<double>(coarse_grid.local_size()), {}, {}, fine.of_conditions};
+  coarse_gap.store(coarse.gap);
+  for (int J = 0; J < coarse_grid.y_count(); ++J) {
+    const auto j = static_cast<std::size_t>(injected_row(fine_grid, coarse_grid, J));
+    coarse.entrainment.push_back(fine.entrainment[j]);
+    coarse.sliding.push_back(fine.sliding[j]);
+  }
+  return coarse;
+}
+
+void move_surfaces(ContactFilm& film, const ContactConditions& conditions) {
+  if (film.surfaces().of_conditions && film.conditions() == conditions) return;
+  film.set_surfaces(surfaces_of(film.grid(), film.scales(), conditions));
+}
+
+}  // namespace gearfilm

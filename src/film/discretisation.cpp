@@ -1,0 +1,52 @@
+#include "gearfilm/film/discretisation.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int fewest_rows_per_process = 2;
+
+bool can_be_cut(const Grid& grid) { return grid.fewest_coarse_rows() >= fewest_rows_per_process; }
+
+}  // namespace
+
+Discretisation::Discretisation(Grid grid, double C_h) : grid_(std::move(grid)), C_h_(C_h), halo_(grid_) {}
+
+template <>
+const Deformation<double>& Discretisation::prepare_deformation<double>() {
+  if (!deformation_) deformation_ = std::make_unique<const Deformation<double>>(grid_, C_h_);
+  return *deformation_;
+}
+
+template <>
+const Deformation<float>& Discretisation::prepare_deformation<float>() {
+  if (!single_deformation_) single_deformation_ = std::make_unique<const Deformation<float>>(grid_, C_h_);
+  return *single_deformation_;
+}
+
+Discretisation* Discretisation::prepare_coarser(Coarsening along) {
+  if (!grid_.can_coarsen(along) || (along != Coarsening::x_only && !can_be_cut(grid_))) return nullptr;
+  auto& made = coarser_[static_cast<std::size_t>(along)];
+  if (!made) made = std::make_unique<Discretisation>(grid_.coarsened(along), C_h_);
+  return made.get();
+}
+
+Discretisation* Discretisation::prepare_sequencing_grid() {
+  return prepare_coarser(needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
+}
+
+Discretisation* Discretisation::prepare_replicated() {
+  if (!grid_.can_coarsen(Coarsening::y_only) || can_be_cut(grid_)) return nullptr;
+  if (!replicated_) replicated_ = std::make_unique<Discretisation>(grid_.gathered(), C_h_);
+  return replicated_.get();
+}
+
+const Gather& Discretisation::prepare_gather() {
+  if (!gather_) gather_ = std::make_unique<const Gather>(grid_);
+  return *gather_;
+}
+
+SharedDiscretisation discretise(const Grid& grid, const Scales& scales) {
+  return std::make_shared<Discretisation>(grid, scales.C_h);
+}
+
+}  // namespace gearfilm

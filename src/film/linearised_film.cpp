@@ -1,0 +1,319 @@
+#include "gearfilm/film/linearised_film.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "film/multigrid_level.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// How to coarsen a level, if at all. Where long cells keep their rows they are not coarsened once that ends along X.
+std::optional<Coarsening> coarsening_of(const Grid& grid, bool keep_rows, int fewest_nodes, double longest_step) {
+  const auto serves = [&](int nodes) { return (nodes - 1) / 2 + 1 >= fewest_nodes; };
+  const bool in_x = grid.can_coarsen(Coarsening::x_only) && serves(grid.nx()) && 2.0 * grid.h_x() <= longest_step;
+  const bool in_y = !(keep_rows && needs_all_rows(grid)) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
+  if (in_x && in_y) return Coarsening::both;
+  if (in_x) return Coarsening::x_only;
+  if (in_y) return Coarsening::y_only;
+  return {};
+}
+
+template <class Real>
+class FilmMultigrid final : public LinearisedFilm {
+public:
+  FilmMultigrid(Discretisation& finest, const MultigridOptions& options, double longest_step)
+      : options_(options), longest_step_(longest_step) {
+    build_levels(finest);
+    build_cycle();
+  }
+
+  void update(const FilmState& state, double shift) override { update_from(0, state, shift); }
+
+  void apply(std::span<const double> residual, std::span<double> change) override {
+    petsc_check(VecPlaceArray(right_side_, residual.data()));
+    petsc_check(VecPlaceArray(solution_, change.data()));
+    petsc_check(PCApply(cycle_, right_side_, solution_));
+    petsc_check(VecResetArray(right_side_));
+    petsc_check(VecResetArray(solution_));
+  }
+
+  void relax(std::span<const double> residual, std::span<double> change) override {
+    levels_.front()->smooth(residual, change, 1, true);
+  }
+
+  void multiply(std::span<const double> change, std::span<double> rows) override {
+    levels_.front()->multiply(change, rows);
+  }
+  void displacement_column(std::span<double> column) const override { levels_.front()->displacement_column(column); }
+
+  int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
+
+private:
+  using Level = MultigridLevel<Real>;
+
+  /// A level beside its PETSc callbacks' needs.
+  struct Shell {
+    Level* level;
+    Level* finer;  ///< null on the finest
+    int sweeps;
+  };
+
+  std::optional<Coarsening> next_coarsening(const Grid& coarsest) const;
+  void build_levels(Discretisation& finest);
+  void build_whole_rest(Discretisation& last);
+  void build_cycle();
+  void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
+  void configure_gathered(KSP ksp, Mat matrix);
+  /// This level and all coarser ones, which see the state injected.
+  void update_from(std::size_t level, const FilmState& state, double shift);
+  void update_gathered(const FilmState& state, double shift);
+  OwnedMat level_operator(Shell& shell) const;
+  OwnedMat transfer(Shell& shell, bool interpolation) const;
+
+  MultigridOptions options_;
+  double longest_step_;
+  std::vector<std::unique_ptr<Level>> levels_;  ///< finest first
+  std::vector<std::unique_ptr<Shell>> shells_;  ///< one a level
+  std::vector<OwnedMat> matrices_;
+  OwnedPC cycle_;
+  OwnedVec right_side_, solution_;  ///< wrap the caller's arrays
+  // The rest of the hierarchy, whole on every process; null where the cut grids go down to the coarsest.
+  const Gather* gather_ = nullptr;
+  std::unique_ptr<LinearisedFilm> whole_;
+  std::vector<double> whole_residual_, whole_change_;
+};
+
+/// Of the coarsest level so far; nothing where there are enough.
+template <class Real>
+std::optional<Coarsening> FilmMultigrid<Real>::next_coarsening(const Grid& coarsest) const {
+  constexpr int fewest_nodes = 33, fewest_if_asked = 3;
+  if (options_.levels == 0) return coarsening_of(coarsest, options_.keep_rows, fewest_nodes, longest_step_);
+  if (static_cast<int>(levels_.size()) >= options_.levels) return {};
+  return coarsening_of(coarsest, options_.keep_rows, fewest_if_asked, HUGE_VAL);
+}
+
+template <class Real>
+void FilmMultigrid<Real>::build_levels(Discretisation& finest) {
+  levels_.push_back(std::make_unique<Level>(finest));
+  Discretisation* last = &finest;
+  while (const auto along = next_coarsening(last->grid())) {
+    Discretisation* next = last->prepare_coarser(*along);
+    if (!next) {
+      build_whole_rest(*last);
+      return;
+    }
+    last = next;
+    levels_.push_back(std::make_unique<Level>(*last));
+  }
+}
+
+/// All coarser levels, whole on every process: the cut grid has too few rows.
+template <class Real>
+void FilmMultigrid<Real>::build_whole_rest(Discretisation& last) {
+  Discretisation* whole = last.prepare_replicated();
+  gather_ = &last.prepare_gather();
+  MultigridOptions rest = options_;
+  if (rest.levels > 0) rest.levels -= static_cast<int>(levels_.size()) - 1;
+  whole_ = std::make_unique<FilmMultigrid<Real>>(*whole, rest, longest_step_);
+  whole_residual_.resize(whole->grid().local_size());
+  whole_change_.resize(whole->grid().local_size());
+}
+
+template <class Real>
+OwnedMat FilmMultigrid<Real>::level_operator(Shell& shell) const {
+  OwnedMat matrix;
+  const PetscInt size = shell.level->grid().local_size();
+  petsc_check(
+      MatCreateShell(shell.level->grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
+  const auto multiply = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      own->level->multiply(VecReading(in).values(), VecWriting(out).values());
+    });
+  };
+  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  return matrix;
+}
+
+// PETSc's convention: a transfer matrix is fine by coarse for interpolation, coarse by fine for restriction.
+template <class Real>
+OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
+  OwnedMat matrix;
+  const PetscInt coarse = shell.level->grid().local_size(), fine = shell.finer->grid().local_size();
+  petsc_check(MatCreateShell(shell.level->grid().comm(), interpolation ? fine : coarse, interpolation ? coarse : fine,
+                             PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
+  const auto restriction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      own->level->restrict_from(*own->finer, VecReading(in).values(), VecWriting(out).values());
+    });
+  };
+  const auto add_correction = +[](Mat mat, Vec in, Vec before, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      if (before != out) petsc_check(VecCopy(before, out));
+      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
+    });
+  };
+  const auto correction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(MatShellGetContext(mat, &own));
+      petsc_check(VecSet(out, 0.0));
+      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
+    });
+  };
+  if (interpolation) {
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(correction)));
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT_ADD, reinterpret_cast<void (*)()>(add_correction)));
+  } else {
+    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(restriction)));
+  }
+  return matrix;
+}
+
+template <class Real>
+void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps) {
+  petsc_check(KSPSetType(ksp, KSPRICHARDSON));
+  petsc_check(KSPSetNormType(ksp, KSP_NORM_NONE));
+  petsc_check(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, sweeps));
+  petsc_check(KSPSetOperators(ksp, matrix, matrix));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "distributive line relaxation"));
+  petsc_check(PCShellSetContext(pc, &shell));
+  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      Shell* own = nullptr;
+      petsc_check(PCShellGetContext(shell_pc, &own));
+      own->level->smooth(VecReading(in).values(), VecWriting(out).values(), 1, true);
+    });
+  }));
+  petsc_check(PCShellSetApplyRichardson(
+      pc,
+      [](PC shell_pc, Vec in, Vec out, Vec, PetscReal, PetscReal, PetscReal, PetscInt its, PetscBool zero_guess,
+         PetscInt* done, PCRichardsonConvergedReason* reason) -> PetscErrorCode {
+        return petsc_callback([&] {
+          Shell* own = nullptr;
+          petsc_check(PCShellGetContext(shell_pc, &own));
+          // PCMG says that no guess is zero, but has just cleared it before the first sweep.
+          PetscReal norm = 0.0;
+          PetscBool known = PETSC_FALSE;
+          petsc_check(VecNormAvailable(out, NORM_2, &known, &norm));
+          const bool zero = zero_guess == PETSC_TRUE || (known == PETSC_TRUE && norm == 0.0);
+          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero);
+          *done = its;
+          *reason = PCRICHARDSON_CONVERGED_ITS;
+        });
+      }));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::configure_gathered(KSP ksp, Mat matrix) {
+  petsc_check(KSPSetType(ksp, KSPPREONLY));
+  petsc_check(KSPSetOperators(ksp, matrix, matrix));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "coarse levels whole on every process"));
+  petsc_check(PCShellSetContext(pc, this));
+  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      FilmMultigrid* own = nullptr;
+      petsc_check(PCShellGetContext(shell_pc, &own));
+      own->gather_->to_all(VecReading(in).values(), own->whole_residual_);
+      own->whole_->apply(own->whole_residual_, own->whole_change_);
+      own->gather_->own_part(own->whole_change_, VecWriting(out).values());
+    });
+  }));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::build_cycle() {
+  const int count = static_cast<int>(levels_.size());
+  const Grid& grid = levels_.front()->grid();
+  petsc_check(PCCreate(grid.comm(), cycle_.put()));
+  petsc_check(PCSetType(cycle_, PCMG));
+  petsc_check(PCMGSetLevels(cycle_, count, nullptr));
+  petsc_check(PCMGSetType(cycle_, PC_MG_MULTIPLICATIVE));
+  petsc_check(PCMGSetCycleType(cycle_, PC_MG_CYCLE_V));
+  for (int l = 0; l < count; ++l) {
+    shells_.push_back(std::make_unique<Shell>(Shell{levels_[l].get(), l > 0 ? levels_[l - 1].get() : nullptr, 0}));
+  }
+  // PCMG numbers its levels from the coarsest.
+  for (int l = 0; l < count; ++l) {
+    const int petsc_level = count - 1 - l;
+    matrices_.push_back(level_operator(*shells_[l]));
+    Mat matrix = matrices_.back();
+    if (l == 0) petsc_check(PCSetOperators(cycle_, matrix, matrix));
+    if (petsc_level == 0) {
+      KSP coarse = nullptr;
+      petsc_check(PCMGGetCoarseSolve(cycle_, &coarse));
+      if (whole_) {
+        configure_gathered(coarse, matrix);
+      } else {
+        configure_smoother(coarse, matrix, *shells_[l],
+                           options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
+      }
+    } else {
+      KSP smoother = nullptr;
+      petsc_check(PCMGGetSmoother(cycle_, petsc_level, &smoother));
+      configure_smoother(smoother, matrix, *shells_[l], options_.smoothing_sweeps);
+    }
+    if (l > 0) {
+      const int finer = petsc_level + 1;
+      matrices_.push_back(transfer(*shells_[l], true));
+      petsc_check(PCMGSetInterpolation(cycle_, finer, matrices_.back()));
+      matrices_.push_back(transfer(*shells_[l], false));
+      petsc_check(PCMGSetRestriction(cycle_, finer, matrices_.back()));
+    }
+  }
+  petsc_check(VecCreateMPIWithArray(grid.comm(), 1, grid.local_size(), PETSC_DETERMINE, nullptr, right_side_.put()));
+  petsc_check(VecCreateMPIWithArray(grid.comm(), 1, grid.local_size(), PETSC_DETERMINE, nullptr, solution_.put()));
+  petsc_check(PCSetUp(cycle_));
+}
+
+template <class Real>
+void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double shift) {
+  levels_[level]->update(state, shift);
+  if (level + 1 < levels_.size()) {
+    const Discretisation& coarser = levels_[level + 1]->discretisation();
+    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), shift);
+  } else if (whole_) {
+    update_gathered(state, shift);
+  }
+}
+
+template <class Real>
+void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) {
+  const Discretisation& everywhere = *levels_.back()->discretisation().replicated();
+  FilmState whole_state(everywhere.grid());
+  std::vector<double> own(levels_.back()->grid().local_size());
+  std::vector<double> whole(whole_change_.size());
+  for (const auto field : state_fields) {
+    (state.*field).store(own);
+    gather_->to_all(own, whole);
+    (whole_state.*field).load(whole);
+  }
+  whole_state.isotropic = state.isotropic;
+  exchange_ghosts(everywhere.halo(), whole_state);
+  whole_->update(whole_state, shift);
+}
+
+}  // namespace
+
+std::unique_ptr<LinearisedFilm> make_linearised_film(Discretisation& discretisation, const MultigridOptions& options,
+                                                     double longest_step) {
+  if (options.precision == Precision::single_precision) {
+    return std::make_unique<FilmMultigrid<float>>(discretisation, options, longest_step);
+  }
+  return std::make_unique<FilmMultigrid<double>>(discretisation, options, longest_step);
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,52 @@
+// One level of the film preconditioner: operator, smoother, and transfer from the next finer level.
+#pragma once
+
+#include <span>
+
+#include "film/line_smoother.hpp"
+#include "film/transfer.hpp"
+#include "gearfilm/film/discretisation.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+class MultigridLevel {
+public:
+  /// The discretisation must outlive the level.
+  explicit MultigridLevel(Discretisation& discretisation);
+  MultigridLevel(const MultigridLevel&) = delete;
+  MultigridLevel& operator=(const MultigridLevel&) = delete;
+
+  const Discretisation& discretisation() const { return discretisation_; }
+  const Grid& grid() const { return discretisation_.grid(); }
+
+  /// Linearises about a state with ghosts and wet mask, and factors the smoother.
+  void update(const FilmState& state, double shift);
+
+  /// rows = linearised film * change; compact.
+  void multiply(std::span<const double> change, std::span<double> rows);
+  /// Rows for a change of 1 of the film everywhere; compact.
+  void displacement_column(std::span<double> column) const { gearfilm::displacement_column(linear_, column); }
+  /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
+  void smooth(std::span<const double> right_side, std::span<double> change, int sweeps, bool zero_guess);
+  /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
+  void restrict_from(MultigridLevel& fine, std::span<const double> fine_residual, std::span<double> residual);
+  void interpolate_to(MultigridLevel& fine, std::span<const double> correction, std::span<double> fine_change);
+
+private:
+  /// rows_ = linearised film * change_
+  void apply_operator();
+
+  const Discretisation& discretisation_;
+  const Deformation<Real>& deformation_;
+  FilmStencil<Real> linear_;
+  LineSmoother<Real> smoother_;
+  Field<Real> change_;
+  Field<Real> deformed_;
+  Field<Real> rows_;
+};
+
+extern template class MultigridLevel<float>;
+extern template class MultigridLevel<double>;
+
+}  // namespace gearfilm

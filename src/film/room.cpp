@@ -1,0 +1,76 @@
+#include "gearfilm/film/room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double outlet = 1.06;   // least distance, of the ellipse's half-axis: oil cavitates before
+constexpr double in_spare = 1.1;  // of that, where a domain is widened
+
+/// The largest power of two that divides a number of cells, but no more than an eighth of them.
+int block_of(int cells) {
+  int block = 1;
+  while (cells % (2 * block) == 0 && 16 * block <= cells) block *= 2;
+  return block;
+}
+
+/// Cells to add, in whole blocks, so that an edge at `present` comes to `wanted`.
+int cells_to(double present, double wanted, double step, int block) {
+  if (wanted <= present) return 0;
+  return block * static_cast<int>(std::ceil((wanted - present) / (block * step) - 1e-9));
+}
+
+}  // namespace
+
+Room needed_room(const RoomRule& rule, const Scales& scales, const ContactConditions& conditions,
+                 double pressure_integral, const std::string& where, double growth) {
+  if (pressure_integral <= 0.0) return {};
+  const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
+  const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
+  if (b > rule.face) {
+    std::ostringstream message;
+    message
+        << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
+        << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
+        << 2e3 * rule.face * scales.length
+        << " mm wide: the load reaches the edges of the teeth, which are not modelled; raise crowning or face width, "
+           "or lower the load";
+    throw SolveError(message.str());
+  }
+  return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
+          .outlet = outlet * growth * a + conditions.nearest.X,
+          .side = std::min(rule.side * growth * b, rule.face)};
+}
+
+Room united(const Room& a, const Room& b) {
+  return {std::max(a.inlet, b.inlet), std::max(a.outlet, b.outlet), std::max(a.side, b.side)};
+}
+
+bool has_room(const GridShape& shape, const Room& needed) {
+  return needed.inlet <= -shape.x_min && needed.outlet <= shape.x_max && needed.side <= shape.row_axis.half_width();
+}
+
+GridShape widened(const GridShape& shape, const Room& needed, const RoomRule& rule) {
+  const RowAxis& rows = shape.row_axis;
+  const double h_x = shape.h_x(), h_y = rows.equal_step(), half_width = rows.half_width();
+  const int block_x = block_of(shape.nx - 1), block_y = block_of(rows.cells_outwards());
+  const auto spared = [](double present, double wanted) { return wanted > present ? in_spare * wanted : present; };
+  GridShape wide = shape;
+  const int before = cells_to(-shape.x_min, spared(-shape.x_min, needed.inlet), h_x, block_x);
+  const int after = cells_to(shape.x_max, spared(shape.x_max, needed.outlet), h_x, block_x);
+  // Beyond the face there is no tooth: less than a block serves there.
+  int across = cells_to(half_width, spared(half_width, needed.side), h_y, block_y);
+  while (across > 0 && half_width + (across - 1) * h_y >= rule.face) --across;
+  wide.nx += before + after;
+  wide.x_min -= before * h_x;
+  wide.x_max += after * h_x;
+  if (across > 0) wide.row_axis = rows.extended(across);
+  return wide;
+}
+
+}  // namespace gearfilm

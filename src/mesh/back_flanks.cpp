@@ -1,0 +1,24 @@
+#include "gearfilm/mesh/back_flanks.hpp"
+
+#include <cmath>
+
+namespace gearfilm {
+
+BackForce back_force(const MeshModel& mesh, double H0, double T) {
+  BackForce sum;
+  if (!mesh.teeth.backlash() || mesh.load) return sum;
+  for (const double xi : mesh.teeth.back_positions(mesh.path.position(0, T))) {
+    const double approach = H0 - (*mesh.teeth.backlash() + mesh.teeth.removed(xi)) / mesh.scales.thickness;
+    if (approach <= 0.0) continue;
+    const ContactConditions conditions =
+        meshed_contact(mesh.path.line(), mesh.scales, mesh.path.pinion_speed(), xi).conditions;
+    const double unit_force = force_at_unit_approach(mesh.scales, conditions);
+    const double compliance = mesh.teeth.compliance(xi) * mesh.compliance_scale();
+    const double force = force_on_spring(unit_force, compliance, approach);
+    sum.value += force;
+    sum.slope += 1.0 / (2.0 / 3.0 / std::cbrt(unit_force * unit_force * force) + compliance);
+  }
+  return sum;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,113 @@
+#include "gearfilm/mesh/dry_force.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+
+DryForce::DryForce(const MeshModel& mesh) {
+  // R_x is a parabola over the path, largest midway between the base circles: its ends have the smallest.
+  const LineOfAction& line = mesh.path.line();
+  const double from_pinion = line.radius_pinion(0.0), from_wheel = line.radius_wheel(0.0);
+  const double top = std::clamp(0.5 * (from_wheel - from_pinion), line.entry(), line.exit());
+  const double reference = mesh.scales.solids.radius_x;
+  const double low = std::log(std::min(line.radius_x(line.entry()), line.radius_x(line.exit())) / reference);
+  const double high = std::log(line.radius_x(top) / reference);
+  const bool local = mesh.teeth.local(0.0).flanks != nullptr;
+  const double beyond = local ? std::log(NearestPoint::widest_ratio) : 0.0;
+  const double middle = 0.5 * (low + high), half_range = std::max(0.5 * (high - low) + beyond, 1e-3);
+  logarithm_ = {middle - half_range, middle + half_range, [&](double radius) {
+                  return std::log(force_at_unit_approach(mesh.scales, {.relative_radius = std::exp(radius)}));
+                }};
+}
+
+double DryForce::at_unit_approach(const ContactConditions& conditions) const {
+  return std::exp(logarithm_(std::log(conditions.dry_radius())));
+}
+
+DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T)
+    : compliance_(mesh.compliance(numbers, T)), coupled_(compliance_.coupled()) {
+  for (const int number : numbers) {
+    const ContactConditions conditions = mesh.contact(number, T).conditions;
+    contacts_.push_back({conditions.dry_gap(), force.at_unit_approach(conditions)});
+  }
+}
+
+void DryContacts::stand_for(const std::vector<double>& forces, const std::vector<double>& displacements) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (forces[k] <= 0.0) continue;
+    const double root = std::cbrt(forces[k] / contacts_[k].unit_force);
+    contacts_[k].gap = -displacements[k] - root * root;
+  }
+}
+
+// Gauss and Seidel: a contraction, since a neighbour's force bends a tooth less than its own.
+std::vector<double> DryContacts::forces(double H0) const {
+  constexpr double tolerance = 1e-14;
+  std::vector<double> forces(contacts_.size(), 0.0);
+  const int most = coupled_ ? 500 : 1;
+  for (int sweep = 0; sweep < most; ++sweep) {
+    double change = 0.0, largest = 0.0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      double approach = -(H0 + contacts_[k].gap);
+      for (std::size_t j = 0; j < contacts_.size(); ++j) {
+        if (j != k) approach -= compliance_(k, j) * forces[j];
+      }
+      const double force = force_on_spring(contacts_[k].unit_force, compliance_(k, k), approach);
+      change = std::max(change, std::abs(force - forces[k]));
+      largest = std::max(largest, force);
+      forces[k] = force;
+    }
+    if (change <= tolerance * largest) break;
+  }
+  return forces;
+}
+
+double DryContacts::total_force(double H0) const {
+  const std::vector<double> all = forces(H0);
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
+double DryContacts::largest_approach(double H0) const {
+  double largest = -HUGE_VAL;
+  for (const Contact& contact : contacts_) largest = std::max(largest, -(H0 + contact.gap));
+  return largest;
+}
+
+// (D + C) dF = 1, D_k = d(q F^(2/3))/dF: with S = 1/D, which is zero without a force, (I + S C) dF = S.
+double DryContacts::stiffness(const std::vector<double>& forces) const {
+  Eigen::VectorXd own(static_cast<Eigen::Index>(forces.size()));
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const double root = std::cbrt(contacts_[k].unit_force);
+    own[k] = 1.5 * root * root * std::cbrt(forces[k]);
+  }
+  if (!coupled_) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < forces.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
+    return sum;
+  }
+  return compliance_.coupling_matrix(own).partialPivLu().solve(own).sum();
+}
+
+// The total force falls monotonically with H_0, to zero where the last gap opens.
+double DryContacts::balance(double load) const {
+  double high = -HUGE_VAL;
+  for (const Contact& contact : contacts_) high = std::max(high, -contact.gap);
+  double depth = 1.0;
+  while (total_force(high - depth) < load) {
+    depth *= 2.0;
+    if (depth > 1e9) throw SolveError("the dry contacts do not carry the load at any approach");
+  }
+  double low = high - depth;
+  for (int iteration = 0; iteration < 200 && high - low > 1e-15 * std::max(1.0, std::abs(low)); ++iteration) {
+    const double middle = 0.5 * (low + high);
+    (total_force(middle) > load ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace gearfilm

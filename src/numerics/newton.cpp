@@ -1,0 +1,223 @@
+#include "gearfilm/numerics/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+namespace {
+
+constexpr double largest_fall = 0.5;     // of a pressure, relative
+constexpr double largest_rise = 0.2;     // absolute
+constexpr double free_below = 0.03;      // pressures that may vanish at once
+constexpr double patience = 10.0;        // growth of the merit that limited changes may bring in an iteration
+constexpr double astray = 1000.0;        // growth of the norm from the first guess on after which they lead nowhere
+constexpr int early_solves = 2;          // before the late tolerance
+constexpr double loosest_solve = 0.2;    // relative tolerance of the last ones
+constexpr double left_over = 0.3;        // of Newton's tolerance: less, a linear solve need not leave
+constexpr int easings = 8;               // of a full step that leads up
+constexpr double growth_of_eased = 3.0;  // of the merit
+constexpr double shortest_step = 1e-3;
+constexpr double least_part = 0.25;  // of a length that was too long: rows grow faster than the parabola through them
+
+constexpr PetscInt full_restart = 60;
+constexpr PetscInt short_restart = 6;
+
+/// Limits each pressure's part of the change (the new state is state - change).
+void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
+  const VecReading pressure(state);
+  const VecWriting step(change);
+  for (PetscInt n = 0; n < pressures; ++n) {
+    if (pressure[n] > free_below) step[n] = std::min(step[n], largest_fall * pressure[n]);
+    step[n] = std::max(step[n], -largest_rise);
+  }
+}
+
+/// trial = state - length change, where no pressure becomes negative.
+void step_to(Vec trial, Vec state, double length, Vec change, PetscInt pressures) {
+  petsc_check(VecWAXPY(trial, -length, change, state));
+  const VecWriting pressure(trial);
+  for (PetscInt n = 0; n < pressures; ++n) pressure[n] = std::max(pressure[n], 0.0);
+}
+
+/// Whether a step of length 1 leads to another trial than the present one, on all processes together.
+bool leads_elsewhere(Vec trial, Vec state, Vec change, PetscInt pressures) {
+  const VecReading from(state), step(change), present(trial);
+  const auto count = static_cast<PetscInt>(present.values().size());
+  int moved = 0;
+  for (PetscInt n = 0; n < count && moved == 0; ++n) {
+    const double reached = from[n] - step[n];
+    moved = (n < pressures ? std::max(reached, 0.0) : reached) != present[n];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_INT, MPI_LOR, PetscObjectComm(reinterpret_cast<PetscObject>(trial)));
+  return moved != 0;
+}
+
+// Newton's direction would give d|F|^2/2 = -|F|^2 along it: no product with the Jacobian is needed to know the slope.
+// The merit may come to this many times what it was.
+void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed) {
+  const PetscInt pressures = system.pressure_count();
+  SNES snes = nullptr;
+  Vec state = nullptr, residual = nullptr, change = nullptr, trial = nullptr, trial_residual = nullptr;
+  petsc_check(SNESLineSearchGetSNES(line_search, &snes));
+  petsc_check(SNESLineSearchGetVecs(line_search, &state, &residual, &change, &trial, &trial_residual));
+  PetscReal norm = 0.0, trial_norm = 0.0;
+  PetscBool changed = PETSC_FALSE;
+  petsc_check(SNESLineSearchPreCheck(line_search, state, change, &changed));
+  norm = system.merit(residual);
+  const auto take = [&](double length, Vec step) {
+    step_to(trial, state, length, step, pressures);
+    petsc_check(SNESComputeFunction(snes, trial, trial_residual));
+    trial_norm = system.merit(trial_residual);
+  };
+  take(1.0, change);
+  OwnedVec eased;
+  double at_once = allowed;
+  for (int n = 0; n < easings && trial_norm > norm; ++n) {
+    if (!eased) {
+      petsc_check(VecDuplicate(change, eased.put()));
+      petsc_check(VecCopy(change, eased));
+    }
+    if (!system.ease(eased, change, residual, trial_residual)) break;
+    at_once = std::max(allowed, growth_of_eased);
+    // A pressure that ended at zero may do so with the shorter change too.
+    if (leads_elsewhere(trial, state, eased, pressures)) take(1.0, eased);
+  }
+  bool found = trial_norm < at_once * norm;
+  for (double length = 1.0; !found; found = trial_norm < allowed * norm) {
+    if (length < shortest_step || !std::isfinite(trial_norm)) {
+      petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_FAILED_REDUCT));
+      return;
+    }
+    const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + norm * norm * length;
+    length = std::clamp(0.5 * norm * norm * length * length / excess, least_part * length, 0.5 * length);
+    take(length, change);
+  }
+  petsc_check(VecCopy(trial, state));
+  system.copied(trial, state);
+  petsc_check(VecCopy(trial_residual, residual));
+  petsc_check(SNESLineSearchComputeNorms(line_search));
+  petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));
+}
+
+constexpr double descent = 1.0;
+
+template <const double* allowed>
+PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
+  return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), *allowed); });
+}
+
+struct SolveTolerances {
+  double early;  ///< relative, of the first linear solves
+  double late;   ///< of those behind them
+};
+
+/// Chooses the tolerance of each linear solve once the iteration before it is done.
+void choose_solve_tolerances(SNES snes, const SolveTolerances& tolerances) {
+  petsc_check(SNESMonitorSet(
+      snes,
+      [](SNES own, PetscInt iteration, PetscReal norm, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          const auto& [early, late] = *static_cast<SolveTolerances*>(context);
+          KSP ksp = nullptr;
+          PetscReal relative = 0.0, absolute = 0.0, growth = 0.0;
+          PetscInt iterations = 0;
+          petsc_check(SNESGetKSP(own, &ksp));
+          petsc_check(KSPGetTolerances(ksp, &relative, &absolute, &growth, &iterations));
+          const double ordered = iteration < early_solves ? early : late;
+          PetscReal aim = 0.0;
+          petsc_check(SNESGetTolerances(own, &aim, nullptr, nullptr, nullptr, nullptr));
+          relative = std::clamp(left_over * aim / norm, ordered, std::max(ordered, loosest_solve));
+          petsc_check(KSPSetTolerances(ksp, relative, absolute, growth, iterations));
+        });
+      },
+      new SolveTolerances(tolerances),
+      [](void** context) -> PetscErrorCode {
+        delete static_cast<SolveTolerances*>(*context);
+        return PETSC_SUCCESS;
+      }));
+}
+
+}  // namespace
+
+double LinearisedSystem::merit(Vec rows) {
+  PetscReal norm = 0.0;
+  petsc_check(VecNorm(rows, NORM_2, &norm));
+  return norm;
+}
+
+OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&LinearisedSystem::multiply>(system); }
+
+void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
+  petsc_check(KSPSetType(ksp, KSPFGMRES));
+  petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
+  petsc_check(KSPGMRESSetRestart(ksp, full_restart));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, "film multigrid"));
+  petsc_check(PCShellSetContext(pc, &system));
+  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
+    return petsc_callback([&] {
+      LinearisedSystem* own = nullptr;
+      petsc_check(PCShellGetContext(shell, &own));
+      own->precondition(in, out);
+    });
+  }));
+}
+
+void begin_with_short_restart(KSP ksp) {
+  petsc_check(KSPGMRESSetRestart(ksp, short_restart));
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCShellSetPostSolve(pc, [](PC, KSP solver, Vec, Vec) -> PetscErrorCode {
+    return petsc_callback([&] {
+      PetscInt iterations = 0;
+      petsc_check(KSPGetIterationNumber(solver, &iterations));
+      if (iterations > short_restart) petsc_check(KSPGMRESSetRestart(solver, full_restart));
+    });
+  }));
+}
+
+void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
+  SNESLineSearch line_search = nullptr;
+  petsc_check(SNESGetLineSearch(snes, &line_search));
+  petsc_check(SNESLineSearchShellSetApply(
+      line_search, growth == Growth::tenfold ? line_search_within<&patience> : line_search_within<&descent>, &system));
+}
+
+void aim_at(SNES snes, double norm) {
+  PetscReal aim = 0.0, relative = 0.0, step = 0.0;
+  PetscInt iterations = 0, evaluations = 0;
+  petsc_check(SNESGetTolerances(snes, &aim, &relative, &step, &iterations, &evaluations));
+  petsc_check(SNESSetTolerances(snes, norm, relative, step, iterations, evaluations));
+}
+
+void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
+  petsc_check(SNESSetType(snes, SNESNEWTONLS));
+  petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
+                                100 * options.max_iterations));
+  petsc_check(SNESSetMaxLinearSolveFailures(snes, options.max_iterations));
+  SNESLineSearch line_search = nullptr;
+  petsc_check(SNESGetLineSearch(snes, &line_search));
+  petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
+  allow_growth(snes, system, options.limit_changes ? Growth::tenfold : Growth::none);
+  if (options.limit_changes) {
+    petsc_check(SNESSetDivergenceTolerance(snes, astray));
+    petsc_check(SNESLineSearchSetPreCheck(
+        line_search,
+        [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
+          return petsc_callback([&] {
+            limit_pressure_change(state, change, static_cast<LinearisedSystem*>(context)->pressure_count());
+            *changed = PETSC_TRUE;
+          });
+        },
+        &system));
+  }
+  KSP ksp = nullptr;
+  petsc_check(SNESGetKSP(snes, &ksp));
+  configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
+  choose_solve_tolerances(
+      snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
+}
+
+}  // namespace gearfilm

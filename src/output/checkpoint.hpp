@@ -1,0 +1,87 @@
+// A march kept on disk as it goes, so that a run that was stopped, killed, or failed can go on.
+//
+//   steps                   every step so far, to the bit: the history in results.h5 is made from these again
+//   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (march_keeper.hpp), with
+//                           the snapshots taken since the state before
+//   run003_00017.guesses0   what the first process remembers for first guesses; another number of
+//                           processes begins without
+// After every segment the steps are appended, and the state is written aside and renamed. What was written last reaches
+// the disk while the march goes on, and is there before anything more is written: a failure of the machine costs the
+// last state at most. Kept are the last two states, those that end a run, and those with snapshots.
+#pragma once
+
+#include <deque>
+
+#include "gearfilm/dynamics/march_keeper.hpp"
+#include "output/disk_flush.hpp"
+#include "output/film_snapshot.hpp"
+#include "output/record_journal.hpp"
+#include "output/summary.hpp"
+
+namespace gearfilm {
+
+class Checkpoint final : public MarchKeeper {
+public:
+  enum class Begin { anew, where_it_stopped };
+
+  /// Creates the folder, or takes over what it holds, which must be of the grid or of one that was widened from it.
+  /// Begun anew, what this program wrote in the folder goes. Throws OutputError, and InputError where the folder holds
+  /// anything else. Collective.
+  Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
+
+  std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
+  void record(const StepRecord& record) override;
+  void keep(double T, const PairState& state, const std::vector<double>& memory) override;
+
+  /// Fields that are to be kept with the next state.
+  void attach(const FilmSnapshot& snapshot);
+  /// The fields that were kept of the run now taken over, one after the other.
+  std::optional<FilmSnapshot> recall_snapshot();
+  /// The snapshots of this run are not wanted.
+  void drop_snapshots();
+
+  /// Of another march that the run makes on the way, on a grid of its own: a folder within, begun as this one was.
+  Checkpoint within(const std::string& name, const Grid& grid) const { return {grid, folder_ / name, begin_}; }
+
+  /// All that this program wrote in the folder goes, and the folder with it where nothing is left.
+  void remove();
+
+  /// T of the last state that was found; 0 without one.
+  double kept_until() const { return kept_.empty() ? 0.0 : kept_.back().T; }
+  /// False while runs are taken over that were completed before.
+  bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
+  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
+  bool is_new(const StepRecord& record) const { return !record.recalled && caught_up(); }
+
+private:
+  struct KeptState {
+    int run = 0;
+    int number = 0;
+    double T = 0.0;
+    JournalMark steps;  ///< behind its last step
+    bool with_snapshots = false;
+  };
+
+  std::filesystem::path file(const KeptState& state) const;
+  std::filesystem::path own_file(const KeptState& state) const;
+  void find_states();
+  bool complete(KeptState& state, const JournalMark& steps_before);
+  void remove_file(const KeptState& state) const;
+  void forget_from(std::size_t first);
+  void remove_superfluous();
+
+  Grid grid_;
+  std::filesystem::path folder_;
+  Begin begin_;
+  RecordJournal journal_;
+  DiskFlush flush_;
+  std::vector<KeptState> kept_;
+  std::vector<double> memory_;  ///< of the last state that was found
+  int run_ = -1;
+  Summary run_begin_;                ///< T, H_0, V_0
+  std::vector<StepRecord> waiting_;  ///< since the last state
+  std::vector<FilmSnapshot> attached_;
+  std::deque<FilmSnapshot> recalled_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,34 @@
+// The fields of all contacts at one time, in memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearfilm/dynamics/step_record.hpp"
+#include "gearfilm/grid/field.hpp"
+
+namespace gearfilm {
+
+/// A dimensionless field and its name (contact_fields.hpp).
+struct NamedField {
+  std::string name;
+  Field<double> values;
+};
+
+/// The fields of one contact, in the order in which they are written.
+struct ContactSnapshot {
+  int number = 0;
+  double position = 0.0;  ///< xi [m]
+  std::vector<NamedField> fields;
+};
+
+struct FilmSnapshot {
+  double T = 0.0;
+  std::vector<ContactSnapshot> contacts;
+  GridShape shape{};  ///< of the grid that they are on
+};
+
+/// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
+FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
+
+}  // namespace gearfilm

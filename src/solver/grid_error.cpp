@@ -1,0 +1,61 @@
+#include "gearfilm/solver/grid_error.hpp"
+
+#include "film/transfer.hpp"
+#include "gearfilm/error.hpp"
+#include "parallel/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSolution& solution) {
+  Field<double> fine(grid), coarse(coarse_grid);
+  fine.load(solution.pressure);
+  inject(grid, coarse_grid, fine, coarse);
+  FilmSolution found{std::vector<double>(coarse_grid.local_size()), solution.H0};
+  coarse.store(found.pressure);
+  return found;
+}
+
+/// `step`: of the finer grid along X.
+std::optional<GridErrors> errors_between(const FilmFigures& fine, const FilmFigures& half, double step) {
+  if (!half.finite || half.smallest_film <= 0.0) return {};
+  const double spike = fine.spike_pressure, half_spike = half.spike_pressure;
+  return GridErrors{estimate(fine.central_film, half.central_film),
+                    estimate_smallest(fine.smallest_film, half.smallest_film),
+                    estimate_beside_spike({fine.central_pressure, spike}, {half.central_pressure, half_spike}, step),
+                    estimate_largest({fine.largest_pressure, spike}, {half.largest_pressure, half_spike}, step),
+                    estimate_spike(spike, half_spike)};
+}
+
+/// From nothing, grid by grid; where a step of that way fails, from the finer film. That alone would take far longer:
+/// 19 Newton iterations from 1025 x 1025 nodes, five times the work.
+StationaryResult film_on_coarser(const ContactFilm& film, ContactFilm& coarse, const LoadCondition& load,
+                                 const SolverOptions& options, const FilmSolution& finer) {
+  try {
+    return solve_stationary(coarse, load, options);
+  } catch (const SolveError&) {
+    return continue_stationary(coarse, load, options, on_coarser(film.grid(), coarse.grid(), finer));
+  }
+}
+
+}  // namespace
+
+std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                      const StationaryResult& result, const CoarseCoupling& couple) {
+  const ScopedStage stage("Error of the grid");
+  Discretisation &fine = *film.discretisation(), *coarser = fine.prepare_coarser();
+  if (!coarser) return {};
+  const double step = film.grid().h_x();
+  if (!couple && result.before && fine.prepare_sequencing_grid() == coarser)
+    return errors_between(result.figures, *result.before, step);
+  ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
+  coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
+  try {
+    const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
+    return errors_between(result.figures, couple ? couple(coarse, alone).figures : alone.figures, step);
+  } catch (const SolveError&) {
+    return {};
+  }
+}
+
+}  // namespace gearfilm

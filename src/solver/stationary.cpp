@@ -1,0 +1,190 @@
+#include "gearfilm/solver/stationary.hpp"
+
+#include <memory>
+#include <sstream>
+
+#include "film/transfer.hpp"
+#include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/grid/integral.hpp"
+#include "parallel/events.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr double first_pseudo_step = 0.05;
+constexpr double last_pseudo_step = 20.0;
+constexpr double shortest_pseudo_step = 1e-6;  // where shorter ones fail too, the guess leads nowhere
+constexpr double pseudo_step_growth = 4.0;     // until a step fails
+constexpr double careful_growth = 2.0;
+constexpr double rough_tolerance = 1e-5;  // of films that are only a way to others
+constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
+
+double rough(double tolerance) { return std::max(tolerance, rough_tolerance); }
+
+/// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
+bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
+  const double tolerance = newton.tolerance();
+  newton.aim_at(rough(tolerance));
+  double step = first_pseudo_step, growth = pseudo_step_growth;
+  newton.begin(load, solution);
+  for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
+    if (newton.step(1.0 / step)) {
+      solution = newton.films();
+      step *= growth;
+    } else {
+      newton.begin(load, solution);
+      step *= 0.25;
+      growth = careful_growth;
+    }
+  }
+  newton.aim_at(tolerance);
+  return step > shortest_pseudo_step && newton.solve(load, solution);
+}
+
+/// Solves from a guess by Newton alone, or through pseudo-time where that fails.
+bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolution& guess) {
+  FilmSolution direct = guess;
+  if (!newton.solve(load, direct)) return solve_through_pseudo_time(newton, load, guess);
+  guess = std::move(direct);
+  return true;
+}
+
+/// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
+FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
+  const Scales& scales = film.scales();
+  const ContactSolids solids = solids_of(scales, film.conditions());
+  const double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
+  FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
+  double force = scales.force(load.value);
+  if (load.kind == LoadCondition::Kind::displacement) {
+    const double approach = gap / scales.thickness - load.value - film.conditions().dry_gap();
+    const double unit_force = force_at_unit_approach(scales, film.conditions());
+    force = scales.force(force_on_spring(unit_force, load.compliance(0, 0), approach));
+    if (force <= 0.0) return guess;
+  }
+  const HertzContact dry = hertz_contact(solids, force);
+  hertz_pressure(film.grid(), scales, dry, guess.pressure, film.conditions().nearest.X);
+  if (load.kind == LoadCondition::Kind::force) {
+    guess.H0 =
+        (gap - dry.approach) / scales.thickness - film.conditions().dry_gap() - load.compliance(0, 0) * load.value;
+  }
+  return guess;
+}
+
+/// The film's surfaces on coarser and coarser grids.
+std::vector<ContactSurfaces> surfaces_on(const std::vector<SharedDiscretisation>& coarser, const ContactFilm& film) {
+  std::vector<ContactSurfaces> surfaces;
+  const Grid* finer = &film.grid();
+  for (const SharedDiscretisation& next : coarser) {
+    surfaces.push_back(injected_surfaces(*finer, next->grid(), surfaces.empty() ? film.surfaces() : surfaces.back()));
+    finer = &next->grid();
+  }
+  return surfaces;
+}
+
+FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const FilmSolution& coarse) {
+  Field<double> values(coarse_grid), interpolated(fine_grid);
+  values.load(coarse.pressure);
+  interpolate_cubic(coarse_grid, fine_grid, values, interpolated);
+  FilmSolution fine;
+  fine.pressure.resize(fine_grid.local_size());
+  interpolated.store(fine.pressure);
+  for (double& pressure : fine.pressure) pressure = std::max(pressure, 0.0);
+  fine.H0 = coarse.H0;
+  return fine;
+}
+
+[[noreturn]] void report_failure(const Grid& grid, const StationaryNewton& newton) {
+  const SolveCounts& counts = newton.counts();
+  std::ostringstream message;
+  message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
+          << counts.residual << " after " << counts.newton << " Newton iterations, the largest "
+          << describe(newton.worst(0))
+          << "; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
+             "grid_y_half), or raise solver_newton_max_iterations";
+  throw SolveError(message.str());
+}
+
+}  // namespace
+
+StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options) {
+  const ScopedStage stage("Stationary film");
+  std::vector<SharedDiscretisation> coarser;  // next coarser first
+  for (Discretisation* next = film.discretisation()->prepare_sequencing_grid();
+       next && next->grid().nx() >= coarsest_nx; next = next->prepare_sequencing_grid()) {
+    coarser.emplace_back(film.discretisation(), next);  // owned by the finest
+  }
+
+  StationaryResult result;
+  const std::vector<ContactSurfaces> surfaces = surfaces_on(coarser, film);
+  const Grid* before = nullptr;
+  for (std::size_t n = coarser.size() + 1; n-- > 0;) {
+    std::unique_ptr<ContactFilm> coarse_film;
+    if (n > 0) {
+      coarse_film = std::make_unique<ContactFilm>(coarser[n - 1], film.scales(), options.multigrid);
+      coarse_film->set_surfaces(surfaces[n - 1]);
+    }
+    ContactFilm& present = coarse_film ? *coarse_film : film;
+    StationaryNewton newton({&present}, options.newton);
+    // The figures of the last grid but one tell the error of the finest.
+    if (n > 1) newton.aim_at(rough(newton.tolerance()));
+    bool solved = false;
+    if (before) {
+      result.solution = interpolate(*before, present.grid(), result.solution);
+      solved = solve_from(newton, load, result.solution);
+    }
+    if (!solved) {
+      result.solution = dry_guess(present, load);
+      solved = solve_through_pseudo_time(newton, load, result.solution);
+    }
+    if (!solved && n == 0) report_failure(present.grid(), newton);
+    result.by_grid.push_back(newton.counts());
+    if (n == 1 && solved) result.before = newton.figures().front();
+    if (n == 0) result.figures = newton.figures().front();
+    // A coarse grid may be too coarse for a thin film to exist: then the next one starts from the dry pressure.
+    before = solved ? &present.grid() : nullptr;
+  }
+  result.counts = result.by_grid.back();
+  return result;
+}
+
+namespace {
+
+StationaryResult result_of(StationaryNewton& newton, FilmSolution solution) {
+  StationaryResult result;
+  result.solution = std::move(solution);
+  result.by_grid.push_back(newton.counts());
+  result.counts = newton.counts();
+  result.figures = newton.figures().front();
+  return result;
+}
+
+}  // namespace
+
+StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
+                                     const FilmSolution& guess) {
+  StationaryNewton newton({&film}, options.newton);
+  FilmSolution solution = guess;
+  if (load.kind == LoadCondition::Kind::displacement) solution.H0 = load.value;
+  if (!solve_from(newton, load, solution)) return solve_stationary(film, load, options);
+  return result_of(newton, std::move(solution));
+}
+
+std::optional<StationaryResult> improve_stationary(ContactFilm& film, const LoadCondition& load,
+                                                   const SolverOptions& options, const FilmSolution& guess) {
+  StationaryNewton newton({&film}, options.newton);
+  FilmSolution solution = guess;
+  if (!newton.solve(load, solution)) return {};
+  return result_of(newton, std::move(solution));
+}
+
+FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCondition& load,
+                            const SolverOptions& options, FilmSolution guess) {
+  StationaryNewton newton(films, options.newton);
+  if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
+  if (!solve_from(newton, load, guess)) report_failure(films.front()->grid(), newton);
+  return guess;
+}
+
+}  // namespace gearfilm
