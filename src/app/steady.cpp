@@ -333,11 +333,11 @@ FilmOnGrid solve_film(MPI_Comm comm, const Grid& grid, const Case& given, const 
 void run_steady(MPI_Comm comm, const Case& problem) {
   const Position position = steady_position(problem);
   const double force = problem.steady.load_ratio * problem.scales.static_force;
-  const Room needed =
-      needed_room(problem.numerics.room, problem.scales, position.contact.conditions, force, position.label);
+  const DomainMargins needed =
+      required_margins(problem.numerics.margins, problem.scales, position.contact.conditions, force, position.label);
   GridShape shape = case_grid(problem);
-  if (!has_room(shape, needed)) {
-    shape = widened(shape, needed, problem.numerics.room);
+  if (!fits(shape, needed)) {
+    shape = widened(shape, needed, problem.numerics.margins);
     announce_widening(comm, shape, problem.scales, 1, heated_points(problem));
   }
   const Grid grid(comm, shape);  // what is wrong with it is said before anything is removed

@@ -89,15 +89,15 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
   pair.set_motion(state, motion());
   SegmentStepper stepper(pair, guesses_, steps, [&](const StepRecord& record) {
     films_.move(record.T, record.motion);
-    Room needed;
+    DomainMargins needed;
     for (std::size_t k = 0; k < contacts().size(); ++k) {
       const LiveContact& contact = contacts()[k];
       const FilmFigures figures = film_figures(record.contacts[k].figures);
-      needed = united(needed, films_.needed_room(contact.number, figures.pressure_integral));
+      needed = united(needed, films_.required_margins(contact.number, figures.pressure_integral));
       check_validity(*contact.film, figures, films_.label(contact.number));
     }
     observe(record);
-    if (!films_.has_room(needed)) stepper.stop();
+    if (!films_.fits(needed)) stepper.stop();
   });
   const double come_to = stepper.run(state, T(), T_end);
   films_.move(come_to, pair.motion(state));
@@ -115,7 +115,7 @@ void MeshMarch::run(double T_end) {
   }
   // What happens between two segments follows from what is kept at the end of the first.
   for (exchange_contacts(); T() < T_end - 1e-9 && !contacts().empty(); exchange_contacts()) {
-    const bool widened = films_.make_room();
+    const bool widened = films_.grow_domain();
     double segment_end = std::min(T_end, mesh().path.next_event(T()));
     StepOptions steps = films_.options().steps;
     if (widened) steps.first_part = part_after_widening;

@@ -92,36 +92,36 @@ void MeshedFilms::set_fields(std::size_t contact, std::vector<double> pressure, 
 
 // The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
 // ellipse moves along the contact. Two steps ahead: in one the ellipse must not pass the edge.
-Room MeshedFilms::needed_room(int number, double pressure_integral) const {
-  if (!options_.room || pressure_integral <= 0.0) return {};
+DomainMargins MeshedFilms::required_margins(int number, double pressure_integral) const {
+  if (!options_.margins || pressure_integral <= 0.0) return {};
   const ContactConditions conditions = mesh_.contact(number, T_).conditions;
   const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
   const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.largest();
   const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
   const auto room_of = [&](const ContactConditions& in) {
-    return gearfilm::needed_room(*options_.room, mesh_.scales, in, pressure_integral, label(number), growth);
+    return gearfilm::required_margins(*options_.margins, mesh_.scales, in, pressure_integral, label(number), growth);
   };
-  const Room here = room_of(conditions);
+  const DomainMargins here = room_of(conditions);
   if (!conditions.local.flanks) return here;
   return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.largest()).conditions));
 }
 
-bool MeshedFilms::make_room(const Room& needed) {
-  if (has_room(needed)) return false;
-  const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.room);
+bool MeshedFilms::grow_domain(const DomainMargins& needed) {
+  if (fits(needed)) return false;
+  const GridShape shape = widened(discretisation_->grid().shape(), needed, *options_.margins);
   if (options_.on_widening) options_.on_widening(comm(), shape);
   move_to(shape);
   return true;
 }
 
-bool MeshedFilms::make_room() {
-  Room needed;
-  if (!options_.room) return false;
+bool MeshedFilms::grow_domain() {
+  DomainMargins needed;
+  if (!options_.margins) return false;
   const std::vector<double> carried = forces();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    needed = united(needed, needed_room(contacts_[k].number, carried[k]));
+    needed = united(needed, required_margins(contacts_[k].number, carried[k]));
   }
-  return make_room(needed);
+  return grow_domain(needed);
 }
 
 // Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.
@@ -138,12 +138,12 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
     move_surfaces(*film, mesh_.contact(number, T_).conditions);
     StationaryResult entered =
         located(label(number) + ", entering", [&] { return entering_.solve(*film, load, options_.films); });
-    const Room needed = needed_room(number, entered.figures.pressure_integral);
-    if (has_room(needed)) {
+    const DomainMargins needed = required_margins(number, entered.figures.pressure_integral);
+    if (fits(needed)) {
       check_validity(*film, entered.figures, label(number));
       return located(label(number), [&] { return begin_contact(mesh_, number, film, load, options_.films, entered); });
     }
-    make_room(needed);
+    grow_domain(needed);
   }
 }
 
@@ -152,9 +152,9 @@ void MeshedFilms::balance_at_rest() {
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   contacts_.clear();
   // None of them carries more than the whole force.
-  Room needed;
-  for (int number : numbers) needed = united(needed, needed_room(number, mesh_.scales.static_force));
-  make_room(needed);
+  DomainMargins needed;
+  for (int number : numbers) needed = united(needed, required_margins(number, mesh_.scales.static_force));
+  grow_domain(needed);
   const auto sharing = mesh_.share_from(T_);
   const double share = sharing ? (*sharing)(mesh_.path.position(0, T_)) : 1.0;
   const double force = share * mesh_.scales.static_force;
@@ -202,7 +202,7 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
   } else {
     balance_at_rest();
   }
-  make_room();
+  grow_domain();
   const std::vector<FilmFigures> present = figures();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     check_validity(*contacts_[k].film, present[k], label(contacts_[k].number));
@@ -251,7 +251,7 @@ void MeshedFilms::displace(const Motion& motion, double duration) {
   const bool jumps = motion.H0 != motion_.H0;
   motion_ = motion;
   if (jumps) follow(before, std::max(options_.steps.dT, duration));
-  make_room();
+  grow_domain();
 }
 
 // One implicit step of the change alone: G = 0 at the new displacements with

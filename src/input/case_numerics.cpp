@@ -36,10 +36,10 @@ void set_nodes(Case& result) {
 // Under more force the ellipse comes nearer to the inlet, but needs no longer one: half of what is there at first
 // stays. Sides that were asked for stay until the ellipse is there but for a tenth of its distance; chosen ones go
 // before they matter.
-RoomRule room_rule(const Case& result) {
+MarginRule margin_rule(const Case& result) {
   const Domain& domain = result.numerics.domain;
   const bool chosen = result.parameters.text("grid.domain") == "auto" && !result.parameters.has("grid.y_half");
-  RoomRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = 1.0 + (chosen ? 0.4 : 0.1) * (domain.y_half - 1.0)};
+  MarginRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = 1.0 + (chosen ? 0.4 : 0.1) * (domain.y_half - 1.0)};
   if (result.pair.gears) rule.face = 0.5 * result.pair.gears->face_width / result.scales.length;
   return rule;
 }
@@ -146,7 +146,7 @@ void set_film_numerics(Case& result) {
   ContactOperation fastest = result.scales.operation;
   fastest.entrainment_velocity *= largest_speed_ratio(values);
   result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
-  result.numerics.room = room_rule(result);
+  result.numerics.margins = margin_rule(result);
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance")),
                             read_multigrid_options(values)};

@@ -123,7 +123,7 @@ void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scal
 
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
-  MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.room};
+  MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.margins};
   options.on_widening = [scales = problem.scales, contacts = contacts_at_a_time(problem),
                          points = heated_points(problem)](MPI_Comm comm, const GridShape& shape) {
     announce_widening(comm, shape, scales, contacts, points);

@@ -121,7 +121,7 @@ TEST(March, a_contact_that_outgrows_its_face_ends_the_march) {
                               {"time.dt", "0.05"},
                               {"pinion.speed_rpm", "8000"},
                               {"grid.y_half", "1.1"}});
-  problem.numerics.room.face = 1.1 / problem.scales.hertz.ellipticity;
+  problem.numerics.margins.face = 1.1 / problem.scales.hertz.ellipticity;
   RecordedMarch march(problem);
   march.start();
   const std::string message = solve_error_of([&] { march.run(march.path().mesh_period()); });

@@ -25,7 +25,7 @@ protected:
 
   std::vector<StepRecord> records;
   static Case with_clear_sides(Case problem) {
-    problem.numerics.room.side = 1.4;
+    problem.numerics.margins.side = 1.4;
     return problem;
   }
   const Case narrow = with_clear_sides(table3_case(settings("1.65", "45")));
@@ -103,7 +103,7 @@ TEST_F(Widening, is_gone_through_again_to_the_bit) {
 TEST_F(Widening, is_told_of_before) {
   int told = 0;
   const SharedDiscretisation films = discretise(PETSC_COMM_WORLD, narrow);
-  MarchOptions options{narrow.numerics.solver, narrow.numerics.steps, narrow.numerics.room};
+  MarchOptions options{narrow.numerics.solver, narrow.numerics.steps, narrow.numerics.margins};
   options.films.multigrid.levels = 1;
   GridShape shape = films->grid().shape();
   options.on_widening = [&](MPI_Comm, const GridShape& next) {

@@ -12,14 +12,14 @@
 #include "gearfilm/dynamics/entering_film.hpp"
 #include "gearfilm/dynamics/pair_state.hpp"
 #include "gearfilm/dynamics/segment_stepper.hpp"
-#include "gearfilm/film/room.hpp"
+#include "gearfilm/film/domain_margins.hpp"
 
 namespace gearfilm {
 
 struct MarchOptions {
   SolverOptions films;  ///< of the films' own solvers
   StepOptions steps;
-  std::optional<RoomRule> room{};  ///< by which the grid is widened; none: it stays as it is
+  std::optional<MarginRule> margins{};  ///< by which the grid is widened; none: it stays as it is
   std::function<void(MPI_Comm, const GridShape&)> on_widening{};  ///< told before; may throw SolveError
 };
 
@@ -64,10 +64,10 @@ public:
   std::string label(int number) const;
 
   /// What a contact needs under this pressure integral; nothing where the grid stays as it is.
-  Room needed_room(int number, double pressure_integral) const;
-  bool has_room(const Room& needed) const { return gearfilm::has_room(discretisation_->grid().shape(), needed); }
+  DomainMargins required_margins(int number, double pressure_integral) const;
+  bool fits(const DomainMargins& needed) const { return gearfilm::fits(discretisation_->grid().shape(), needed); }
   /// Widens the grid where the present contacts lack room; says whether it did.
-  bool make_room();
+  bool grow_domain();
 
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
@@ -99,7 +99,7 @@ private:
   ContactFilm* free_film();
   /// Puts the present contacts and their fields on a grid of another shape.
   void move_to(const GridShape& shape);
-  bool make_room(const Room& needed);
+  bool grow_domain(const DomainMargins& needed);
 
   SharedDiscretisation discretisation_;
   MeshModel mesh_;

@@ -1,5 +1,5 @@
-// The rectangle on which the film of one contact is computed (where its edges are at first; room.hpp: how they follow),
-// and the steps of its grid, both from the film that is to be expected.
+// The rectangle on which the film of one contact is computed (where its edges are at first; domain_margins.hpp: how
+// they follow), and the steps of its grid, both from the film that is to be expected.
 //
 // With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the laws were fitted to 42 computed contacts, M =
 // 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/film_laws.py):

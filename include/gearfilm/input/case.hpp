@@ -42,10 +42,10 @@ struct PairCase {
 
 /// Grid, solvers and time steps.
 struct NumericsCase {
-  Domain domain;  ///< at first
-  RoomRule room;  ///< by which it follows the contacts
-  int nx = 0;     ///< nodes along X
-  int ny = 0;     ///< nodes along Y
+  Domain domain;       ///< at first
+  MarginRule margins;  ///< by which it follows the contacts
+  int nx = 0;          ///< nodes along X
+  int ny = 0;          ///< nodes along Y
   SolverOptions solver;
   StepOptions steps;
   int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid

@@ -1,4 +1,4 @@
-#include "gearfilm/film/room.hpp"
+#include "gearfilm/film/domain_margins.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ int cells_to(double present, double wanted, double step, int block) {
 
 }  // namespace
 
-Room needed_room(const RoomRule& rule, const Scales& scales, const ContactConditions& conditions,
-                 double pressure_integral, const std::string& where, double growth) {
+DomainMargins required_margins(const MarginRule& rule, const Scales& scales, const ContactConditions& conditions,
+                               double pressure_integral, const std::string& where, double growth) {
   if (pressure_integral <= 0.0) return {};
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
   const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
@@ -47,15 +47,15 @@ Room needed_room(const RoomRule& rule, const Scales& scales, const ContactCondit
           .side = std::min(rule.side * growth * b, rule.face)};
 }
 
-Room united(const Room& a, const Room& b) {
+DomainMargins united(const DomainMargins& a, const DomainMargins& b) {
   return {std::max(a.inlet, b.inlet), std::max(a.outlet, b.outlet), std::max(a.side, b.side)};
 }
 
-bool has_room(const GridShape& shape, const Room& needed) {
+bool fits(const GridShape& shape, const DomainMargins& needed) {
   return needed.inlet <= -shape.x_min && needed.outlet <= shape.x_max && needed.side <= shape.row_axis.half_width();
 }
 
-GridShape widened(const GridShape& shape, const Room& needed, const RoomRule& rule) {
+GridShape widened(const GridShape& shape, const DomainMargins& needed, const MarginRule& rule) {
   const RowAxis& rows = shape.row_axis;
   const double h_x = shape.h_x(), h_y = rows.equal_step(), half_width = rows.half_width();
   const int block_x = block_of(shape.nx - 1), block_y = block_of(rows.cells_outwards());

@@ -1,5 +1,5 @@
 // Fields carried to another grid of the same lattice, and grids that are widened.
-#include "gearfilm/film/room.hpp"
+#include "gearfilm/film/domain_margins.hpp"
 
 #include "film_case.hpp"
 #include "gearfilm/error.hpp"
@@ -72,30 +72,30 @@ TEST_F(Refit, other_steps_or_places_are_another_lattice) {
   EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(33, 33, -2.0, 1.2, 1.5)));
 }
 
-class RoomOf : public testing::Test {
+class MarginsOf : public testing::Test {
 protected:
-  Room needed(double load_ratio) const {
-    return needed_room(rule, pitch.scales, {}, load_ratio * pitch.scales.static_force, "contact 3");
+  DomainMargins needed(double load_ratio) const {
+    return required_margins(rule, pitch.scales, {}, load_ratio * pitch.scales.static_force, "contact 3");
   }
 
   const FilmCase pitch = table3_pitch();
   const GridShape shape = pitch.shape(129, 65);
-  RoomRule rule{.inlet = 0.5, .side = 1.06};
+  MarginRule rule{.inlet = 0.5, .side = 1.06};
 };
 
-TEST_F(RoomOf, grows_as_the_ellipse) {
+TEST_F(MarginsOf, grows_as_the_ellipse) {
   const double b = 1.0 / pitch.scales.hertz.ellipticity, growth = std::cbrt(1.7);
   EXPECT_NEAR(needed(1.7).side, 1.06 * growth * b, 1e-9);
   EXPECT_NEAR(needed(1.7).inlet, growth + 0.5, 1e-9);
-  EXPECT_EQ(needed(0.0), Room());
-  EXPECT_TRUE(has_room(shape, needed(1.0)));
-  EXPECT_FALSE(has_room(shape, needed(1.3)));
+  EXPECT_EQ(needed(0.0), DomainMargins());
+  EXPECT_TRUE(fits(shape, needed(1.0)));
+  EXPECT_FALSE(fits(shape, needed(1.3)));
 }
 
-TEST_F(RoomOf, widened_grid_has_it_on_the_same_lattice) {
+TEST_F(MarginsOf, widened_grid_has_it_on_the_same_lattice) {
   for (const double ratio : {1.0, 1.15, 1.7, 3.0, 20.0}) {
     const GridShape wide = widened(shape, needed(ratio), rule);
-    EXPECT_TRUE(has_room(wide, needed(ratio))) << ratio;
+    EXPECT_TRUE(fits(wide, needed(ratio))) << ratio;
     EXPECT_TRUE(same_lattice(shape, wide)) << ratio;
     EXPECT_EQ(united(shape, wide), wide) << ratio;
     EXPECT_EQ((wide.nx - 1) % 16, 0) << ratio;  // 129 and 65 nodes can be halved; so can these
@@ -106,12 +106,12 @@ TEST_F(RoomOf, widened_grid_has_it_on_the_same_lattice) {
   }
 }
 
-TEST_F(RoomOf, ends_at_the_edges_of_the_teeth) {
+TEST_F(MarginsOf, ends_at_the_edges_of_the_teeth) {
   const double b = 1.0 / pitch.scales.hertz.ellipticity;
   rule.face = 1.15 * b;
   EXPECT_EQ(needed(1.5).side, rule.face);
   const GridShape wide = widened(shape, needed(1.5), rule);
-  EXPECT_TRUE(has_room(wide, needed(1.5)));
+  EXPECT_TRUE(fits(wide, needed(1.5)));
   EXPECT_LT(wide.row_axis.half_width(), rule.face + wide.row_axis.equal_step());
   try {
     needed(1.6);
