@@ -167,8 +167,8 @@ double ContactFilm::merit(std::span<const double> rows) const {
   return sum;
 }
 
-bool ContactFilm::ease(std::span<double> change, std::span<const double> whole, std::span<const double> before,
-                       std::span<const double> after) const {
+bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const double> whole,
+                                       std::span<const double> before, std::span<const double> after) const {
   bool eased = false;
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* conductance = state_.conductance.row(i);

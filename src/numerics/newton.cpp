@@ -77,7 +77,7 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
       petsc_check(VecDuplicate(change, eased.put()));
       petsc_check(VecCopy(change, eased));
     }
-    if (!system.ease(eased, change, residual, trial_residual)) break;
+    if (!system.relax_overshot_nodes(eased, change, residual, trial_residual)) break;
     at_once = std::max(allowed, growth_of_eased);
     // A pressure that ended at zero may do so with the shorter change too.
     if (leads_elsewhere(trial, state, eased, pressures)) take(1.0, eased);

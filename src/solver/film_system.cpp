@@ -173,13 +173,13 @@ double FilmSystem::merit(Vec rows) {
   return std::sqrt(sum);
 }
 
-bool FilmSystem::ease(Vec change, Vec whole, Vec before, Vec after) {
+bool FilmSystem::relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) {
   const VecReading first(whole), rows_before(before), rows_after(after);
   const VecWriting own(change);
   int eased = 0;
   for (std::size_t k = 0; k < films(); ++k) {
-    eased |= films_[k]->ease(part(own.values(), k), part(first.values(), k), part(rows_before.values(), k),
-                             part(rows_after.values(), k));
+    eased |= films_[k]->relax_overshot_nodes(part(own.values(), k), part(first.values(), k),
+                                             part(rows_before.values(), k), part(rows_after.values(), k));
   }
   MPI_Allreduce(MPI_IN_PLACE, &eased, 1, MPI_INT, MPI_LOR, comm());
   return eased != 0;

@@ -73,8 +73,8 @@ public:
   double merit(std::span<const double> rows) const;
   /// Shortens the own nodes' changes that have overshot (overshoot.hpp) in a step whose end was evaluated last, with
   /// these rows before and after it; false where there are none. Not collective.
-  bool ease(std::span<double> change, std::span<const double> whole, std::span<const double> before,
-            std::span<const double> after) const;
+  bool relax_overshot_nodes(std::span<double> change, std::span<const double> whole, std::span<const double> before,
+                            std::span<const double> after) const;
   /// dG/dH_0.
   std::span<const double> displacement_column() const { return displacement_column_; }
 

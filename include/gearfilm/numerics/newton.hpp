@@ -42,7 +42,7 @@ public:
   virtual double merit(Vec rows);
   /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false
   /// where there are none. `whole` is the change as it was before any call. The system's last state is that after it.
-  virtual bool ease(Vec /*change*/, Vec /*whole*/, Vec /*before*/, Vec /*after*/) { return false; }
+  virtual bool relax_overshot_nodes(Vec /*change*/, Vec /*whole*/, Vec /*before*/, Vec /*after*/) { return false; }
   /// `to` is a copy of the state `from`: what the system knows of the one holds for the other.
   virtual void copied(Vec /*from*/, Vec /*to*/) {}
   virtual void multiply(Vec change, Vec rows) = 0;

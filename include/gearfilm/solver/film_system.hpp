@@ -66,7 +66,7 @@ public:
   /// elimination is always exact.
   void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination);
   double merit(Vec rows) override;
-  bool ease(Vec change, Vec whole, Vec before, Vec after) override;
+  bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
   void copied(Vec from, Vec to) override { versions_.copied(from, to); }
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
