@@ -150,7 +150,7 @@ void SegmentStepper::configure_solvers() {
             own->pair_.follow_share(state, own->solved_time_, own->state_time_);
             own->pair_.coast(state, own->solved_time_, own->state_time_, own->solved_films_);
           }
-          own->pair_.system().restrain(state, own->solved_);
+          own->pair_.system().clip_predictor(state, own->solved_);
           own->pair_.follow_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
           own->memory_.correct(own->pair_, state, own->state_time_);
         });

@@ -90,7 +90,7 @@ Eigen::VectorXd FilmSystem::forces(std::span<const double> values) const {
   return Eigen::Map<const Eigen::VectorXd>(sums.data(), static_cast<Eigen::Index>(sums.size()));
 }
 
-void FilmSystem::restrain(Vec guess, Vec last) const {
+void FilmSystem::clip_predictor(Vec guess, Vec last) const {
   const VecReading before(last);
   const VecWriting values(guess);
   for (std::size_t n = 0; n < scalars_at(); ++n) values[n] = std::max({values[n], 0.5 * before[n], 0.0});

@@ -193,7 +193,7 @@ TEST_P(LubricatedPairAt, guessed_pressures_fall_by_half_at_most_and_not_below_ze
   std::vector<std::vector<double>> guessed = steps.last.pressure;
   for (double& pressure : guessed[0]) pressure = -1.0;
   const OwnedVec guess = system.vector(guessed, {-1.0, -2.0});
-  films.restrain(guess, system.vector(steps.last.pressure, steps.last.motion));
+  films.clip_predictor(guess, system.vector(steps.last.pressure, steps.last.motion));
   // Cavitated nodes of an accepted state may be negative by round-off.
   std::vector<std::vector<double>> expected = steps.last.pressure;
   for (double& pressure : expected[0]) pressure = std::max(0.5 * pressure, 0.0);

@@ -48,7 +48,7 @@ public:
   void set_scalars(Vec state, std::span<const double> scalars) const;
   std::vector<double> scalars(Vec state) const;
   /// Makes every pressure of a guess at least half of what it is in the last state, and >= 0.
-  void restrain(Vec guess, Vec last) const;
+  void clip_predictor(Vec guess, Vec last) const;
 
   /// d C(state)/dT, null where nothing moves, and about what it grows by with C, which scales the rows of cavitated
   /// nodes.
