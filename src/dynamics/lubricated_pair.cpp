@@ -62,7 +62,7 @@ double LubricatedPair::share_at(double T) const {
   return share_ ? (*share_)(mesh_.path.position(numbers_.front(), T)) : 1.0;
 }
 
-void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
+void LubricatedPair::predict_for_load_share(Vec state, double T0, double T1) const {
   if (mesh_.inertia > 0.0 || !share_) return;
   const auto approach_at = [&](double T) {
     const double share = share_at(T), compliance = mesh_.compliance(numbers_, T)(0, 0);
@@ -73,7 +73,8 @@ void LubricatedPair::follow_share(Vec state, double T0, double T1) const {
 }
 
 // The pressures of the guess are still those from before: bodies that sink by more than a film would touch.
-void LubricatedPair::coast(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const {
+void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
+                                           const std::vector<FilmFigures>& figures) const {
   if (mesh_.inertia == 0.0) return;
   const Motion last = motion(state);
   double thinnest = HUGE_VAL;
@@ -84,8 +85,8 @@ void LubricatedPair::coast(Vec state, double T0, double T1, const std::vector<Fi
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
 // by a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
-void LubricatedPair::follow_motion(Vec guess, Vec last, double T0, double T1,
-                                   const std::vector<FilmFigures>& figures) const {
+void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T1,
+                                        const std::vector<FilmFigures>& figures) const {
   const Eigen::VectorXd low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;

@@ -147,11 +147,11 @@ void SegmentStepper::configure_solvers() {
           }
           if (own->failures_ == 2 && own->whole_tries() == 2) return own->guess_by_short_steps(state);
           if (own->at_start_) {
-            own->pair_.follow_share(state, own->solved_time_, own->state_time_);
-            own->pair_.coast(state, own->solved_time_, own->state_time_, own->solved_films_);
+            own->pair_.predict_for_load_share(state, own->solved_time_, own->state_time_);
+            own->pair_.predict_without_force(state, own->solved_time_, own->state_time_, own->solved_films_);
           }
           own->pair_.system().clip_predictor(state, own->solved_);
-          own->pair_.follow_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
+          own->pair_.predict_for_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
           own->memory_.correct(own->pair_, state, own->state_time_);
         });
       },

@@ -166,7 +166,7 @@ TEST_P(LubricatedPairAt, coasts_as_it_moves_but_no_deeper_than_half_a_film) {
   const double film = std::min(figures[0].central_film, figures[1].central_film);
   for (const double by : {2.0 * film, -0.2 * film, -3.0 * film}) {
     const OwnedVec guess = system.vector(steps.last.pressure, {steps.last.motion.H0, by / dT});
-    system.pair->coast(guess, T, T + dT, figures);
+    system.pair->predict_without_force(guess, T, T + dT, figures);
     const Motion coasted = system.pair->motion(guess);
     EXPECT_NEAR(coasted.H0 - steps.last.motion.H0, std::max(by, -0.5 * film), 1e-12) << by / film;
     EXPECT_EQ(coasted.V0, by / dT);

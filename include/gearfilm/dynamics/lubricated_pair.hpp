@@ -30,15 +30,15 @@ public:
   OwnedVec allowed_errors(double of_motion, double of_pressures) const;
   /// Without inertia: a guess of the state at T1 from that at T0, sunk as a Hertz contact sinks under its changed
   /// share.
-  void follow_share(Vec state, double T0, double T1) const;
+  void predict_for_load_share(Vec state, double T0, double T1) const;
   /// With inertia: a guess of the motion at T1 from that at T0, of the same V_0, sunk by half of the thinnest film at
   /// most. figures: of the films at T0.
-  void coast(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const;
+  void predict_without_force(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
   /// Where the flanks of a guess at T1 have parted since the last state, at T0, so far that ellipses draw back by much
   /// of a cell: pressures of the guess as those of Hertz contacts that shrink so. figures: of the films of the last
   /// state.
-  void follow_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
+  void predict_for_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
   /// Puts every contact where it is at time T.
   void place(double T);
