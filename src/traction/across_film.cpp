@@ -42,7 +42,7 @@ inline double neighbour_coefficient(double conduction, double flow) {
 
 }  // namespace
 
-AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FilmFlow kind)
+AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FlowProfile kind)
     : upstream(heat.points),
       before(heat.points),
       earlier(heat.points),
@@ -277,7 +277,7 @@ double AcrossFilm::improve(double resistance) {
 
 /// What follows from the present temperatures.
 void AcrossFilm::update(bool sheared, int iteration) {
-  const bool own = flow_ == FilmFlow::own;
+  const bool own = flow_ == FlowProfile::thermal;
   if (sheared) {
     if (iteration > 0 && std::ranges::all_of(change_, [](double change) { return change < small_change; })) {
       follow_viscosities();
@@ -296,7 +296,7 @@ void AcrossFilm::update(bool sheared, int iteration) {
 }
 
 void AcrossFilm::solve() {
-  const bool own = flow_ == FilmFlow::own;
+  const bool own = flow_ == FlowProfile::thermal;
   const bool sheared = own || std::ranges::any_of(wet, [](double value) { return value != 0.0; });
   T_ = before;
   if (!sheared) {  // heat without a source: the equations are linear

@@ -4,10 +4,10 @@
 //   gamma'(z) = u_s n(z)/h,  n = (1/eta)/mean(1/eta),  eta = eta(p, T(z)),  tau_m of the law at u_s/(h mean(1/eta))
 //   dT/dx = (T - T_upstream)/step, or towards downstream where u < 0
 //   q_i = (T_i - base_i) conductance_i                                heat into the wall i, and its temperature
-// The flow that pressure drives, q_P, is given. In a film that does not feel its heat (FilmFlow::isothermal)
+// The flow that pressure drives, q_P, is given. In a film that does not feel its heat (FlowProfile::isothermal)
 //   u(z) = u_2 + u_s Int_0^z n dz'/h + 6 (q_P/h) (z/h)(1 - z/h), cut at zero from below, then scaled to the mean flow
 //   Phi(z) = (z - h/2)^2 p_x^2/eta(p, T_0),  w = 0
-// In one that does (FilmFlow::own), film_flow.hpp. Finite volumes, the walls' cells being half as wide: what is
+// In one that does (FlowProfile::thermal), film_flow.hpp. Finite volumes, the walls' cells being half as wide: what is
 // generated goes into the walls or away with the oil, to round-off. Newton's method for the temperatures T_k: a
 // tridiagonal matrix plus one of rank one, since tau_m sees all of them, and another where Phi does. SI units.
 #pragma once
@@ -25,7 +25,8 @@ public:
   static constexpr int lanes = film_lanes;  ///< places side by side, for vector instructions
   using Lanes = FilmLanes;
 
-  AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FilmFlow kind = FilmFlow::isothermal);
+  AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
+             FlowProfile kind = FlowProfile::isothermal);
 
   // To be given for every lane.
   Lanes wet{};              ///< 1; 0 where there is neither shear nor Poiseuille heat
@@ -100,7 +101,7 @@ private:
   ShearLaw law_;
   ViscosityEvaluator viscosity_;
   double log_ambient_;
-  FilmFlow flow_;
+  FlowProfile flow_;
   std::vector<double> weights_;  ///< w_k, of a mean over the film
   std::vector<double> places_;   ///< z_k/h
   std::vector<double> bent_;     ///< Phi_k h^2/... of poiseuille_heat

@@ -22,13 +22,13 @@
 namespace gearfilm {
 
 /// Which flow carries the heat: that of an isothermal film, or the film's own.
-enum class FilmFlow : std::uint8_t { isothermal, own };
+enum class FlowProfile : std::uint8_t { isothermal, thermal };
 
 class OwnFlow {
 public:
   using Lanes = FilmLanes;
 
-  /// Points across the film; nothing is kept for others than FilmFlow::own.
+  /// Points across the film; nothing is kept for others than FlowProfile::thermal.
   OwnFlow(const std::vector<double>& weights, const std::vector<double>& places);
 
   /// The oil across the film: 1/eta to ambient, d ln eta/dT, ln(eta/eta_0), n, a point each.

@@ -20,7 +20,7 @@ constexpr double least_filled = 1e-3;  // of a torn film
 /// The march along x.
 class HeatMarch {
 public:
-  HeatMarch(const TractionModel& model, const ContactFilm& film, FilmFlow flow, FilmHeat& heat,
+  HeatMarch(const TractionModel& model, const ContactFilm& film, FlowProfile flow, FilmHeat& heat,
             std::optional<double> time_step = {})
       : grid_(film.grid()),
         solved_(grid_.inner_rows()),
@@ -30,7 +30,7 @@ public:
         viscosity_(viscosity_evaluator(film.scales().oil)),
         heating_ratio_(film.grid().y_count()),
         h_x_(film.scales().length * grid_.h_x()),
-        own_(flow == FilmFlow::own),
+        own_(flow == FlowProfile::thermal),
         source_(grid_.nx(), h_x_),
         line_(film),
         across_(model.law, film.scales().oil, *model.heat, flow),
@@ -372,12 +372,12 @@ private:
 
 TractionFields heated_film(const TractionModel& model, const ContactFilm& film) {
   FilmHeat heat;
-  return HeatMarch(model, film, FilmFlow::isothermal, heat).march();
+  return HeatMarch(model, film, FlowProfile::isothermal, heat).march();
 }
 
 TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
                           std::optional<double> time_step) {
-  return HeatMarch(model, film, FilmFlow::own, heat, time_step).march();
+  return HeatMarch(model, film, FlowProfile::thermal, heat, time_step).march();
 }
 
 }  // namespace gearfilm

@@ -7,8 +7,8 @@
 // by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a march, that of
 // the film at the moment.
 // A film that does not feel its heat: u(z) carries the mass flow rho (u_m h + q_P), a tenth of rho u_m h at least;
-// steps of first order. One that does (FilmFlow::own): its own flow, which may turn back in the inlet and brings the
-// temperatures of the sweep before from there; steps of second order, (3 T_i - 4 T_i-1 + T_i-2)/(2 h_x).
+// steps of first order. One that does (FlowProfile::thermal): its own flow, which may turn back in the inlet and brings
+// the temperatures of the sweep before from there; steps of second order, (3 T_i - 4 T_i-1 + T_i-2)/(2 h_x).
 #pragma once
 
 #include <optional>
