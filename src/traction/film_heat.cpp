@@ -7,7 +7,7 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/traction/sheared_flow.hpp"
 #include "lubricant/independent_iterations.hpp"
-#include "traction/across_film.hpp"
+#include "traction/film_energy_equation.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"
 
@@ -109,7 +109,7 @@ private:
     std::visit([&](const auto& viscosity) { find_heating_ratios(viscosity); }, viscosity_);
     source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
     source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);
-    for (int first = solved_.begin; first < solved_.end; first += AcrossFilm::lanes) solve_rows(i, first);
+    for (int first = solved_.begin; first < solved_.end; first += FilmEnergyEquation::lanes) solve_rows(i, first);
   }
 
   /// In a row on an edge of the grid oil keeps the temperatures with which it entered.
@@ -120,7 +120,7 @@ private:
 
   void solve_rows(int i, int first) {
     // Lanes beyond the last row repeat it.
-    for (int l = 0; l < AcrossFilm::lanes; ++l) {
+    for (int l = 0; l < FilmEnergyEquation::lanes; ++l) {
       const int j = std::min(first + l, solved_.end - 1);
       load_lane(l, j);
       if (own_) {
@@ -129,7 +129,7 @@ private:
         load_isothermal_flow(l, i, j);
       }
     }
-    if (first + AcrossFilm::lanes <= solved_.end) {
+    if (first + FilmEnergyEquation::lanes <= solved_.end) {
       load_profiles(i, [first](int l) { return first + l; });
     } else {
       load_profiles(i, [first, last = solved_.end - 1](int l) { return std::min(first + l, last); });
@@ -142,7 +142,7 @@ private:
               << " a; use more points across the film (thermal_points) or a finer grid";
       throw SolveError(message.str());
     }
-    const int count = std::min(AcrossFilm::lanes, solved_.end - first);
+    const int count = std::min(FilmEnergyEquation::lanes, solved_.end - first);
     store_profiles(i, first, count);
     for (int l = 0; l < count; ++l) {
       if (changes(first + l)) store_lane(l, i, first + l);
@@ -278,7 +278,7 @@ private:
 
   void store_profiles(int i, int first, int count) {
     for (int k = 0; k < points(); ++k) {
-      const AcrossFilm::Lanes& found = across_.temperatures()[k];
+      const FilmEnergyEquation::Lanes& found = across_.temperatures()[k];
       double *T = temperatures(i, k) + first, *gained = gain(k) + first;
       for (int l = 0; l < count; ++l) {
         if (!changes(first + l)) continue;
@@ -287,7 +287,7 @@ private:
       }
     }
     for (int k = 0; own_ && k < points(); ++k) {
-      const AcrossFilm::Lanes& speed = across_.speeds()[k];
+      const FilmEnergyEquation::Lanes& speed = across_.speeds()[k];
       double* passed = passing(i, k) + first;
       bool turns = false;
       for (int l = 0; l < count; ++l) {
@@ -359,7 +359,7 @@ private:
   std::vector<double> earlier_;                           // T_k a time step ago
   MovingSource source_;
   FilmLine line_;
-  AcrossFilm across_;
+  FilmEnergyEquation across_;
   FilmHeat& heat_;
   std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last wet node of every row
   std::vector<double> base_pinion_, base_wheel_;  // sums of moving_source.hpp

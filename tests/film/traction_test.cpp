@@ -10,7 +10,7 @@
 #include "friction_reference.hpp"
 #include "gearfilm/grid/integral.hpp"
 #include "placed_film.hpp"
-#include "traction/across_film.hpp"
+#include "traction/film_energy_equation.hpp"
 #include "traction/moving_source.hpp"
 #include "traction/tridiagonal_lanes.hpp"
 
@@ -20,9 +20,9 @@ namespace {
 const Lubricant barus{.viscosity = 0.1, .pressure_viscosity = 2e-8, .viscosity_law = Barus{}};
 
 /// A film between walls that stay cold, of oil that stays where it is.
-AcrossFilm couette(const ShearLaw& law, double sliding, int points) {
+FilmEnergyEquation couette(const ShearLaw& law, double sliding, int points) {
   const HeatOptions heat = heat_options(points);
-  AcrossFilm film(law, barus, heat);
+  FilmEnergyEquation film(law, barus, heat);
   film.mean_velocity.fill(sliding);
   film.sliding.fill(sliding);
   film.conductance_pinion.fill(1e15);
@@ -34,7 +34,7 @@ AcrossFilm couette(const ShearLaw& law, double sliding, int points) {
   film.base_pinion.fill(heat.oil.temperature);
   film.base_wheel.fill(heat.oil.temperature);
   for (auto* profiles : {&film.upstream, &film.before}) {
-    for (AcrossFilm::Lanes& T : *profiles) T.fill(heat.oil.temperature);
+    for (FilmEnergyEquation::Lanes& T : *profiles) T.fill(heat.oil.temperature);
   }
   film.solve();
   return film;
@@ -44,12 +44,12 @@ AcrossFilm couette(const ShearLaw& law, double sliding, int points) {
 double sliding_of(double nahme) { return std::sqrt(nahme * 0.137 / (0.04 * barus.viscosity)); }
 
 // Nahme 1940: tau h/(eta u_s) = asinh(c)/(c sqrt(1+c^2)), c^2 = Na/8, beta (T_mid - T_0) = ln(1 + Na/8).
-TEST(AcrossFilm, a_film_that_heats_itself_between_cold_walls) {
+TEST(FilmEnergyEquation, a_film_that_heats_itself_between_cold_walls) {
   const ShearLaw newtonian{.kind = ShearLawKind::newtonian, .limiting_ratio = 0.0};
   for (const double nahme : {5.84, 52.6, 584.0}) {
     const double c = std::sqrt(nahme / 8.0), expected = std::asinh(c) / (c * std::sqrt(1.0 + c * c));
     for (const auto& [points, tolerance] : {std::pair{81, 2e-4}, std::pair{17, 5e-3}}) {
-      const AcrossFilm film = couette(newtonian, sliding_of(nahme), points);
+      const FilmEnergyEquation film = couette(newtonian, sliding_of(nahme), points);
       EXPECT_NEAR(film.stress()[0] * 1e-6 / (barus.viscosity * sliding_of(nahme)), expected, tolerance * expected);
       const double middle = 0.04 * (film.temperatures()[points / 2][0] - heat_options(3).oil.temperature);
       EXPECT_NEAR(middle, std::log1p(nahme / 8.0), 10.0 * tolerance * middle) << nahme << " " << points;
@@ -59,10 +59,10 @@ TEST(AcrossFilm, a_film_that_heats_itself_between_cold_walls) {
 
 // The same for any law: C = 1 + beta tau u_s^2/(8 k g_w), (h/2) sqrt(tau g_w beta C/(2 k)) = acosh sqrt(C), g_w the
 // rate of shear at the walls.
-TEST(AcrossFilm, a_film_of_eyrings_oil_heats_itself) {
+TEST(FilmEnergyEquation, a_film_of_eyrings_oil_heats_itself) {
   const ShearLaw eyring{.limiting_ratio = 0.0};
   for (const double sliding : {10.0, 40.0}) {
-    const AcrossFilm film = couette(eyring, sliding, 81);
+    const FilmEnergyEquation film = couette(eyring, sliding, 81);
     const double stress = film.stress()[0], rate = fluidity(eyring, stress) / barus.viscosity;
     const double C = 1.0 + 0.04 * stress * sliding * sliding / (8.0 * 0.137 * rate);
     const double left = 0.5e-6 * std::sqrt(stress * rate * 0.04 * C / (2.0 * 0.137));

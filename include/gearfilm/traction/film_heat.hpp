@@ -1,14 +1,14 @@
 // Heat in the film of one contact: the energy equation across it, marched along the entrainment, between surfaces that
 // the heat warms as they pass.
 //
-// The equation across the film stands in across_film.hpp. Here: upwind along x; the Poiseuille flow as Reynolds'
-// equation fixed it, q_P = -F h^3 p_x/(12 eta(p, T_0)); the surfaces by moving_source.hpp, implicit in the heat at the
-// place itself. Where the film is torn the oil that went past the last wet node fills a part of the gap, and conducts
-// by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a march, that of
-// the film at the moment.
-// A film that does not feel its heat: u(z) carries the mass flow rho (u_m h + q_P), a tenth of rho u_m h at least;
-// steps of first order. One that does (FlowProfile::thermal): its own flow, which may turn back in the inlet and brings
-// the temperatures of the sweep before from there; steps of second order, (3 T_i - 4 T_i-1 + T_i-2)/(2 h_x).
+// The equation across the film stands in film_energy_equation.hpp. Here: upwind along x; the Poiseuille flow as
+// Reynolds' equation fixed it, q_P = -F h^3 p_x/(12 eta(p, T_0)); the surfaces by moving_source.hpp, implicit in the
+// heat at the place itself. Where the film is torn the oil that went past the last wet node fills a part of the gap,
+// and conducts by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a
+// march, that of the film at the moment. A film that does not feel its heat: u(z) carries the mass flow rho (u_m h +
+// q_P), a tenth of rho u_m h at least; steps of first order. One that does (FlowProfile::thermal): its own flow, which
+// may turn back in the inlet and brings the temperatures of the sweep before from there; steps of second order, (3 T_i
+// - 4 T_i-1 + T_i-2)/(2 h_x).
 #pragma once
 
 #include <optional>

@@ -20,13 +20,13 @@
 
 namespace gearfilm {
 
-class AcrossFilm {
+class FilmEnergyEquation {
 public:
   static constexpr int lanes = film_lanes;  ///< places side by side, for vector instructions
   using Lanes = FilmLanes;
 
-  AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
-             FlowProfile kind = FlowProfile::isothermal);
+  FilmEnergyEquation(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
+                     FlowProfile kind = FlowProfile::isothermal);
 
   // To be given for every lane.
   Lanes wet{};              ///< 1; 0 where there is neither shear nor Poiseuille heat

@@ -1,4 +1,4 @@
-#include "traction/across_film.hpp"
+#include "traction/film_energy_equation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,8 @@ inline double neighbour_coefficient(double conduction, double flow) {
 
 }  // namespace
 
-AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat, FlowProfile kind)
+FilmEnergyEquation::FilmEnergyEquation(const ShearLaw& law, const Lubricant& oil, const HeatOptions& heat,
+                                       FlowProfile kind)
     : upstream(heat.points),
       before(heat.points),
       earlier(heat.points),
@@ -71,7 +72,7 @@ AcrossFilm::AcrossFilm(const ShearLaw& law, const Lubricant& oil, const HeatOpti
 
 /// Viscosities at the present temperatures.
 template <EvaluatesViscosity Viscosity>
-void AcrossFilm::find_viscosities(Viscosity viscosity) {
+void FilmEnergyEquation::find_viscosities(Viscosity viscosity) {
   for (int k = 0; k < points(); ++k) {
     each_lane([&](int l) {
       const TemperatureFunction eta = viscosity.log_viscosity(log_viscosity[l], pressure[l], T_[k][l]);
@@ -83,7 +84,7 @@ void AcrossFilm::find_viscosities(Viscosity viscosity) {
 }
 
 /// The same after a change so small that viscosities follow their slopes.
-void AcrossFilm::follow_viscosities() {
+void FilmEnergyEquation::follow_viscosities() {
   for (int k = 0; k < points(); ++k) {
     each_lane([&](int l) {
       const double gain = slope_[k][l] * right_[k][l];
@@ -94,7 +95,7 @@ void AcrossFilm::follow_viscosities() {
 }
 
 /// Their shares across the film, and the mean stress.
-void AcrossFilm::shear() {
+void FilmEnergyEquation::shear() {
   const int count = points();
   Lanes mean{}, inverse;
   for (int k = 0; k < count; ++k) {
@@ -117,7 +118,7 @@ void AcrossFilm::shear() {
   }
 }
 
-void AcrossFilm::set_transport() {
+void FilmEnergyEquation::set_transport() {
   const int count = points();
   Lanes passed{}, mean{}, conduction;
   for (int k = 0; k < count; ++k) {
@@ -145,7 +146,7 @@ void AcrossFilm::set_transport() {
 }
 
 /// That of film_flow.hpp; of a torn film the part that fills it, between walls that shear it evenly.
-void AcrossFilm::set_own_transport() {
+void FilmEnergyEquation::set_own_transport() {
   const int count = points();
   Lanes passed{}, mean_change{}, flow_up{};
   for (int k = 0; k < count; ++k) {
@@ -178,7 +179,7 @@ void AcrossFilm::set_own_transport() {
 /// Rows and matrix of Newton's method: what the cells get, its derivatives by their own temperatures, and the columns
 /// of both parts of rank one.
 template <bool own>
-void AcrossFilm::assemble(double resistance) {
+void FilmEnergyEquation::assemble(double resistance) {
   const int count = points();
   for (int k = 0; k < count; ++k) {
     const Lanes& below = T_[std::max(k - 1, 0)];
@@ -213,7 +214,7 @@ void AcrossFilm::assemble(double resistance) {
 /// Takes the parts of rank one off the solution: with b of tau_m and d of Phi,
 /// (1 + b.B) (b.x) + (b.S) (d.x) = b.r and so on.
 template <bool own>
-void AcrossFilm::correct() {
+void FilmEnergyEquation::correct() {
   const int count = points();
   Lanes b_right{}, b_bordered{}, b_second{}, d_right{}, d_bordered{}, d_second{};
   for (int k = 0; k < count; ++k) {
@@ -250,7 +251,7 @@ void AcrossFilm::correct() {
 
 /// One step of Newton's method, or of one in pseudo-time whose changes are resisted; its largest change.
 template <bool own>
-double AcrossFilm::improve(double resistance) {
+double FilmEnergyEquation::improve(double resistance) {
   assemble<own>(resistance);
   if constexpr (own) {
     solve_tridiagonal<3>(below_, above_, diagonal_, {&right_, &bordered_, &second_});
@@ -276,7 +277,7 @@ double AcrossFilm::improve(double resistance) {
 }
 
 /// What follows from the present temperatures.
-void AcrossFilm::update(bool sheared, int iteration) {
+void FilmEnergyEquation::update(bool sheared, int iteration) {
   const bool own = flow_ == FlowProfile::thermal;
   if (sheared) {
     if (iteration > 0 && std::ranges::all_of(change_, [](double change) { return change < small_change; })) {
@@ -295,7 +296,7 @@ void AcrossFilm::update(bool sheared, int iteration) {
   }
 }
 
-void AcrossFilm::solve() {
+void FilmEnergyEquation::solve() {
   const bool own = flow_ == FlowProfile::thermal;
   const bool sheared = own || std::ranges::any_of(wet, [](double value) { return value != 0.0; });
   T_ = before;
@@ -317,12 +318,12 @@ void AcrossFilm::solve() {
   }
 }
 
-bool AcrossFilm::missed(int lane) const { return !(change_[lane] < tolerance); }
+bool FilmEnergyEquation::missed(int lane) const { return !(change_[lane] < tolerance); }
 
 /// Means and sums of the solution. What the last change adds to stress and heat is that of the linear equations, so
 /// that heat is balanced as these are solved.
 template <bool own>
-void AcrossFilm::take_stock() {
+void FilmEnergyEquation::take_stock() {
   const int count = points();
   Lanes conduction, found;
   each_lane([&](int l) {
