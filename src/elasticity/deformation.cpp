@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "gearfilm/elasticity/row_sums.hpp"
-#include "gearfilm/elasticity/row_transforms.hpp"
+#include "gearfilm/elasticity/dense_y_convolution.hpp"
+#include "gearfilm/elasticity/fft_y_convolution.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
@@ -25,10 +25,10 @@ template <class Real>
 Deformation<Real>::Deformation(const Grid& grid, double C_h)
     : C_h_(C_h), h_x_(grid.h_x()), h_y_(grid.h_y()), spectra_(grid) {
   const Influence kernel = [this](int i, int j) { return coefficient(i, j); };
-  if (RowSums<Real>::serve(spectra_.waves(), grid.rows())) {
-    across_ = std::make_unique<RowSums<Real>>(grid, kernel, spectra_);
+  if (DenseYConvolution<Real>::serve(spectra_.waves(), grid.rows())) {
+    across_ = std::make_unique<DenseYConvolution<Real>>(grid, kernel, spectra_);
   } else {
-    across_ = std::make_unique<RowTransforms<Real>>(grid, kernel, spectra_);
+    across_ = std::make_unique<FftYConvolution<Real>>(grid, kernel, spectra_);
   }
 }
 

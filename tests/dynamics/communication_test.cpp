@@ -1,5 +1,5 @@
 // What travels between processes: the model of docs/performance.md against PETSc's counters.
-#include "gearfilm/elasticity/row_sums.hpp"
+#include "gearfilm/elasticity/dense_y_convolution.hpp"
 #include "gearfilm/traction/traction.hpp"
 #include "pair_case.hpp"
 
@@ -54,10 +54,10 @@ protected:
     if (processes == 1) return {};
     const int waves = fftw::fast_length(2 * on.nx() - 3, true) / 2 + 1;
     const double spectra = 2.0 * waves * on.rows() * bytes;
-    if (!RowSums<float>::serve(waves, on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
+    if (!DenseYConvolution<float>::serve(waves, on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
     const int largest = (on.rows() + on.processes() - 1) / on.processes();
-    const int pieces =
-        bytes == in_single ? RowSums<float>::pieces(waves, largest) : RowSums<double>::pieces(waves, largest);
+    const int pieces = bytes == in_single ? DenseYConvolution<float>::pieces(waves, largest)
+                                          : DenseYConvolution<double>::pieces(waves, largest);
     return {processes * (processes - 1) * pieces, (processes - 1) * spectra, 0.0, 0.0};
   }
   Traffic convolution(double bytes) const { return convolution(bytes, grid); }

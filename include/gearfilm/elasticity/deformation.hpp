@@ -10,11 +10,11 @@
 // the deformation is
 //   sum_l ( K(j-l) + K(j+l) ) q(l) .
 //
-// Rows are transformed in x (row_spectra.hpp; local, the grid is cut in y). In y few rows are summed over
-// (row_sums.hpp), many are transformed too (row_transforms.hpp).
+// Rows are transformed in x (x_spectra.hpp; local, the grid is cut in y). In y few rows are summed over
+// (dense_y_convolution.hpp), many are transformed too (fft_y_convolution.hpp).
 #pragma once
 
-#include "gearfilm/elasticity/across_rows.hpp"
+#include "gearfilm/elasticity/y_convolution.hpp"
 
 namespace gearfilm {
 
@@ -39,8 +39,8 @@ private:
   double h_x_;
   double h_y_;
   // Work space of apply() within.
-  mutable RowSpectra<Real> spectra_;
-  std::unique_ptr<AcrossRows<Real>> across_;
+  mutable XSpectra<Real> spectra_;
+  std::unique_ptr<YConvolution<Real>> across_;
 };
 
 extern template class Deformation<float>;

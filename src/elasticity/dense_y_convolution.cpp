@@ -1,4 +1,4 @@
-#include "gearfilm/elasticity/row_sums.hpp"
+#include "gearfilm/elasticity/dense_y_convolution.hpp"
 
 #include "gearfilm/grid/halo.hpp"
 
@@ -37,18 +37,18 @@ void add_rows(const Real* __restrict matrix, const std::complex<Real>* rows, int
 }  // namespace
 
 template <class Real>
-bool RowSums<Real>::serve(int waves, int rows) {
+bool DenseYConvolution<Real>::serve(int waves, int rows) {
   return rows <= most_rows && waves * rows <= most_spectra;
 }
 
 template <class Real>
-int RowSums<Real>::pieces(int waves, int rows) {
+int DenseYConvolution<Real>::pieces(int waves, int rows) {
   const int bytes = waves * rows * static_cast<int>(sizeof(Complex));
   return (bytes + piece_bytes - 1) / piece_bytes;
 }
 
 template <class Real>
-RowSums<Real>::RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Real>& spectra)
+DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra)
     : comm_(grid.comm()),
       rank_(grid.rank()),
       waves_(spectra.waves()),
@@ -64,7 +64,7 @@ RowSums<Real>::RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Rea
 }
 
 template <class Real>
-void RowSums<Real>::fill_matrix(const RowAxis& rows, const Influence& kernel, RowSpectra<Real>& spectra) {
+void DenseYConvolution<Real>::fill_matrix(const RowAxis& rows, const Influence& kernel, XSpectra<Real>& spectra) {
   const int distances = 2 * sources_ + 1, own = spectra.own_rows(), begin = y_ranges_[rank_];
   const Real scale = Real(1.0 / spectra.length());
   std::vector<Real> transforms(static_cast<std::size_t>(waves_) * distances);  // [wave number][distance]
@@ -90,7 +90,7 @@ void RowSums<Real>::fill_matrix(const RowAxis& rows, const Influence& kernel, Ro
 }
 
 template <class Real>
-void RowSums<Real>::add(int k, int process, const Complex* rows, Real* sums) const {
+void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real* sums) const {
   const int first = y_ranges_[process], count = std::min(rows_of(process), sources_ - first);
   const Real* matrix = matrix_.data() + (static_cast<std::size_t>(k) * sources_ + first) * width_;
   if (width_ == few) {
@@ -101,13 +101,13 @@ void RowSums<Real>::add(int k, int process, const Complex* rows, Real* sums) con
 }
 
 template <class Real>
-void RowSums<Real>::combine(int k, const Real* sums, RowSpectra<Real>& spectra) {
+void DenseYConvolution<Real>::combine(int k, const Real* sums, XSpectra<Real>& spectra) {
   for (std::size_t j = 0; j < result_.size(); ++j) result_[j] = {sums[j], sums[width_ + j]};
   spectra.combine(k, result_.data());
 }
 
 template <class Real>
-void RowSums<Real>::apply_alone(RowSpectra<Real>& spectra) {
+void DenseYConvolution<Real>::apply_alone(XSpectra<Real>& spectra) {
   for (int k = 0; k < waves_; ++k) {
     Complex* rows = spectrum(0, 0);
     spectra.separate(k, rows);
@@ -118,7 +118,7 @@ void RowSums<Real>::apply_alone(RowSpectra<Real>& spectra) {
 }
 
 template <class Real>
-void RowSums<Real>::apply(RowSpectra<Real>& spectra) {
+void DenseYConvolution<Real>::apply(XSpectra<Real>& spectra) {
   if (processes() == 1) return apply_alone(spectra);
   received_.clear();
   sent_.clear();
@@ -155,7 +155,7 @@ void RowSums<Real>::apply(RowSpectra<Real>& spectra) {
   MPI_Waitall(static_cast<int>(sent_.size()), sent_.data(), MPI_STATUSES_IGNORE);
 }
 
-template class RowSums<float>;
-template class RowSums<double>;
+template class DenseYConvolution<float>;
+template class DenseYConvolution<double>;
 
 }  // namespace gearfilm

@@ -11,11 +11,11 @@
 namespace gearfilm {
 
 template <class Real>
-class RowSpectra {
+class XSpectra {
 public:
   using Complex = std::complex<Real>;
 
-  explicit RowSpectra(const Grid& grid);
+  explicit XSpectra(const Grid& grid);
 
   int own_rows() const { return own_rows_; }
   /// Of the padded lines; a transform and its inverse multiply by it.
@@ -62,7 +62,7 @@ private:
   fftw::Plan<Real> forward_, backward_;
 };
 
-extern template class RowSpectra<float>;
-extern template class RowSpectra<double>;
+extern template class XSpectra<float>;
+extern template class XSpectra<double>;
 
 }  // namespace gearfilm

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "gearfilm/elasticity/row_spectra.hpp"
+#include "gearfilm/elasticity/x_spectra.hpp"
 
 namespace gearfilm {
 
@@ -11,15 +11,15 @@ namespace gearfilm {
 using Influence = std::function<double(int i, int j)>;
 
 template <class Real>
-class AcrossRows {
+class YConvolution {
 public:
-  virtual ~AcrossRows() = default;
-  AcrossRows() = default;
-  AcrossRows(const AcrossRows&) = delete;
-  AcrossRows& operator=(const AcrossRows&) = delete;
+  virtual ~YConvolution() = default;
+  YConvolution() = default;
+  YConvolution(const YConvolution&) = delete;
+  YConvolution& operator=(const YConvolution&) = delete;
 
   /// The spectra of rows become those of their deformation. All processes of the grid call it together.
-  virtual void apply(RowSpectra<Real>& spectra) = 0;
+  virtual void apply(XSpectra<Real>& spectra) = 0;
 };
 
 }  // namespace gearfilm

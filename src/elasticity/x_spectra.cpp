@@ -1,4 +1,4 @@
-#include "gearfilm/elasticity/row_spectra.hpp"
+#include "gearfilm/elasticity/x_spectra.hpp"
 
 namespace gearfilm {
 namespace {
@@ -10,7 +10,7 @@ int uneven_stride(int lines) { return lines % 16 == 0 ? lines + 1 : lines; }
 }  // namespace
 
 template <class Real>
-RowSpectra<Real>::RowSpectra(const Grid& grid)
+XSpectra<Real>::XSpectra(const Grid& grid)
     : nx_(grid.nx()),
       own_rows_(grid.y_count()),
       inner_(grid.inner_rows()),
@@ -29,7 +29,7 @@ RowSpectra<Real>::RowSpectra(const Grid& grid)
 }
 
 template <class Real>
-void RowSpectra<Real>::transform(const Field<Real>& field) {
+void XSpectra<Real>::transform(const Field<Real>& field) {
   std::fill(line(0), line(1), Real(0));
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* row = line(i);
@@ -43,7 +43,7 @@ void RowSpectra<Real>::transform(const Field<Real>& field) {
 }
 
 template <class Real>
-void RowSpectra<Real>::separate(int k, Complex* rows) const {
+void XSpectra<Real>::separate(int k, Complex* rows) const {
   const Real* __restrict here = line(k);
   const Real* __restrict mirrored = line((length_ - k) % length_);
   Real* __restrict out = reinterpret_cast<Real*>(rows);
@@ -62,7 +62,7 @@ void RowSpectra<Real>::separate(int k, Complex* rows) const {
 }
 
 template <class Real>
-void RowSpectra<Real>::combine(int k, const Complex* rows) {
+void XSpectra<Real>::combine(int k, const Complex* rows) {
   const bool own_mirror = k == 0 || 2 * k == length_;
   const Real* __restrict in = reinterpret_cast<const Real*>(rows);
   Real* __restrict here = line(k);
@@ -80,12 +80,12 @@ void RowSpectra<Real>::combine(int k, const Complex* rows) {
 }
 
 template <class Real>
-void RowSpectra<Real>::transform_back(Field<Real>& field) {
+void XSpectra<Real>::transform_back(Field<Real>& field) {
   backward_.execute();
   for (int i = 0; i < nx_; ++i) std::copy_n(line(i), own_rows_, field.row(i));
 }
 
-template class RowSpectra<float>;
-template class RowSpectra<double>;
+template class XSpectra<float>;
+template class XSpectra<double>;
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-#include "gearfilm/elasticity/row_transforms.hpp"
+#include "gearfilm/elasticity/fft_y_convolution.hpp"
 
 #include "gearfilm/grid/halo.hpp"
 
@@ -11,7 +11,7 @@ constexpr int bundle = 8;
 }  // namespace
 
 template <class Real>
-RowTransforms<Real>::RowTransforms(const Grid& grid, const Influence& kernel, RowSpectra<Real>& spectra)
+FftYConvolution<Real>::FftYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra)
     : comm_(grid.comm()),
       rank_(grid.rank()),
       rows_(grid.rows()),
@@ -32,7 +32,7 @@ RowTransforms<Real>::RowTransforms(const Grid& grid, const Influence& kernel, Ro
 }
 
 template <class Real>
-void RowTransforms<Real>::plan_transforms() {
+void FftYConvolution<Real>::plan_transforms() {
   using Fftw = fftw::Interface<Real>;
   using Raw = typename Fftw::Complex*;
   const auto raw = [](fftw::Buffer<Complex>& buffer) { return reinterpret_cast<Raw>(buffer.data()); };
@@ -47,7 +47,7 @@ void RowTransforms<Real>::plan_transforms() {
 // The kernel passes through the same distributed transforms as a field, with the mirrored half filled in instead of
 // zeros.
 template <class Real>
-void RowTransforms<Real>::transform_kernel(const Influence& kernel, RowSpectra<Real>& spectra) {
+void FftYConvolution<Real>::transform_kernel(const Influence& kernel, XSpectra<Real>& spectra) {
   const int kept = length_ / 2 + 1;
   const Real scale = Real(1.0 / (static_cast<double>(spectra.length()) * length_));
   const auto clear_lines = [&] { std::fill_n(lines_.data(), static_cast<std::size_t>(bundle) * length_, Complex(0)); };
@@ -93,7 +93,7 @@ void RowTransforms<Real>::transform_kernel(const Influence& kernel, RowSpectra<R
 
 // K being real, V(-n) is the conjugate of V(n).
 template <class Real>
-void RowTransforms<Real>::multiply_by_kernel(int k, Complex* line) const {
+void FftYConvolution<Real>::multiply_by_kernel(int k, Complex* line) const {
   const Real* kernel = kernel_.data() + kernel_at(k);
   if (!mirrored_) {
     for (int n = 0; n < length_; ++n) line[n] *= kernel[std::min(n, length_ - n)];
@@ -110,7 +110,7 @@ void RowTransforms<Real>::multiply_by_kernel(int k, Complex* line) const {
 }
 
 template <class Real>
-void RowTransforms<Real>::count_blocks() {
+void FftYConvolution<Real>::count_blocks() {
   const int processes = static_cast<int>(wave_ranges_.size()) - 1;
   constexpr int reals = 2;  // of a complex value
   for (int p = 0; p < processes; ++p) {
@@ -122,7 +122,7 @@ void RowTransforms<Real>::count_blocks() {
 }
 
 template <class Real>
-void RowTransforms<Real>::gather(const RowSpectra<Real>& spectra) {
+void FftYConvolution<Real>::gather(const XSpectra<Real>& spectra) {
   if (alone()) return;
   for (int k = 0; k < wave_ranges_.back(); ++k) spectra.separate(k, own_spectrum(k));
   MPI_Alltoallv(spectrum_.data(), x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), exchanged_.data(),
@@ -130,7 +130,7 @@ void RowTransforms<Real>::gather(const RowSpectra<Real>& spectra) {
 }
 
 template <class Real>
-void RowTransforms<Real>::scatter(RowSpectra<Real>& spectra) {
+void FftYConvolution<Real>::scatter(XSpectra<Real>& spectra) {
   if (alone()) return;
   MPI_Alltoallv(exchanged_.data(), y_side_.counts.data(), y_side_.offsets.data(), mpi_type<Real>(), spectrum_.data(),
                 x_side_.counts.data(), x_side_.offsets.data(), mpi_type<Real>(), comm_);
@@ -141,7 +141,7 @@ void RowTransforms<Real>::scatter(RowSpectra<Real>& spectra) {
 // lines.
 template <class Real>
 template <class Move>
-void RowTransforms<Real>::for_each_piece(int k, Move move) const {
+void FftYConvolution<Real>::for_each_piece(int k, Move move) const {
   for (std::size_t p = 0; p + 1 < y_ranges_.size(); ++p) {
     const int first = y_ranges_[p], rows = y_ranges_[p + 1] - first;
     move(first, static_cast<std::size_t>(wave_count()) * first + static_cast<std::size_t>(k) * rows, rows);
@@ -149,14 +149,14 @@ void RowTransforms<Real>::for_each_piece(int k, Move move) const {
 }
 
 template <class Real>
-void RowTransforms<Real>::load(const RowSpectra<Real>& spectra, int k, Complex* line) const {
+void FftYConvolution<Real>::load(const XSpectra<Real>& spectra, int k, Complex* line) const {
   if (alone()) return spectra.separate(k, line);
   for_each_piece(
       k, [&](int first, std::size_t piece, int rows) { std::copy_n(exchanged_.data() + piece, rows, line + first); });
 }
 
 template <class Real>
-void RowTransforms<Real>::store(int k, const Complex* line, RowSpectra<Real>& spectra) {
+void FftYConvolution<Real>::store(int k, const Complex* line, XSpectra<Real>& spectra) {
   if (alone()) return spectra.combine(k, line);
   for_each_piece(
       k, [&](int first, std::size_t piece, int rows) { std::copy_n(line + first, rows, exchanged_.data() + piece); });
@@ -164,12 +164,12 @@ void RowTransforms<Real>::store(int k, const Complex* line, RowSpectra<Real>& sp
 
 template <class Real>
 template <class Work>
-void RowTransforms<Real>::for_each_bundle(Work work) const {
+void FftYConvolution<Real>::for_each_bundle(Work work) const {
   for (int first = 0; first < wave_count(); first += bundle) work(first, std::min(bundle, wave_count() - first));
 }
 
 template <class Real>
-void RowTransforms<Real>::apply(RowSpectra<Real>& spectra) {
+void FftYConvolution<Real>::apply(XSpectra<Real>& spectra) {
   gather(spectra);
   for_each_bundle([&](int first, int count) {
     for (int n = 0; n < count; ++n) load(spectra, first + n, line(n));
@@ -181,7 +181,7 @@ void RowTransforms<Real>::apply(RowSpectra<Real>& spectra) {
   scatter(spectra);
 }
 
-template class RowTransforms<float>;
-template class RowTransforms<double>;
+template class FftYConvolution<float>;
+template class FftYConvolution<double>;
 
 }  // namespace gearfilm

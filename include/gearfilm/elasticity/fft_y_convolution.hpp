@@ -8,17 +8,17 @@
 // these at a time are transformed, so that what is padded in y is neither communicated nor stored as a whole.
 #pragma once
 
-#include "gearfilm/elasticity/across_rows.hpp"
+#include "gearfilm/elasticity/y_convolution.hpp"
 
 namespace gearfilm {
 
 template <class Real>
-class RowTransforms : public AcrossRows<Real> {
+class FftYConvolution : public YConvolution<Real> {
 public:
   /// The spectra are work space here, for the kernel's. Collective.
-  RowTransforms(const Grid& grid, const Influence& kernel, RowSpectra<Real>& spectra);
+  FftYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra);
 
-  void apply(RowSpectra<Real>& spectra) override;
+  void apply(XSpectra<Real>& spectra) override;
 
 private:
   using Complex = std::complex<Real>;
@@ -31,14 +31,14 @@ private:
   bool alone() const { return wave_ranges_.size() == 2; }
   void count_blocks();
   void plan_transforms();
-  void transform_kernel(const Influence& kernel, RowSpectra<Real>& spectra);
+  void transform_kernel(const Influence& kernel, XSpectra<Real>& spectra);
   /// What all processes' rows have at the own wave numbers, to where load() finds it; and back from where store() puts
   /// it.
-  void gather(const RowSpectra<Real>& spectra);
-  void scatter(RowSpectra<Real>& spectra);
+  void gather(const XSpectra<Real>& spectra);
+  void scatter(XSpectra<Real>& spectra);
   /// The transform in x of all rows at an own wave number, from or into its line.
-  void load(const RowSpectra<Real>& spectra, int k, Complex* line) const;
-  void store(int k, const Complex* line, RowSpectra<Real>& spectra);
+  void load(const XSpectra<Real>& spectra, int k, Complex* line) const;
+  void store(int k, const Complex* line, XSpectra<Real>& spectra);
   /// A wave number's pieces in exchanged_: move(first row, piece, rows).
   template <class Move>
   void for_each_piece(int k, Move move) const;
@@ -77,7 +77,7 @@ private:
   fftw::Plan<Real> forward_, backward_;
 };
 
-extern template class RowTransforms<float>;
-extern template class RowTransforms<double>;
+extern template class FftYConvolution<float>;
+extern template class FftYConvolution<double>;
 
 }  // namespace gearfilm

@@ -9,12 +9,12 @@
 // while the process sums over its own: transforms in y need two transpositions, and all that wait for both.
 #pragma once
 
-#include "gearfilm/elasticity/across_rows.hpp"
+#include "gearfilm/elasticity/y_convolution.hpp"
 
 namespace gearfilm {
 
 template <class Real>
-class RowSums : public AcrossRows<Real> {
+class DenseYConvolution : public YConvolution<Real> {
 public:
   /// Whether sums are the faster way for so many rows, and their matrix small enough for a cache.
   static bool serve(int waves, int rows);
@@ -22,18 +22,18 @@ public:
   static int pieces(int waves, int rows);
 
   /// The spectra are work space here, for the kernel's.
-  RowSums(const Grid& grid, const Influence& kernel, RowSpectra<Real>& spectra);
+  DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra);
 
-  void apply(RowSpectra<Real>& spectra) override;
+  void apply(XSpectra<Real>& spectra) override;
 
 private:
   using Complex = std::complex<Real>;
-  void fill_matrix(const RowAxis& rows, const Influence& kernel, RowSpectra<Real>& spectra);
+  void fill_matrix(const RowAxis& rows, const Influence& kernel, XSpectra<Real>& spectra);
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;
   /// Sums as the complex values of rows.
-  void combine(int k, const Real* sums, RowSpectra<Real>& spectra);
-  void apply_alone(RowSpectra<Real>& spectra);
+  void combine(int k, const Real* sums, XSpectra<Real>& spectra);
+  void apply_alone(XSpectra<Real>& spectra);
   int rows_of(int process) const { return y_ranges_[process + 1] - y_ranges_[process]; }
   int processes() const { return static_cast<int>(y_ranges_.size()) - 1; }
   int first_wave(int piece) const { return static_cast<int>(static_cast<long>(waves_) * piece / pieces_); }
@@ -58,7 +58,7 @@ private:
   std::vector<MPI_Request> received_, sent_;
 };
 
-extern template class RowSums<float>;
-extern template class RowSums<double>;
+extern template class DenseYConvolution<float>;
+extern template class DenseYConvolution<double>;
 
 }  // namespace gearfilm
