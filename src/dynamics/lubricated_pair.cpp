@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "gearfilm/film/similar_pressure.hpp"
+#include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
@@ -99,7 +99,8 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
     system_.set_field(
-        guess, k, similar_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
+        guess, k,
+        rescaled_hertz_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/similar_pressure.hpp"
+#include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/film/validity.hpp"
 #include "gearfilm/grid/integral.hpp"
 #include "gearfilm/grid/refit.hpp"
@@ -286,7 +286,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
     return true;
   };
   const std::vector<double> known = values(field::pressure);
-  set_values(field::pressure, similar_pressures(there));
+  set_values(field::pressure, rescaled_pressures(there));
   double part = 1.0;
   if (solved(0.0, options_.steps.newton)) {
     part = 0.0;
@@ -340,7 +340,7 @@ void MeshedFilms::adapt_rates() {
   }
 }
 
-std::vector<double> MeshedFilms::similar_pressures(const std::vector<double>& displaced) const {
+std::vector<double> MeshedFilms::rescaled_pressures(const std::vector<double>& displaced) const {
   const std::vector<double> before = forces();
   DryContacts dry(DryForce(mesh_), mesh_, numbers(), T_);
   dry.stand_for(before, displaced);
@@ -351,8 +351,8 @@ std::vector<double> MeshedFilms::similar_pressures(const std::vector<double>& di
     if (before[k] > 0.0 && after[k] > 0.0) {
       const ContactConditions conditions = mesh_.contact(contacts_[k].number, T_).conditions;
       const HertzContact ellipse = dry_contact(mesh_.scales, conditions, before[k]);
-      own = similar_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]), own,
-                             conditions.nearest.X);
+      own = rescaled_hertz_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]),
+                                    own, conditions.nearest.X);
     }
     all.insert(all.end(), own.begin(), own.end());
   }

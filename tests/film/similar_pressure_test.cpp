@@ -1,8 +1,7 @@
 // Pressures of a contact whose ellipse has become smaller or larger.
-#include "gearfilm/film/similar_pressure.hpp"
-
 #include "film_case.hpp"
 #include "gearfilm/film/contact_film.hpp"
+#include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/grid/integral.hpp"
 
 namespace gearfilm {
@@ -27,7 +26,7 @@ TEST_F(SimilarPressure, of_a_hertz_contact_is_that_of_another_load) {
   for (const double share : {0.5, 1.1}) {
     const std::vector<double> expected = hertz_under(share);
     const std::vector<double> found =
-        similar_pressure(grid_, pitch_.scales, contact_under(1.0), std::cbrt(share), hertz_under(1.0));
+        rescaled_hertz_pressure(grid_, pitch_.scales, contact_under(1.0), std::cbrt(share), hertz_under(1.0));
     std::vector<double> error(found.size());
     for (std::size_t n = 0; n < found.size(); ++n) error[n] = std::abs(found[n] - expected[n]);
     // The root at the edge is not linear between two nodes.
@@ -37,7 +36,7 @@ TEST_F(SimilarPressure, of_a_hertz_contact_is_that_of_another_load) {
 
 TEST_F(SimilarPressure, ratio_of_one_changes_nothing) {
   const std::vector<double> before = hertz_under(0.9);
-  const std::vector<double> after = similar_pressure(grid_, pitch_.scales, contact_under(0.9), 1.0, before);
+  const std::vector<double> after = rescaled_hertz_pressure(grid_, pitch_.scales, contact_under(0.9), 1.0, before);
   for (std::size_t n = 0; n < before.size(); ++n) EXPECT_NEAR(after[n], before[n], 1e-12);
 }
 

@@ -86,7 +86,7 @@ private:
   std::vector<double> oil_at(const std::vector<double>& displacements) const;
 
   /// The present pressures, changed as those of dry contacts by the way from these displacements to those of now.
-  std::vector<double> similar_pressures(const std::vector<double>& displaced) const;
+  std::vector<double> rescaled_pressures(const std::vector<double>& displaced) const;
 
   /// A new contact, among those together with it, of which the first ones carry these forces.
   LiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);

@@ -16,7 +16,7 @@ namespace gearfilm {
 
 /// Compact pressures of the contact about X = centre after its ellipse has changed by the ratio of half-axes. Lines
 /// that were loaded and are no longer keep a tenth.
-std::vector<double> similar_pressure(const Grid& grid, const Scales& scales, const HertzContact& before, double ratio,
-                                     std::span<const double> pressure, double centre = 0.0);
+std::vector<double> rescaled_hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& before,
+                                            double ratio, std::span<const double> pressure, double centre = 0.0);
 
 }  // namespace gearfilm

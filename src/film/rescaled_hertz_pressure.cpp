@@ -1,4 +1,4 @@
-#include "gearfilm/film/similar_pressure.hpp"
+#include "gearfilm/film/rescaled_hertz_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ constexpr double unloaded = 0.1;    // of the pressure that a line keeps when it
 
 }  // namespace
 
-std::vector<double> similar_pressure(const Grid& grid, const Scales& scales, const HertzContact& before, double ratio,
-                                     std::span<const double> pressure, double centre) {
+std::vector<double> rescaled_hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& before,
+                                            double ratio, std::span<const double> pressure, double centre) {
   const int rows = grid.y_count();
   const auto at = [&](int i, int j) { return static_cast<std::size_t>(i) * rows + j; };
   const double a = before.a / scales.length, b = before.b / scales.length, top = before.pressure / scales.pressure;
