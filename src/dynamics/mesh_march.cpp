@@ -93,7 +93,7 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
     for (std::size_t k = 0; k < contacts().size(); ++k) {
       const LiveContact& contact = contacts()[k];
       const FilmFigures figures = film_figures(record.contacts[k].figures);
-      needed = united(needed, films_.required_margins(contact.number, figures.pressure_integral));
+      needed = enclosing(needed, films_.required_margins(contact.number, figures.pressure_integral));
       check_validity(*contact.film, figures, films_.label(contact.number));
     }
     observe(record);

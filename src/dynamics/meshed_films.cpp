@@ -10,7 +10,7 @@
 #include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/film/validity.hpp"
 #include "gearfilm/grid/integral.hpp"
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 #include "gearfilm/mesh/dry_force.hpp"
 #include "parallel/events.hpp"
 
@@ -78,7 +78,7 @@ void MeshedFilms::move_to(const GridShape& shape) {
   for (LiveContact& contact : contacts_) contact.film = nullptr;
   for (LiveContact& contact : contacts_) {
     contact.film = free_film();
-    for (auto& [name, values] : contact.fields) values = refitted(values, before->grid(), discretisation_->grid());
+    for (auto& [name, values] : contact.fields) values = remapped(values, before->grid(), discretisation_->grid());
     take_up_heat(mesh_, contact);
   }
 }
@@ -103,7 +103,7 @@ DomainMargins MeshedFilms::required_margins(int number, double pressure_integral
   };
   const DomainMargins here = room_of(conditions);
   if (!conditions.local.flanks) return here;
-  return united(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.largest()).conditions));
+  return enclosing(here, room_of(mesh_.contact(number, T_ + 2.0 * options_.steps.largest()).conditions));
 }
 
 bool MeshedFilms::grow_domain(const DomainMargins& needed) {
@@ -119,7 +119,7 @@ bool MeshedFilms::grow_domain() {
   if (!options_.margins) return false;
   const std::vector<double> carried = forces();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    needed = united(needed, required_margins(contacts_[k].number, carried[k]));
+    needed = enclosing(needed, required_margins(contacts_[k].number, carried[k]));
   }
   return grow_domain(needed);
 }
@@ -153,7 +153,7 @@ void MeshedFilms::balance_at_rest() {
   contacts_.clear();
   // None of them carries more than the whole force.
   DomainMargins needed;
-  for (int number : numbers) needed = united(needed, required_margins(number, mesh_.scales.static_force));
+  for (int number : numbers) needed = enclosing(needed, required_margins(number, mesh_.scales.static_force));
   grow_domain(needed);
   const auto sharing = mesh_.share_from(T_);
   const double share = sharing ? (*sharing)(mesh_.path.position(0, T_)) : 1.0;
@@ -388,8 +388,8 @@ void MeshedFilms::take_up(double T, const PairState& state, const std::vector<in
     throw std::logic_error("a march cannot go on from films on a grid of other steps");
   }
   contacts_.clear();
-  if (!numbers.empty()) move_to(united(discretisation_->grid().shape(), state.shape));
-  const PairState here = refitted(state, comm(), discretisation_->grid().shape());
+  if (!numbers.empty()) move_to(enclosing(discretisation_->grid().shape(), state.shape));
+  const PairState here = remapped(state, comm(), discretisation_->grid().shape());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     contacts_.push_back({numbers[k], free_film(), here.films[k], {}});
     take_up_heat(mesh_, contacts_.back());

@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "film/transfer.hpp"
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 
 namespace gearfilm {
 
-PairState refitted(const PairState& state, MPI_Comm comm, const GridShape& shape) {
+PairState remapped(const PairState& state, MPI_Comm comm, const GridShape& shape) {
   if (state.shape == shape || state.films.empty()) return state;
   const Grid from(comm, state.shape), to(comm, shape);
   PairState result{state.motion, {}, shape};
   for (const ContactFields& film : state.films) {
     result.films.emplace_back();
-    for (const auto& [name, values] : film) result.films.back()[name] = refitted(values, from, to);
+    for (const auto& [name, values] : film) result.films.back()[name] = remapped(values, from, to);
   }
   return result;
 }
@@ -27,7 +27,7 @@ PairState refined(const PairState& state, MPI_Comm comm) {
   for (const ContactFields& film : state.films) {
     result.films.emplace_back();
     for (const auto& [name, values] : film) {
-      coarse.load(refitted(values, from, every_second));
+      coarse.load(remapped(values, from, every_second));
       interpolate_cubic(every_second, to, coarse, fine);
       std::vector<double>& own = result.films.back()[name];
       own.resize(to.local_size());

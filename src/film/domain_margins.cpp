@@ -47,7 +47,7 @@ DomainMargins required_margins(const MarginRule& rule, const Scales& scales, con
           .side = std::min(rule.side * growth * b, rule.face)};
 }
 
-DomainMargins united(const DomainMargins& a, const DomainMargins& b) {
+DomainMargins enclosing(const DomainMargins& a, const DomainMargins& b) {
   return {std::max(a.inlet, b.inlet), std::max(a.outlet, b.outlet), std::max(a.side, b.side)};
 }
 

@@ -118,7 +118,7 @@ bool same_lattice(const RowAxis& a, const RowAxis& b) {
 
 int rows_between(const RowAxis& a, const RowAxis& b) { return static_cast<int>(std::lround(rows_apart(a, b))); }
 
-RowAxis united(const RowAxis& a, const RowAxis& b) {
+RowAxis enclosing(const RowAxis& a, const RowAxis& b) {
   const int below = -rows_between(a, b), above = b.count() - a.count() - below;
   if (below >= 0 && above >= 0) return b;
   return std::max(below, above) > 0 ? a.extended(std::max(below, above)) : a;

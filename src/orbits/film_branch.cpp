@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 #include "gearfilm/orbits/free_decay.hpp"
 
 namespace gearfilm {

@@ -22,8 +22,8 @@ public:
       : march_(march),
         mesh_(march.mesh()),
         shape_(march.discretisation()->grid().shape()),
-        start_(refitted(orbit.start, march.comm(), shape_)),
-        end_(refitted(orbit.end, march.comm(), shape_)),
+        start_(remapped(orbit.start, march.comm(), shape_)),
+        end_(remapped(orbit.end, march.comm(), shape_)),
         difference_(size_of_difference),
         rank_(rank_in(march.comm())) {
     for (const ContactFields& fields : start_.films) {
@@ -82,7 +82,7 @@ private:
   }
 
   void difference_of(const PairState& state, const PairState& b, Vec vec) const {
-    const PairState a = refitted(state, comm(), shape_);
+    const PairState a = remapped(state, comm(), shape_);
     const VecWriting values(vec);
     std::size_t next = 0;
     for (std::size_t k = 0; k < a.films.size(); ++k) {

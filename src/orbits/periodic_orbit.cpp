@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 
 namespace gearfilm {
 namespace {
@@ -57,7 +57,7 @@ private:
 
 /// Largest change of any field between two states with the same contacts.
 double film_change(const PairState& earlier, const PairState& after, MPI_Comm comm) {
-  const PairState before = refitted(earlier, comm, after.shape);
+  const PairState before = remapped(earlier, comm, after.shape);
   double largest = 0.0;
   for (std::size_t k = 0; k < before.films.size() && k < after.films.size(); ++k) {
     const std::vector<double>& pressed = values_of(before.films[k], field::pressure);

@@ -2,7 +2,7 @@
 // two.
 #include <algorithm>
 
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -68,14 +68,14 @@ TEST_F(Widening, carries_films_over_without_a_change_of_mass) {
   ASSERT_FALSE(memory.kept.empty());
   const PairState& before = memory.kept.front().state;
   ASSERT_NE(before.shape, last);
-  const PairState after = refitted(before, PETSC_COMM_WORLD, last);
+  const PairState after = remapped(before, PETSC_COMM_WORLD, last);
   const auto mass_of = [&](const PairState& state) {
     const Grid grid(PETSC_COMM_WORLD, state.shape);
     ContactFilm film(discretise(grid, narrow.scales), narrow.scales, MultigridOptions{});
     const auto& pressure = values_of(state.films.front(), field::pressure);
     std::vector<double> mass(pressure.size());
     film.mass(pressure, state.motion.H0, mass);
-    return refitted(mass, grid, Grid(PETSC_COMM_WORLD, before.shape));
+    return remapped(mass, grid, Grid(PETSC_COMM_WORLD, before.shape));
   };
   EXPECT_LT(relative_difference(mass_of(after), mass_of(before)), 1e-13);
 }

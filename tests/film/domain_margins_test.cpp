@@ -3,7 +3,7 @@
 
 #include "film_case.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 
 namespace gearfilm {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// Zero at the inlet, the outlet and the side of `narrow`, like a pressure.
 double bump(double x, double y) { return (x + 2.0) * (1.2 - x) * (1.5 - std::abs(y)) * (1.0 + 0.3 * x - 0.2 * y); }
 
-class Refit : public testing::Test {
+class Remap : public testing::Test {
 protected:
   static std::vector<double> on(const Grid& grid) {
     Field<double> field(grid);
@@ -30,24 +30,24 @@ protected:
   static constexpr double round_off = 1e-12;
 };
 
-TEST_F(Refit, puts_a_pressure_where_it_was_and_zero_around) {
+TEST_F(Remap, puts_a_pressure_where_it_was_and_zero_around) {
   ASSERT_TRUE(same_lattice(narrow.shape(), wide.shape()));
-  const std::vector<double> moved = refitted(on(narrow), narrow, wide), expected = on(wide);
+  const std::vector<double> moved = remapped(on(narrow), narrow, wide), expected = on(wide);
   ASSERT_EQ(moved.size(), expected.size());
   for (std::size_t n = 0; n < moved.size(); ++n) EXPECT_NEAR(moved[n], expected[n], round_off) << n;
 }
 
-TEST_F(Refit, and_back_is_the_same_to_the_bit) {
+TEST_F(Remap, and_back_is_the_same_to_the_bit) {
   const std::vector<double> field = on(narrow);
-  EXPECT_EQ(refitted(refitted(field, narrow, wide), wide, narrow), field);
+  EXPECT_EQ(remapped(remapped(field, narrow, wide), wide, narrow), field);
 }
 
-TEST_F(Refit, goes_on_beyond_the_edges_as_the_field_is_there) {
+TEST_F(Remap, goes_on_beyond_the_edges_as_the_field_is_there) {
   Field<double> field(narrow);
   fill(narrow, field, [](double x, double y) { return 3.0 * x - 7.0 * y; });
   std::vector<double> compact(narrow.local_size());
   field.store(compact);
-  const std::vector<double> moved = refitted(compact, narrow, wide);
+  const std::vector<double> moved = remapped(compact, narrow, wide);
   for (int i = 0; i < wide.nx(); ++i) {
     for (int j = 0; j < wide.y_count(); ++j) {
       const double x = std::clamp(wide.x(i), -2.0, 1.2), y = std::min(wide.y(j), 1.5);
@@ -56,17 +56,17 @@ TEST_F(Refit, goes_on_beyond_the_edges_as_the_field_is_there) {
   }
 }
 
-TEST_F(Refit, union_holds_both) {
+TEST_F(Remap, union_holds_both) {
   const GridShape longer = rectangle(36, 31, -2.3, 1.2, 1.5), broader = rectangle(38, 39, -2.0, 1.7, 1.9);
-  const GridShape all = united(longer, broader);
+  const GridShape all = enclosing(longer, broader);
   EXPECT_EQ(all.nx, wide.nx());
   EXPECT_EQ(all.ny(), wide.ny());
   EXPECT_TRUE(same_lattice(all, wide.shape()));
-  EXPECT_EQ(united(all, narrow.shape()), all);
-  EXPECT_EQ(united(narrow.shape(), narrow.shape()), narrow.shape());
+  EXPECT_EQ(enclosing(all, narrow.shape()), all);
+  EXPECT_EQ(enclosing(narrow.shape(), narrow.shape()), narrow.shape());
 }
 
-TEST_F(Refit, other_steps_or_places_are_another_lattice) {
+TEST_F(Remap, other_steps_or_places_are_another_lattice) {
   EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(32, 31, -2.0, 1.2, 1.5)));
   EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(33, 31, -2.05, 1.15, 1.5)));
   EXPECT_FALSE(same_lattice(narrow.shape(), rectangle(33, 33, -2.0, 1.2, 1.5)));
@@ -97,7 +97,7 @@ TEST_F(MarginsOf, widened_grid_has_it_on_the_same_lattice) {
     const GridShape wide = widened(shape, needed(ratio), rule);
     EXPECT_TRUE(fits(wide, needed(ratio))) << ratio;
     EXPECT_TRUE(same_lattice(shape, wide)) << ratio;
-    EXPECT_EQ(united(shape, wide), wide) << ratio;
+    EXPECT_EQ(enclosing(shape, wide), wide) << ratio;
     EXPECT_EQ((wide.nx - 1) % 16, 0) << ratio;  // 129 and 65 nodes can be halved; so can these
     EXPECT_EQ((wide.ny() - 1) % 8, 0) << ratio;
     if (ratio == 1.0) {

@@ -62,8 +62,8 @@ TEST(RowAxisOf, equal_rows_is_coarsened_refined_and_extended_within_its_edges) {
     EXPECT_EQ(longer.whole_count(), 39);
     EXPECT_TRUE(same_lattice(rows, longer));
     EXPECT_EQ(rows_between(longer, rows), lower == Edge::symmetry ? 0 : 3);
-    EXPECT_EQ(united(rows, longer), longer);
-    EXPECT_EQ(united(longer, rows), longer);
+    EXPECT_EQ(enclosing(rows, longer), longer);
+    EXPECT_EQ(enclosing(longer, rows), longer);
   }
   EXPECT_FALSE(RowAxis::equal(3, 1.0).can_coarsen());
   EXPECT_FALSE(same_lattice(RowAxis::equal(33, 1.1), RowAxis::equal(33, 1.1, Edge::ambient)));

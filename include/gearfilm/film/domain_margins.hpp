@@ -34,7 +34,7 @@ struct DomainMargins {
 DomainMargins required_margins(const MarginRule& rule, const Scales& scales, const ContactConditions& conditions,
                                double pressure_integral, const std::string& where, double growth = 1.0);
 /// What several contacts on one grid need.
-DomainMargins united(const DomainMargins& a, const DomainMargins& b);
+DomainMargins enclosing(const DomainMargins& a, const DomainMargins& b);
 
 bool fits(const GridShape& shape, const DomainMargins& needed);
 

@@ -87,6 +87,6 @@ bool same_lattice(const RowAxis& a, const RowAxis& b);
 /// Rows from the first one of a to the first one of b, on one lattice.
 int rows_between(const RowAxis& a, const RowAxis& b);
 /// Rows that hold those of both, on one lattice; with two ambient edges as many more at either.
-RowAxis united(const RowAxis& a, const RowAxis& b);
+RowAxis enclosing(const RowAxis& a, const RowAxis& b);
 
 }  // namespace gearfilm

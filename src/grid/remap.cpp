@@ -1,4 +1,4 @@
-#include "gearfilm/grid/refit.hpp"
+#include "gearfilm/grid/remap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,18 +52,18 @@ bool same_lattice(const GridShape& a, const GridShape& b) {
          std::abs(lines - std::round(lines)) < same_place;
 }
 
-GridShape united(const GridShape& a, const GridShape& b) {
+GridShape enclosing(const GridShape& a, const GridShape& b) {
   GridShape all = a;
   const int before = std::max(0, -static_cast<int>(std::lround(lines_between(a, b))));
   const int after = std::max(0, static_cast<int>(std::lround((b.x_max - a.x_max) / a.h_x())));
   all.nx += before + after;
   if (before > 0) all.x_min = b.x_min;
   if (after > 0) all.x_max = b.x_max;
-  all.row_axis = united(a.row_axis, b.row_axis);
+  all.row_axis = enclosing(a.row_axis, b.row_axis);
   return all;
 }
 
-std::vector<double> refitted(std::span<const double> field, const Grid& from, const Grid& to) {
+std::vector<double> remapped(std::span<const double> field, const Grid& from, const Grid& to) {
   const SourceRow source_row(from, to);
   const RowRange own_from = rows_of(from, from.rank()), own_to = rows_of(to, to.rank());
   const RowRange wanted = source_row(own_to);

@@ -12,10 +12,10 @@ namespace gearfilm {
 bool same_lattice(const GridShape& a, const GridShape& b);
 
 /// The smallest shape that holds both, which have the same lattice.
-GridShape united(const GridShape& a, const GridShape& b);
+GridShape enclosing(const GridShape& a, const GridShape& b);
 
 /// The compact field of one grid on another of the same lattice, however each is cut; beyond its edges it goes on as it
 /// is there (pressures end with 0). Collective.
-std::vector<double> refitted(std::span<const double> field, const Grid& from, const Grid& to);
+std::vector<double> remapped(std::span<const double> field, const Grid& from, const Grid& to);
 
 }  // namespace gearfilm
