@@ -30,7 +30,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       state_(grid_),
       options_(options),
       longest_step_(longest_level_step(scales)),
-      as_ordered_(make_linearised_film(*discretisation_, options, longest_step_)),
+      preconditioner_(make_linearised_film(*discretisation_, options, longest_step_)),
       displacement_column_(grid_.local_size()),
       smallest_scales_(grid_.y_count()),
       weights_(displacement_column_.size()),
@@ -103,14 +103,14 @@ void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<do
 LinearisedFilm& ContactFilm::linearisation_for(double shift) {
   constexpr double stiff = 8.0;
   if (options_.precision == Precision::double_precision || shift * grid_.h_x() < stiff * conditions().entrainment) {
-    return *as_ordered_;
+    return *preconditioner_;
   }
-  if (!for_stiff_) {
+  if (!double_preconditioner_) {
     MultigridOptions options = options_;
     options.precision = Precision::double_precision;
-    for_stiff_ = make_linearised_film(*discretisation_, options, longest_step_);
+    double_preconditioner_ = make_linearised_film(*discretisation_, options, longest_step_);
   }
-  return *for_stiff_;
+  return *double_preconditioner_;
 }
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,

@@ -99,15 +99,16 @@ private:
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;
-  double longest_step_;                         ///< along X, of the preconditioner's levels
-  std::unique_ptr<LinearisedFilm> as_ordered_;  ///< in the precision of the options
-  std::unique_ptr<LinearisedFilm> for_stiff_;   ///< in double precision, for stiff squeezing; made when first needed
-  LinearisedFilm* linearised_ = nullptr;        ///< the last one of them
-  bool at_linearised_ = false;                  ///< the evaluated state is that of the Jacobian
-  std::vector<double> displacement_column_;     ///< dG/dH_0
-  std::vector<double> smallest_scales_;         ///< d of a node that conducts nothing, by row
-  std::vector<float> weights_;                  ///< of rows in the merit: the smallest d over d
-  std::vector<float> conductance_;              ///< xi_R at the state of the Jacobian
+  double longest_step_;                             ///< along X, of the preconditioner's levels
+  std::unique_ptr<LinearisedFilm> preconditioner_;  ///< in the precision of the options
+  std::unique_ptr<LinearisedFilm>
+      double_preconditioner_;                ///< in double precision, for stiff squeezing; made when first needed
+  LinearisedFilm* linearised_ = nullptr;     ///< the last one of them
+  bool at_linearised_ = false;               ///< the evaluated state is that of the Jacobian
+  std::vector<double> displacement_column_;  ///< dG/dH_0
+  std::vector<double> smallest_scales_;      ///< d of a node that conducts nothing, by row
+  std::vector<float> weights_;               ///< of rows in the merit: the smallest d over d
+  std::vector<float> conductance_;           ///< xi_R at the state of the Jacobian
   StateVersion shown_ = 0;  ///< of the pressures of state_; 0 where surfaces or correction have changed since
   double shown_H0_ = 0.0;
   long convolutions_ = 0;
