@@ -54,7 +54,7 @@ OwnedVec LubricatedPair::allowed_errors(double of_motion, double of_pressures) c
   petsc_check(VecGetSize(errors, &entries));
   const double alone = of_motion / std::sqrt(static_cast<double>(entries));
   // Without inertia V_0 is no more than a difference of H_0.
-  set_motion(errors, {alone, mesh_.inertia > 0.0 ? alone / mesh_.worth_of_velocity() : HUGE_VAL});
+  set_motion(errors, {alone, mesh_.inertia > 0.0 ? alone / mesh_.velocity_weight() : HUGE_VAL});
   return errors;
 }
 

@@ -43,7 +43,7 @@ public:
   }
   /// The map changed by map_change over a step of its argument.
   void update(const Motion& step, const Motion& map_change) {
-    const double worth = mesh_.worth_of_velocity();
+    const double worth = mesh_.velocity_weight();
     const Eigen::Vector2d x = to_vector(step), weighted(step.H0, worth * worth * step.V0);
     const double square = x.dot(weighted);
     if (square == 0.0) return;
@@ -241,7 +241,7 @@ private:
   void measure(const Trial& base, int column) {
     count_period();
     Motion step{};
-    (column == 0 ? step.H0 : step.V0) = column == 0 ? difference_step : difference_step / mesh_.worth_of_velocity();
+    (column == 0 ? step.H0 : step.V0) = column == 0 ? difference_step : difference_step / mesh_.velocity_weight();
     march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
     gearfilm::march_period(march_, lead_);

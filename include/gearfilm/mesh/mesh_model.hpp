@@ -59,10 +59,10 @@ struct MeshModel {
   double frequency_si() const { return frequency() / scales.time; }
   /// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
   /// pair that swings fast moves little at a high velocity.
-  double worth_of_velocity() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
+  double velocity_weight() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
   /// Of a change of the motion, as one of H_0.
   double size(const Motion& change) const {
-    return std::max(std::abs(change.H0), worth_of_velocity() * std::abs(change.V0));
+    return std::max(std::abs(change.H0), velocity_weight() * std::abs(change.V0));
   }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
