@@ -257,7 +257,7 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
   guess.motion.H0 -= film_shift(search, problem, films);
   try {
     const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
-    if (!found || mesh.size(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
+    if (!found || mesh.weighted_norm(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
     return search.nearest(*found).decay;
   } catch (const SolveError&) {
     return {};

@@ -10,9 +10,9 @@
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_similar = 0.1;  // ratio of half-axes
-constexpr double crossed = 0.5;           // of a central film, by the motion of a guess
-constexpr double receded = 0.3;           // mesh widths, by the ends of the ellipse in a step
+constexpr double smallest_ratio = 0.1;  // ratio of half-axes
+constexpr double crossed = 0.5;         // of a central film, by the motion of a guess
+constexpr double receded = 0.3;         // mesh widths, by the ends of the ellipse in a step
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
@@ -95,7 +95,7 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     if (rise <= 0.0 || force <= 0.0) continue;
     const HertzContact before = dry_contact(mesh_.scales, conditions, force);
     const double approach = before.approach - rise * mesh_.scales.thickness;
-    const double ratio = std::max(smallest_similar, std::sqrt(std::max(0.0, approach) / before.approach));
+    const double ratio = std::max(smallest_ratio, std::sqrt(std::max(0.0, approach) / before.approach));
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
     system_.set_field(

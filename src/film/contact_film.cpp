@@ -169,7 +169,7 @@ double ContactFilm::merit(std::span<const double> rows) const {
 
 bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const double> whole,
                                        std::span<const double> before, std::span<const double> after) const {
-  bool eased = false;
+  bool relaxed = false;
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* conductance = state_.conductance.row(i);
     for (int j = 0; j < grid_.y_count(); ++j) {
@@ -182,10 +182,10 @@ bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const
                            .growth = std::log(conductance[j] / conductance_[n])};
       if (!has_overshot(node)) continue;
       change[n] = part_to_take(node) * whole[n];
-      eased = true;
+      relaxed = true;
     }
   }
-  return eased;
+  return relaxed;
 }
 
 void ContactFilm::precondition(std::span<const double> rows, std::span<double> change) {

@@ -53,11 +53,28 @@ public:
 private:
   using Level = MultigridLevel<Real>;
 
-  /// A level beside its PETSc callbacks' needs.
+  /// A level, and the finer one of which it takes residuals and to which it gives corrections, as PETSc's shells see
+  /// it.
   struct Shell {
     Level* level;
     Level* finer;  ///< null on the finest
-    int sweeps;
+
+    PetscInt size() const { return level->grid().local_size(); }
+    void multiply(Vec in, Vec out) { level->multiply(VecReading(in).values(), VecWriting(out).values()); }
+    void smooth(Vec in, Vec out, int sweeps, bool zero_guess) {
+      level->smooth(VecReading(in).values(), VecWriting(out).values(), sweeps, zero_guess);
+    }
+    void relax(Vec in, Vec out) { smooth(in, out, 1, true); }
+    void restrict_residual(Vec in, Vec out) {
+      level->restrict_from(*finer, VecReading(in).values(), VecWriting(out).values());
+    }
+    void add_interpolated(Vec in, Vec out) {
+      level->interpolate_to(*finer, VecReading(in).values(), VecWriting(out).values());
+    }
+    void interpolate(Vec in, Vec out) {
+      petsc_check(VecSet(out, 0.0));
+      add_interpolated(in, out);
+    }
   };
 
   std::optional<Coarsening> next_coarsening(const Grid& coarsest) const;
@@ -66,11 +83,11 @@ private:
   void build_cycle();
   void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
   void configure_gathered(KSP ksp, Mat matrix);
+  void apply_gathered(Vec in, Vec out);
   /// This level and all coarser ones, which see the state injected.
   void update_from(std::size_t level, const FilmState& state, double shift);
   void update_gathered(const FilmState& state, double shift);
-  OwnedMat level_operator(Shell& shell) const;
-  OwnedMat transfer(Shell& shell, bool interpolation) const;
+  OwnedMat interpolation(Shell& shell) const;
 
   MultigridOptions options_;
   double longest_step_;
@@ -121,59 +138,18 @@ void FilmMultigrid<Real>::build_whole_rest(Discretisation& last) {
   whole_change_.resize(whole->grid().local_size());
 }
 
-template <class Real>
-OwnedMat FilmMultigrid<Real>::level_operator(Shell& shell) const {
-  OwnedMat matrix;
-  const PetscInt size = shell.level->grid().local_size();
-  petsc_check(
-      MatCreateShell(shell.level->grid().comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
-  const auto multiply = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      Shell* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
-      own->level->multiply(VecReading(in).values(), VecWriting(out).values());
-    });
-  };
-  petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
-  return matrix;
-}
-
 // PETSc's convention: a transfer matrix is fine by coarse for interpolation, coarse by fine for restriction.
 template <class Real>
-OwnedMat FilmMultigrid<Real>::transfer(Shell& shell, bool interpolation) const {
-  OwnedMat matrix;
-  const PetscInt coarse = shell.level->grid().local_size(), fine = shell.finer->grid().local_size();
-  petsc_check(MatCreateShell(shell.level->grid().comm(), interpolation ? fine : coarse, interpolation ? coarse : fine,
-                             PETSC_DETERMINE, PETSC_DETERMINE, &shell, matrix.put()));
-  const auto restriction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
+OwnedMat FilmMultigrid<Real>::interpolation(Shell& shell) const {
+  OwnedMat matrix = shell_matrix<&Shell::interpolate>(shell.level->grid().comm(), shell.finer->grid().local_size(),
+                                                      shell.size(), shell);
+  const auto add = +[](Mat mat, Vec in, Vec before, Vec out) -> PetscErrorCode {
     return petsc_callback([&] {
-      Shell* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
-      own->level->restrict_from(*own->finer, VecReading(in).values(), VecWriting(out).values());
-    });
-  };
-  const auto add_correction = +[](Mat mat, Vec in, Vec before, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      Shell* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
       if (before != out) petsc_check(VecCopy(before, out));
-      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
+      context_of<Shell>(mat).add_interpolated(in, out);
     });
   };
-  const auto correction = +[](Mat mat, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      Shell* own = nullptr;
-      petsc_check(MatShellGetContext(mat, &own));
-      petsc_check(VecSet(out, 0.0));
-      own->level->interpolate_to(*own->finer, VecReading(in).values(), VecWriting(out).values());
-    });
-  };
-  if (interpolation) {
-    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(correction)));
-    petsc_check(MatShellSetOperation(matrix, MATOP_MULT_ADD, reinterpret_cast<void (*)()>(add_correction)));
-  } else {
-    petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(restriction)));
-  }
+  petsc_check(MatShellSetOperation(matrix, MATOP_MULT_ADD, reinterpret_cast<void (*)()>(add)));
   return matrix;
 }
 
@@ -183,31 +159,18 @@ void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, 
   petsc_check(KSPSetNormType(ksp, KSP_NORM_NONE));
   petsc_check(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, sweeps));
   petsc_check(KSPSetOperators(ksp, matrix, matrix));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "distributive line relaxation"));
-  petsc_check(PCShellSetContext(pc, &shell));
-  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      Shell* own = nullptr;
-      petsc_check(PCShellGetContext(shell_pc, &own));
-      own->level->smooth(VecReading(in).values(), VecWriting(out).values(), 1, true);
-    });
-  }));
+  PC pc = use_shell_preconditioner<&Shell::relax>(ksp, "distributive line relaxation", shell);
   petsc_check(PCShellSetApplyRichardson(
       pc,
       [](PC shell_pc, Vec in, Vec out, Vec, PetscReal, PetscReal, PetscReal, PetscInt its, PetscBool zero_guess,
          PetscInt* done, PCRichardsonConvergedReason* reason) -> PetscErrorCode {
         return petsc_callback([&] {
-          Shell* own = nullptr;
-          petsc_check(PCShellGetContext(shell_pc, &own));
           // PCMG says that no guess is zero, but has just cleared it before the first sweep.
           PetscReal norm = 0.0;
           PetscBool known = PETSC_FALSE;
           petsc_check(VecNormAvailable(out, NORM_2, &known, &norm));
           const bool zero = zero_guess == PETSC_TRUE || (known == PETSC_TRUE && norm == 0.0);
-          own->level->smooth(VecReading(in).values(), VecWriting(out).values(), its, zero);
+          context_of<Shell>(shell_pc).smooth(in, out, its, zero);
           *done = its;
           *reason = PCRICHARDSON_CONVERGED_ITS;
         });
@@ -218,20 +181,14 @@ template <class Real>
 void FilmMultigrid<Real>::configure_gathered(KSP ksp, Mat matrix) {
   petsc_check(KSPSetType(ksp, KSPPREONLY));
   petsc_check(KSPSetOperators(ksp, matrix, matrix));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "coarse levels whole on every process"));
-  petsc_check(PCShellSetContext(pc, this));
-  petsc_check(PCShellSetApply(pc, [](PC shell_pc, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      FilmMultigrid* own = nullptr;
-      petsc_check(PCShellGetContext(shell_pc, &own));
-      own->gather_->to_all(VecReading(in).values(), own->whole_residual_);
-      own->whole_->apply(own->whole_residual_, own->whole_change_);
-      own->gather_->own_part(own->whole_change_, VecWriting(out).values());
-    });
-  }));
+  use_shell_preconditioner<&FilmMultigrid::apply_gathered>(ksp, "coarse levels whole on every process", *this);
+}
+
+template <class Real>
+void FilmMultigrid<Real>::apply_gathered(Vec in, Vec out) {
+  gather_->to_all(VecReading(in).values(), whole_residual_);
+  whole_->apply(whole_residual_, whole_change_);
+  gather_->own_part(whole_change_, VecWriting(out).values());
 }
 
 template <class Real>
@@ -244,12 +201,13 @@ void FilmMultigrid<Real>::build_cycle() {
   petsc_check(PCMGSetType(cycle_, PC_MG_MULTIPLICATIVE));
   petsc_check(PCMGSetCycleType(cycle_, PC_MG_CYCLE_V));
   for (int l = 0; l < count; ++l) {
-    shells_.push_back(std::make_unique<Shell>(Shell{levels_[l].get(), l > 0 ? levels_[l - 1].get() : nullptr, 0}));
+    shells_.push_back(std::make_unique<Shell>(Shell{levels_[l].get(), l > 0 ? levels_[l - 1].get() : nullptr}));
   }
   // PCMG numbers its levels from the coarsest.
   for (int l = 0; l < count; ++l) {
     const int petsc_level = count - 1 - l;
-    matrices_.push_back(level_operator(*shells_[l]));
+    Shell& shell = *shells_[l];
+    matrices_.push_back(shell_matrix<&Shell::multiply>(grid.comm(), shell.size(), shell.size(), shell));
     Mat matrix = matrices_.back();
     if (l == 0) petsc_check(PCSetOperators(cycle_, matrix, matrix));
     if (petsc_level == 0) {
@@ -258,19 +216,20 @@ void FilmMultigrid<Real>::build_cycle() {
       if (whole_) {
         configure_gathered(coarse, matrix);
       } else {
-        configure_smoother(coarse, matrix, *shells_[l],
+        configure_smoother(coarse, matrix, shell,
                            options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
       KSP smoother = nullptr;
       petsc_check(PCMGGetSmoother(cycle_, petsc_level, &smoother));
-      configure_smoother(smoother, matrix, *shells_[l], options_.smoothing_sweeps);
+      configure_smoother(smoother, matrix, shell, options_.smoothing_sweeps);
     }
     if (l > 0) {
       const int finer = petsc_level + 1;
-      matrices_.push_back(transfer(*shells_[l], true));
+      matrices_.push_back(interpolation(shell));
       petsc_check(PCMGSetInterpolation(cycle_, finer, matrices_.back()));
-      matrices_.push_back(transfer(*shells_[l], false));
+      matrices_.push_back(
+          shell_matrix<&Shell::restrict_residual>(grid.comm(), shell.size(), shells_[l - 1]->size(), shell));
       petsc_check(PCMGSetRestriction(cycle_, finer, matrices_.back()));
     }
   }

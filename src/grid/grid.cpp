@@ -60,6 +60,12 @@ Grid::Grid(MPI_Comm comm, const GridShape& shape, std::vector<int> y_ranges)
   for (int j = 0; j < y_count(); ++j) row_weights_.push_back(row_axis().weight(y_begin() + j));
 }
 
+PetscInt Grid::vec_index(int i, int row) const {
+  const auto owner = std::ranges::upper_bound(y_ranges_, row) - 1;
+  const int begin = owner[0], count = owner[1] - owner[0];
+  return static_cast<PetscInt>(nx()) * begin + i * count + row - begin;
+}
+
 OwnedVec Grid::create_vec() const {
   OwnedVec vec;
   petsc_check(DMCreateGlobalVector(nodes(), vec.put()));

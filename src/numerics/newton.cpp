@@ -6,16 +6,16 @@
 namespace gearfilm {
 namespace {
 
-constexpr double largest_fall = 0.5;     // of a pressure, relative
-constexpr double largest_rise = 0.2;     // absolute
-constexpr double free_below = 0.03;      // pressures that may vanish at once
-constexpr double patience = 10.0;        // growth of the merit that limited changes may bring in an iteration
-constexpr double astray = 1000.0;        // growth of the norm from the first guess on after which they lead nowhere
-constexpr int early_solves = 2;          // before the late tolerance
-constexpr double loosest_solve = 0.2;    // relative tolerance of the last ones
-constexpr double left_over = 0.3;        // of Newton's tolerance: less, a linear solve need not leave
-constexpr int easings = 8;               // of a full step that leads up
-constexpr double growth_of_eased = 3.0;  // of the merit
+constexpr double largest_fall = 0.5;       // of a pressure, relative
+constexpr double largest_rise = 0.2;       // absolute
+constexpr double free_below = 0.03;        // pressures that may vanish at once
+constexpr double patience = 10.0;          // growth of the merit that limited changes may bring in an iteration
+constexpr double astray = 1000.0;          // growth of the norm from the first guess on after which they lead nowhere
+constexpr int early_solves = 2;            // before the late tolerance
+constexpr double loosest_solve = 0.2;      // relative tolerance of the last ones
+constexpr double left_over = 0.3;          // of Newton's tolerance: less, a linear solve need not leave
+constexpr int relaxations = 8;             // of a full step that leads up
+constexpr double growth_of_relaxed = 3.0;  // of the merit
 constexpr double shortest_step = 1e-3;
 constexpr double least_part = 0.25;  // of a length that was too long: rows grow faster than the parabola through them
 
@@ -70,17 +70,17 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
     trial_norm = system.merit(trial_residual);
   };
   take(1.0, change);
-  OwnedVec eased;
+  OwnedVec relaxed;
   double at_once = allowed;
-  for (int n = 0; n < easings && trial_norm > norm; ++n) {
-    if (!eased) {
-      petsc_check(VecDuplicate(change, eased.put()));
-      petsc_check(VecCopy(change, eased));
+  for (int n = 0; n < relaxations && trial_norm > norm; ++n) {
+    if (!relaxed) {
+      petsc_check(VecDuplicate(change, relaxed.put()));
+      petsc_check(VecCopy(change, relaxed));
     }
-    if (!system.relax_overshot_nodes(eased, change, residual, trial_residual)) break;
-    at_once = std::max(allowed, growth_of_eased);
+    if (!system.relax_overshot_nodes(relaxed, change, residual, trial_residual)) break;
+    at_once = std::max(allowed, growth_of_relaxed);
     // A pressure that ended at zero may do so with the shorter change too.
-    if (leads_elsewhere(trial, state, eased, pressures)) take(1.0, eased);
+    if (leads_elsewhere(trial, state, relaxed, pressures)) take(1.0, relaxed);
   }
   bool found = trial_norm < at_once * norm;
   for (double length = 1.0; !found; found = trial_norm < allowed * norm) {
@@ -151,18 +151,7 @@ void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int m
   petsc_check(KSPSetType(ksp, KSPFGMRES));
   petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
   petsc_check(KSPGMRESSetRestart(ksp, full_restart));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetName(pc, "film multigrid"));
-  petsc_check(PCShellSetContext(pc, &system));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      LinearisedSystem* own = nullptr;
-      petsc_check(PCShellGetContext(shell, &own));
-      own->precondition(in, out);
-    });
-  }));
+  use_shell_preconditioner<&LinearisedSystem::precondition>(ksp, "film multigrid", system);
 }
 
 void begin_with_short_restart(KSP ksp) {

@@ -14,22 +14,12 @@ namespace {
 void use_inverse(EPS eps, ModeSolver& inverse) {
   ST st = nullptr;
   KSP ksp = nullptr;
-  PC pc = nullptr;
   petsc_check(EPSGetST(eps, &st));
   petsc_check(STSetType(st, STSINVERT));
   petsc_check(STSetMatMode(st, ST_MATMODE_SHELL));
   petsc_check(STGetKSP(st, &ksp));
   petsc_check(KSPSetType(ksp, KSPPREONLY));
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCSetType(pc, PCSHELL));
-  petsc_check(PCShellSetContext(pc, &inverse));
-  petsc_check(PCShellSetApply(pc, [](PC shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      ModeSolver* own = nullptr;
-      petsc_check(PCShellGetContext(shell, &own));
-      own->apply(in, out);
-    });
-  }));
+  use_shell_preconditioner<&ModeSolver::apply>(ksp, "inverse of the films at rest", inverse);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ constexpr double well_known = 0.02;     // error of a modulus for which one push
 
 /// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.
 bool forgotten(const MeshModel& mesh, const Returns& motions, const Motion& orbit) {
-  const double push = mesh.size(difference(motions[0], orbit));
-  const double last = mesh.size(difference(motions.back(), motions[motions.size() - 2]));
-  return last < gone * push && mesh.size(difference(motions.back(), orbit)) < near_orbit * push;
+  const double push = mesh.weighted_norm(difference(motions[0], orbit));
+  const double last = mesh.weighted_norm(difference(motions.back(), motions[motions.size() - 2]));
+  return last < gone * push && mesh.weighted_norm(difference(motions.back(), orbit)) < near_orbit * push;
 }
 
 /// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far; before each end, relative to
@@ -36,7 +36,8 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
     if (before && orbit.before) {
       leads.push_back({difference(before->motion, orbit.before->motion), difference(motions.back(), orbit.end.motion)});
     }
-    if (n >= 2 && (forgotten(mesh, motions, orbit.end.motion) || mesh.size(difference(motions.back(), begin)) > far))
+    if (n >= 2 &&
+        (forgotten(mesh, motions, orbit.end.motion) || mesh.weighted_norm(difference(motions.back(), begin)) > far))
       break;
   }
   return motions;
@@ -62,7 +63,9 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
 
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
-  const auto near = [&](const Returns& motions) { return march.mesh().size(difference(motions.back(), begin)) <= far; };
+  const auto near = [&](const Returns& motions) {
+    return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
+  };
   std::vector<Return> leads = {{}};  // the orbit's own
   double push = options.push;
   Returns first = returns_of(march, orbit, push, options, leads);
@@ -73,7 +76,7 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
   }
   if (forgotten(march.mesh(), first, orbit.end.motion)) {
     // Nothing is left to be fitted; how little, the first two returns say.
-    const auto change = [&](int n) { return march.mesh().size(difference(first[n], first[n - 1])); };
+    const auto change = [&](int n) { return march.mesh().weighted_norm(difference(first[n], first[n - 1])); };
     const double kept = change(2) / change(1);
     return {Monodromy::Zero(), {kept, 0.0}, kept};
   }

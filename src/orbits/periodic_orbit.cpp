@@ -39,7 +39,7 @@ public:
   /// The step by which map(x) - x would vanish.
   Motion newton_step(const Motion& defect) const {
     const Motion step = solved(Monodromy::Identity() - entries_, defect);
-    return moved({}, std::min(1.0, largest_change / mesh_.size(step)), step);
+    return moved({}, std::min(1.0, largest_change / mesh_.weighted_norm(step)), step);
   }
   /// The map changed by map_change over a step of its argument.
   void update(const Motion& step, const Motion& map_change) {
@@ -138,19 +138,19 @@ private:
   }
 
   PeriodicOrbit orbit_of(const Trial& trial) const {
-    return {trial.start,       trial.end, trial.before,         beside_, trial.begin, mesh_.size(trial.defect),
+    return {trial.start,       trial.end, trial.before,         beside_, trial.begin, mesh_.weighted_norm(trial.defect),
             trial.film_defect, periods_,  jacobian_.monodromy()};
   }
 
   bool best_will_do() const {
     constexpr double loosely = 4.0;
     return options_.enough_periods && periods_ >= *options_.enough_periods * mesh_.periods() && best_ &&
-           mesh_.size(best_->defect) < loosely * options_.tolerance &&
+           mesh_.weighted_norm(best_->defect) < loosely * options_.tolerance &&
            best_->film_defect < loosely * options_.film_tolerance;
   }
 
   bool repeats(const Trial& trial) const {
-    return mesh_.size(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+    return mesh_.weighted_norm(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
   }
 
   /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
@@ -173,12 +173,12 @@ private:
     // The films of the first period were not made by a march: it says little about the map of the motion alone.
     const bool first_true = ++trials_ == 2;
     const Motion step = difference(trial.start.motion, last_.start.motion);
-    if (trials_ > 2 && mesh_.size(step) > telling_step) {
+    if (trials_ > 2 && mesh_.weighted_norm(step) > telling_step) {
       jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
-    const double change = mesh_.size(trial.defect);
-    better_ =
-        !best_ || first_true || settling_ > 0 || change < options_.tolerance || change < mesh_.size(best_->defect);
+    const double change = mesh_.weighted_norm(trial.defect);
+    better_ = !best_ || first_true || settling_ > 0 || change < options_.tolerance ||
+              change < mesh_.weighted_norm(best_->defect);
     last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
@@ -255,7 +255,8 @@ private:
     std::ostringstream message;
     message << "no periodic state after " << options_.max_periods << " mesh periods";
     if (best_) {
-      message << ": (H0, V0) still changes by " << mesh_.size(best_->defect) << ", the films by " << best_->film_defect;
+      message << ": (H0, V0) still changes by " << mesh_.weighted_norm(best_->defect) << ", the films by "
+              << best_->film_defect;
     }
     if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
     message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";

@@ -1,32 +1,18 @@
 #include "output/whole_domain.hpp"
 
-#include <algorithm>
-
 namespace gearfilm {
 
 WholeDomain::WholeDomain(const Grid& grid)
-    : grid_(grid), cuts_(cut_evenly(grid.ny(), grid.processes())), stored_(grid.create_vec()) {
-  std::vector<PetscInt> sources;
-  for (int i = 0; i < grid.nx(); ++i) {
-    for (int row = first_row(); row < end_row(); ++row) sources.push_back(index_on_grid(i, row));
-  }
-  const auto size = static_cast<PetscInt>(sources.size());
-  petsc_check(VecCreateMPI(grid.comm(), size, PETSC_DETERMINE, whole_.put()));
-  PetscInt first = 0;
-  petsc_check(VecGetOwnershipRange(whole_, &first, nullptr));
-  PetscHandle<IS, ISDestroy> from, to;
-  petsc_check(ISCreateGeneral(grid.comm(), size, sources.data(), PETSC_COPY_VALUES, from.put()));
-  petsc_check(ISCreateStride(grid.comm(), size, first, 1, to.put()));
-  petsc_check(VecScatterCreate(stored_, from, whole_, to, scatter_.put()));
-}
+    : grid_(grid), cuts_(cut_evenly(grid.ny(), grid.processes())), scatter_(grid, sources()) {}
 
-/// Where the grid's vectors have the value of a node of the whole domain.
-PetscInt WholeDomain::index_on_grid(int i, int row) const {
-  const std::span<const int> cuts = grid_.y_ranges();
-  const int stored_row = grid_.row_axis().stored_row(row);
-  const auto owner = std::upper_bound(cuts.begin(), cuts.end(), stored_row) - 1;
-  const int begin = owner[0], count = owner[1] - owner[0];
-  return static_cast<PetscInt>(grid_.nx()) * begin + i * count + stored_row - begin;
+std::vector<PetscInt> WholeDomain::sources() const {
+  std::vector<PetscInt> sources;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int row = first_row(); row < end_row(); ++row) {
+      sources.push_back(grid_.vec_index(i, grid_.row_axis().stored_row(row)));
+    }
+  }
+  return sources;
 }
 
 DistributedArray WholeDomain::extents() const {
@@ -36,12 +22,12 @@ DistributedArray WholeDomain::extents() const {
 }
 
 DistributedArray WholeDomain::unfold(const Field<double>& values, double scale) const {
-  values.store(VecWriting(stored_).values());
-  petsc_check(VecScatterBegin(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
-  petsc_check(VecScatterEnd(scatter_, stored_, whole_, INSERT_VALUES, SCATTER_FORWARD));
+  std::vector<double> own(grid_.local_size());
+  values.store(own);
   DistributedArray array = extents();
-  const VecReading whole(whole_);
-  for (const double value : whole.values()) array.values.push_back(scale * value);
+  array.values.resize(static_cast<std::size_t>(grid_.nx()) * (end_row() - first_row()));
+  scatter_(own, array.values);
+  for (double& value : array.values) value *= scale;
   return array;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gearfilm/grid/field.hpp"
+#include "gearfilm/grid/node_scatter.hpp"
 #include "output/distributed_array.hpp"
 
 namespace gearfilm {
@@ -21,19 +22,16 @@ public:
   DistributedArray coordinates(double scale) const;
 
 private:
-  using OwnedScatter = PetscHandle<VecScatter, VecScatterDestroy>;
-
   int first_row() const { return cuts_[grid_.rank()]; }
   int end_row() const { return cuts_[grid_.rank() + 1]; }
-  PetscInt index_on_grid(int i, int row) const;
+  /// Where the grid's vectors have the nodes of the own rows.
+  std::vector<PetscInt> sources() const;
   /// Of the nodes, without values.
   DistributedArray extents() const;
 
   const Grid& grid_;
   std::vector<int> cuts_;  ///< first row of every process, and their number
-  OwnedVec stored_;
-  OwnedVec whole_;
-  OwnedScatter scatter_;
+  NodeScatter scatter_;
 };
 
 }  // namespace gearfilm

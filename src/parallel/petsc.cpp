@@ -26,6 +26,11 @@ std::string text_of(PetscErrorCode (*message_of)(PetscErrorCode, const char*[], 
   return message;
 }
 
+bool& memory_lacked() {
+  static bool lacked = false;
+  return lacked;
+}
+
 /// PETSc returns codes that it does not know itself where it cannot allocate (3.18): so, where a limit is set.
 bool lacks_memory(PetscErrorCode code) {
   if (code == PETSC_ERR_MEM) return true;
@@ -37,6 +42,8 @@ bool lacks_memory(PetscErrorCode code) {
 
 }  // namespace
 
+bool has_lacked_memory() { return memory_lacked(); }
+
 PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
   kept_exception() = std::move(exception);
   return PETSC_ERR_USER;
@@ -45,7 +52,10 @@ PetscErrorCode keep_callback_exception(std::exception_ptr exception) {
 void petsc_check(PetscErrorCode code) {
   if (code == PETSC_SUCCESS) return;
   if (std::exception_ptr exception = std::exchange(kept_exception(), nullptr)) std::rethrow_exception(exception);
-  if (lacks_memory(code)) throw std::bad_alloc();
+  if (lacks_memory(code)) {
+    memory_lacked() = true;
+    throw std::bad_alloc();
+  }
   throw PetscFailure("PETSc error " + std::to_string(static_cast<int>(code)) + text_of(PetscErrorMessage, code));
 }
 

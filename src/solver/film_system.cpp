@@ -176,13 +176,13 @@ double FilmSystem::merit(Vec rows) {
 bool FilmSystem::relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) {
   const VecReading first(whole), rows_before(before), rows_after(after);
   const VecWriting own(change);
-  int eased = 0;
+  int relaxed = 0;
   for (std::size_t k = 0; k < films(); ++k) {
-    eased |= films_[k]->relax_overshot_nodes(part(own.values(), k), part(first.values(), k),
-                                             part(rows_before.values(), k), part(rows_after.values(), k));
+    relaxed |= films_[k]->relax_overshot_nodes(part(own.values(), k), part(first.values(), k),
+                                               part(rows_before.values(), k), part(rows_after.values(), k));
   }
-  MPI_Allreduce(MPI_IN_PLACE, &eased, 1, MPI_INT, MPI_LOR, comm());
-  return eased != 0;
+  MPI_Allreduce(MPI_IN_PLACE, &relaxed, 1, MPI_INT, MPI_LOR, comm());
+  return relaxed != 0;
 }
 
 void FilmSystem::multiply(Vec change, Vec rows) {

@@ -1,5 +1,4 @@
-// DomainMargins around a loaded contact: how far the edges of its grid must stay from it, and a grid that reaches
-// farther.
+// Margins around a loaded contact: how far the edges of its grid must stay from it, and a grid that reaches farther.
 //
 // Films hardly depend on where the edges are while the Hertz ellipse of the present force stays clear of the sides and
 // the outlet, and the inlet lies so far before it that the contact is flooded (domain.hpp).

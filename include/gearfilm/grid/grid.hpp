@@ -87,6 +87,8 @@ public:
 
   /// The nodes as PETSc knows them; copies of a grid share it. -dm_view shows it when it is made.
   DM nodes() const { return *nodes_; }
+  /// Where PETSc's vectors of the grid have the value of a node, whichever process owns it.
+  PetscInt vec_index(int i, int row) const;
   /// A PETSc vector laid out like compact fields.
   OwnedVec create_vec() const;
 

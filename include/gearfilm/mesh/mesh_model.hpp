@@ -57,11 +57,11 @@ struct MeshModel {
   double frequency() const { return natural_frequency(stiffness, inertia); }
   /// The same [Hz].
   double frequency_si() const { return frequency() / scales.time; }
-  /// What a change of V_0 is worth as one of H_0: the way that it makes in half a swing, where that is the shorter. A
-  /// pair that swings fast moves little at a high velocity.
+  /// Weight of V_0 in the norm of a motion: half a free oscillation, in which V_0 becomes a way, or 1 where that is
+  /// less.
   double velocity_weight() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
-  /// Of a change of the motion, as one of H_0.
-  double size(const Motion& change) const {
+  /// Norm of a change of the motion, the larger of H_0 and of V_0 with its weight.
+  double weighted_norm(const Motion& change) const {
     return std::max(std::abs(change.H0), velocity_weight() * std::abs(change.V0));
   }
   /// f_m [Hz].

@@ -11,6 +11,7 @@
 #include <exception>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 // PETSc's own name since 3.19.
@@ -34,9 +35,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throws PetscFailure, std::bad_alloc where memory is short, or the exception that a callback left behind, unless code is
-/// PETSC_SUCCESS.
+/// Throws PetscFailure, std::bad_alloc where memory is short, or the exception that a callback left behind, unless code
+/// is PETSC_SUCCESS.
 void petsc_check(PetscErrorCode code);
+
+/// Whether PETSc has lacked memory. It may then have left objects half made, on which its own functions that destroy
+/// them crash (3.18): they are left alone, since the program is about to end.
+bool has_lacked_memory();
 
 /// Keeps an exception until control is back on our side of PETSc.
 PetscErrorCode keep_callback_exception(std::exception_ptr exception);
@@ -76,7 +81,7 @@ public:
     return &object_;
   }
   void reset() {
-    if (object_) destroy(&object_);
+    if (object_ && !has_lacked_memory()) destroy(&object_);
     object_ = nullptr;
   }
 
@@ -129,22 +134,52 @@ private:
   double* first_ = nullptr;
 };
 
-/// A square matrix whose product is (context.*multiply)(in, out), cut among context.comm() as context.local_size()
-/// says. The context must outlive it.
+/// The context of a shell, a Mat or a PC.
+template <class Context, class Shell>
+Context& context_of(Shell shell) {
+  Context* context = nullptr;
+  if constexpr (std::is_same_v<Shell, Mat>) {
+    petsc_check(MatShellGetContext(shell, &context));
+  } else {
+    petsc_check(PCShellGetContext(shell, &context));
+  }
+  return *context;
+}
+
+/// What PETSc calls of a shell: (context.*operation)(in, out).
+template <auto operation, class Context, class Shell>
+PetscErrorCode call_shell(Shell shell, Vec in, Vec out) {
+  return petsc_callback([&] { (context_of<Context>(shell).*operation)(in, out); });
+}
+
+/// A matrix of so many local rows and columns whose product is (context.*multiply)(in, out). The context must outlive
+/// it.
 template <auto multiply, class Context>
-OwnedMat shell_matrix(Context& context) {
+OwnedMat shell_matrix(MPI_Comm comm, PetscInt rows, PetscInt columns, Context& context) {
   OwnedMat matrix;
-  const PetscInt size = context.local_size();
-  petsc_check(MatCreateShell(context.comm(), size, size, PETSC_DETERMINE, PETSC_DETERMINE, &context, matrix.put()));
-  const auto product = +[](Mat shell, Vec in, Vec out) -> PetscErrorCode {
-    return petsc_callback([&] {
-      Context* own = nullptr;
-      petsc_check(MatShellGetContext(shell, &own));
-      (own->*multiply)(in, out);
-    });
-  };
+  petsc_check(MatCreateShell(comm, rows, columns, PETSC_DETERMINE, PETSC_DETERMINE, &context, matrix.put()));
+  PetscErrorCode (*product)(Mat, Vec, Vec) = call_shell<multiply, Context, Mat>;
   petsc_check(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(product)));
   return matrix;
+}
+
+/// The same, square, cut among context.comm() as context.local_size() says.
+template <auto multiply, class Context>
+OwnedMat shell_matrix(Context& context) {
+  const PetscInt size = context.local_size();
+  return shell_matrix<multiply>(context.comm(), size, size, context);
+}
+
+/// Makes the preconditioner of a solver out = (context.*apply)(in). The context must outlive it.
+template <auto apply, class Context>
+PC use_shell_preconditioner(KSP ksp, const char* name, Context& context) {
+  PC pc = nullptr;
+  petsc_check(KSPGetPC(ksp, &pc));
+  petsc_check(PCSetType(pc, PCSHELL));
+  petsc_check(PCShellSetName(pc, name));
+  petsc_check(PCShellSetContext(pc, &context));
+  petsc_check(PCShellSetApply(pc, call_shell<apply, Context, PC>));
+  return pc;
 }
 
 }  // namespace gearfilm
