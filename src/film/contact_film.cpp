@@ -44,12 +44,8 @@ void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
 
 void ContactFilm::set_correction(FlowCorrection correction) {
   correction_ = std::move(correction);
-  state_.isotropic = !correction_.sheared;
-  if (correction_.empty()) {
-    state_.across.fill(1.0);
-  } else {
-    state_.across.load(correction_.across);
-  }
+  state_.across.reset();
+  if (correction_.sheared) state_.across.emplace(grid_).load(correction_.across);
   set_entrained();
   shown_ = 0;
 }

@@ -87,7 +87,7 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
 void exchange_ghosts(const Halo& halo, FilmState& state) {
   halo.exchange(state.film_pressure(), state.conductance, state.conductance_by_pressure,
                 state.conductance_by_thickness);
-  if (!state.isotropic) halo.exchange(state.across);
+  if (state.across) halo.exchange(*state.across);
 }
 
 }  // namespace gearfilm

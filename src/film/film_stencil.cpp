@@ -25,7 +25,7 @@ struct StateLine {
         xi_p(state.conductance_by_pressure.row(i)),
         xi_h(state.conductance_by_thickness.row(i)),
         entrained(state.entrained.row(i)),
-        across(state.across.row(i)) {}
+        across(state.across_row(i)) {}
 
   const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h, *entrained, *across;
 };

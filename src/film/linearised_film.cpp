@@ -255,12 +255,13 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) 
   FilmState whole_state(everywhere.grid());
   std::vector<double> own(levels_.back()->grid().local_size());
   std::vector<double> whole(whole_change_.size());
-  for (const auto field : state_fields) {
-    (state.*field).store(own);
+  const auto gather = [&](const Field<double>& from, Field<double>& to) {
+    from.store(own);
     gather_->to_all(own, whole);
-    (whole_state.*field).load(whole);
-  }
-  whole_state.isotropic = state.isotropic;
+    to.load(whole);
+  };
+  for (const auto field : state_fields) gather(state.*field, whole_state.*field);
+  if (state.across) gather(*state.across, whole_state.across.emplace(everywhere.grid()));
   exchange_ghosts(everywhere.halo(), whole_state);
   whole_->update(whole_state, shift);
 }

@@ -32,7 +32,7 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   const double* xi = state.conductance.row(i);
   const double* xi_west = state.conductance.row(i - 1);
   const double* xi_east = state.conductance.row(i + 1);
-  const double* across = state.across.row(i);
+  const double* across = state.across_row(i);
   const double *to_south = weights.south.data(), *to_north = weights.north.data();
   const auto xi_y = [&](int j) { return across[j] * xi[j]; };
   for (int j = 0; j < state.thickness.y_count(); ++j) {

@@ -122,7 +122,7 @@ FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const H
                          const FilmState& fine) {
   FilmState coarse(coarse_grid);
   for (const auto field : state_fields) inject(fine_grid, coarse_grid, fine.*field, coarse.*field);
-  coarse.isotropic = fine.isotropic;
+  if (fine.across) inject(fine_grid, coarse_grid, *fine.across, coarse.across.emplace(coarse_grid));
   exchange_ghosts(coarse_halo, coarse);
   return coarse;
 }

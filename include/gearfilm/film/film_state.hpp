@@ -10,6 +10,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "gearfilm/contact/scales.hpp"
 #include "gearfilm/film/flow_correction.hpp"
@@ -27,11 +29,10 @@ struct FilmState {
         conductance_by_pressure(grid),
         conductance_by_thickness(grid),
         entrained(grid),
-        across(grid),
         wet(grid),
-        row_scale(grid) {
+        row_scale(grid),
+        ones(static_cast<std::size_t>(thickness.stride()), 1.0) {
     entrained.fill(1.0);
-    across.fill(1.0);
   }
 
   /// P of the oil; ghosts and own nodes.
@@ -46,14 +47,18 @@ struct FilmState {
   Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
   Field<double> entrained;                 ///< U + W, with which the wedge carries oil
-  Field<double> across;                    ///< A, the conductance in y over that in x
-  bool isotropic = true;                   ///< on all processes: A = 1, ghosts too
   Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
+  std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
+                                           ///< it is 1 everywhere
+  std::vector<double> ones;                ///< of a line with its ghosts, for lines of A where that is absent
+
+  /// A of line i, with ghosts.
+  const double* across_row(int i) const { return across ? across->row(i) : ones.data() + 1; }
 };
 
-/// All fields of a state, for what treats them alike (injection, gathering).
-inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&FilmState::total_pressure,
+/// All fields of a state but A, for what treats them alike (injection, gathering).
+inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&FilmState::total_pressure,
                                                                             &FilmState::thickness,
                                                                             &FilmState::density,
                                                                             &FilmState::density_by_pressure,
@@ -61,7 +66,6 @@ inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&Fil
                                                                             &FilmState::conductance_by_pressure,
                                                                             &FilmState::conductance_by_thickness,
                                                                             &FilmState::entrained,
-                                                                            &FilmState::across,
                                                                             &FilmState::wet,
                                                                             &FilmState::row_scale};
 
