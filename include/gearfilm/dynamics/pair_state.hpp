@@ -14,7 +14,7 @@ struct PairState {
   GridShape shape{};                 ///< of the grid that all films are on
 };
 
-/// The same on a grid of the same lattice that reaches farther, or less far (remap.hpp). Collective.
+/// The state of the pair on a grid of the same lattice that reaches farther, or less far (remap.hpp). Collective.
 PairState remapped(const PairState& state, MPI_Comm comm, const GridShape& shape);
 
 /// The same on the grid of which the state's has every second node: fields in between by cubic interpolation.

@@ -28,7 +28,7 @@ public:
 
   /// H_k of all films, or their changes, from those of H_0k and F_k.
   Eigen::VectorXd displacements(const Eigen::VectorXd& rigid_part, const Eigen::VectorXd& forces) const;
-  /// The same where the bodies displace all films by one H_0.
+  /// H_k of all films where the bodies displace all of them by one H_0, from the forces F_k.
   std::vector<double> displacements(double H0, std::span<const double> forces) const;
   /// I + S C of stiffnesses S_k, real or complex.
   template <class Scalar>

@@ -27,7 +27,7 @@ struct ContactSurfaces {
 /// Surfaces that move alike in all rows, with one radius across.
 ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const ContactConditions& conditions);
 
-/// The same surfaces at the nodes of a grid that is a coarsening of theirs.
+/// Surfaces at the nodes of a coarser grid, taken from those at the same places of the finer one.
 ContactSurfaces injected_surfaces(const Grid& fine_grid, const Grid& coarse_grid, const ContactSurfaces& fine);
 
 /// Gives a film the surfaces of these conditions, unless it has them.

@@ -35,7 +35,7 @@ struct FilmState {
     entrained.fill(1.0);
   }
 
-  /// P of the oil; ghosts and own nodes.
+  /// Pressure of the oil in units of the Hertz pressure, on own nodes and ghosts.
   const Field<double>& film_pressure() const { return total_pressure; }
   Field<double>& film_pressure() { return total_pressure; }
 

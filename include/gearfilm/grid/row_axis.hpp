@@ -65,12 +65,13 @@ public:
   /// Whether every second row, the edges among them, are at least three of the whole domain.
   bool can_coarsen() const;
   RowAxis coarsened() const;
-  /// Of equal rows: between the same edges, with a row between any two, or so many in the whole domain.
+  /// Equal rows between the same edges: twice as close, or so many in the whole domain.
   RowAxis refined() const;
   RowAxis with_whole_count(int whole) const;
-  /// Of equal rows: so many more at every ambient edge.
+  /// The axis with so many more rows of the same step at every ambient edge. Throws std::logic_error where rows are not
+  /// equal.
   RowAxis extended(int more) const;
-  /// Of equal rows: steps between Y = 0 and an ambient edge.
+  /// How many steps there are between Y = 0 and an ambient edge, for equal rows.
   int cells_outwards() const { return whole_count() / 2; }
 
 private:
