@@ -99,9 +99,9 @@ private:
     model.heat.reset();
     report("friction", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
     model.heat = heat;
-    model.heat->in_film = false;
+    model.heat->couple_film = false;
     report("heat across the film", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
-    model.heat->in_film = true;
+    model.heat->couple_film = true;
     FilmHeat warm;
     coupled_traction(model, film_, warm);  // the first sweep begins cold
     FilmHeat again = warm;

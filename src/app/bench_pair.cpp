@@ -104,7 +104,7 @@ TractionModel warm_film(const Case& problem) {
   constexpr double typical = 0.04;  // 1/K
   TractionModel model = problem.traction.value_or(TractionModel{});
   if (!model.heat) model.heat = HeatOptions{.oil = {.temperature_viscosity = typical}};
-  model.heat->in_film = true;
+  model.heat->couple_film = true;
   return model;
 }
 

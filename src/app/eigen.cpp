@@ -144,7 +144,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
         given.parameters.origin("thermal.model") +
         ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
   }
-  if (given.traction && given.traction->shear_in_film) {
+  if (given.traction && given.traction->shear_couples_film) {
     throw InputError(
         given.parameters.origin("friction.in_film") +
         ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");

@@ -13,7 +13,7 @@
 namespace gearfilm {
 namespace {
 
-// Modes of films on few lines converge erratically, since the edge of what is wet moves by whole cells
+// Modes of films on few lines converge erratically, since the edge of what is full moves by whole cells
 // (docs/verification.md, section 13). Their bars are what a doubling of the steps changes, and a part of the square of
 // the step across, in half-widths b, at least.
 constexpr double of_doubling = 3.0;             // in errors of second order

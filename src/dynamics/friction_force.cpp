@@ -4,7 +4,7 @@ namespace gearfilm {
 
 double friction_on_motion(const MeshModel& mesh, const std::vector<ContactRecord>& contacts) {
   const LineOfAction& line = mesh.path.line();
-  const InertiaShares& g = *mesh.friction_in_motion;
+  const InertiaShares& g = *mesh.friction_couples_dynamics;
   double sum = 0.0;
   for (const ContactRecord& contact : contacts) {
     const double sliding = contact.figures["friction_force"], rolling = contact.figures["rolling_force"];

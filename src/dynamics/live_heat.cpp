@@ -13,7 +13,7 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t row
     const std::size_t points = model.heat->points;
     for (std::size_t k = 0; k < points; ++k) {
       std::vector<double>& values = fields[name_of(static_cast<int>(k))];
-      values.resize(heat.flow.wedge.size());
+      values.resize(heat.flow.entrainment_excess.size());
       for (std::size_t i = 0; i * rows < values.size(); ++i) {
         const double* T = heat.temperatures.data() + rows_at_point(i, k, points, rows);
         for (std::size_t j = 0; j < rows; ++j) {
@@ -22,19 +22,19 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t row
       }
     }
   }
-  for (const field::OfCorrection& known : field::correction)
+  for (const field::OfFlowFactors& known : field::correction)
     fields[std::string(known.field.name)] = heat.flow.*known.values;
 }
 
 FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields, std::size_t rows) {
   FilmHeat heat;
-  for (const field::OfCorrection& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
+  for (const field::OfFlowFactors& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
   heat.flow.shear_power = thinning_power(model.law);
-  heat.flow.sheared = model.shear_in_film;
+  heat.flow.sheared = model.shear_couples_film;
   if (!model.heats_film()) return heat;
   const ThermalOil& oil = model.heat->oil;
   const std::size_t points = model.heat->points;
-  heat.temperatures.resize(heat.flow.wedge.size() * points);
+  heat.temperatures.resize(heat.flow.entrainment_excess.size() * points);
   for (std::size_t k = 0; k < points; ++k) {
     const std::vector<double>& values = fields.at(name_of(static_cast<int>(k)));
     for (std::size_t i = 0; i * rows < values.size(); ++i) {

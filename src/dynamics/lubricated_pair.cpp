@@ -121,11 +121,11 @@ void LubricatedPair::place(double T) {
 }
 
 void LubricatedPair::begin_friction(double T, const std::vector<ContactRecord>& contacts) {
-  if (mesh_.friction_in_motion) friction_.begin(T, friction_on_motion(mesh_, contacts));
+  if (mesh_.friction_couples_dynamics) friction_.begin(T, friction_on_motion(mesh_, contacts));
 }
 
 void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord>& contacts) {
-  if (mesh_.friction_in_motion) friction_.add(T, friction_on_motion(mesh_, contacts));
+  if (mesh_.friction_couples_dynamics) friction_.add(T, friction_on_motion(mesh_, contacts));
 }
 
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {

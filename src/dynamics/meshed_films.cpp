@@ -63,7 +63,7 @@ ContactFilm* MeshedFilms::free_film() {
   for (const auto& film : films_) {
     const auto uses = [&](const LiveContact& contact) { return contact.film == film.get(); };
     if (std::any_of(contacts_.begin(), contacts_.end(), uses)) continue;
-    film->set_correction({});
+    film->set_flow_factors({});
     return film.get();
   }
   films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, options_.films.multigrid));

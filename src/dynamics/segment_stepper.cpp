@@ -179,7 +179,7 @@ void SegmentStepper::set_failures(int failures) {
 int SegmentStepper::whole_tries() const {
   const MeshModel& mesh = pair_.mesh();
   const bool by_short_steps =
-      options_.guess_by_short_steps && !options_.tolerance && !mesh.friction_in_motion && !corrects_films(mesh);
+      options_.guess_by_short_steps && !options_.tolerance && !mesh.friction_couples_dynamics && !corrects_films(mesh);
   return by_short_steps ? 2 : 1;
 }
 
@@ -301,7 +301,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   stopped_ = false;
   set_failures(0);
   wall_start_ = MPI_Wtime();
-  if (pair_.mesh().friction_in_motion) pair_.begin_friction(T0, pair_.records(state, T0));
+  if (pair_.mesh().friction_couples_dynamics) pair_.begin_friction(T0, pair_.records(state, T0));
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));

@@ -19,21 +19,22 @@ constexpr double moment = 1e-15;  // [s]
 constexpr double largest_shear_step = 4.0, most_shear = 1.0;
 
 /// Of the step to come, as long as the one between these two.
-FlowCorrection extrapolated(const FlowCorrection& before, const FlowCorrection& now) {
-  FlowCorrection next = now;
-  for (std::size_t n = 0; n < next.wedge.size(); ++n) {
-    next.thinning[n] += now.thinning[n] - before.thinning[n];
-    next.wedge[n] += now.wedge[n] - before.wedge[n];
-    next.density[n] += now.density[n] - before.density[n];
-    next.shear[n] += std::clamp(now.shear[n] - before.shear[n], -most_shear, most_shear);
-    next.across[n] = std::max(2.0 * now.across[n] - before.across[n], 0.5 * now.across[n]);
+FlowFactors extrapolated(const FlowFactors& before, const FlowFactors& now) {
+  FlowFactors next = now;
+  for (std::size_t n = 0; n < next.entrainment_excess.size(); ++n) {
+    next.log_poiseuille[n] += now.log_poiseuille[n] - before.log_poiseuille[n];
+    next.entrainment_excess[n] += now.entrainment_excess[n] - before.entrainment_excess[n];
+    next.density_ratio[n] += now.density_ratio[n] - before.density_ratio[n];
+    next.shear_index[n] += std::clamp(now.shear_index[n] - before.shear_index[n], -most_shear, most_shear);
+    next.cross_flow[n] = std::max(2.0 * now.cross_flow[n] - before.cross_flow[n], 0.5 * now.cross_flow[n]);
   }
   return next;
 }
 
-void follow_shear(const FlowCorrection& before, FlowCorrection& now) {
-  for (std::size_t n = 0; n < now.shear.size(); ++n) {
-    now.shear[n] = std::clamp(now.shear[n], before.shear[n] - largest_shear_step, before.shear[n] + largest_shear_step);
+void follow_shear(const FlowFactors& before, FlowFactors& now) {
+  for (std::size_t n = 0; n < now.shear_index.size(); ++n) {
+    now.shear_index[n] = std::clamp(now.shear_index[n], before.shear_index[n] - largest_shear_step,
+                                    before.shear_index[n] + largest_shear_step);
   }
 }
 
@@ -42,10 +43,10 @@ TractionFigures traction_of(const MeshModel& mesh, const LiveContact& live, doub
   if (!live.heat) return traction(model, *live.film).figures;
   LiveHeat& heat = *live.heat;
   if (dT > 0.0) {
-    const FlowCorrection before = heat.state.flow;
+    const FlowFactors before = heat.state.flow;
     heat.traction = coupled_traction(model, *live.film, heat.state, dT * mesh.scales.time);
     follow_shear(before, heat.state.flow);
-    live.film->set_correction(extrapolated(before, heat.state.flow));
+    live.film->set_flow_factors(extrapolated(before, heat.state.flow));
   } else {
     FilmHeat still = heat.state;
     heat.traction = coupled_traction(model, *live.film, still, moment);

@@ -29,7 +29,7 @@ void take_up_heat(const MeshModel& mesh, LiveContact& contact) {
   if (!corrects_films(mesh)) return;
   contact.heat =
       std::make_shared<LiveHeat>(LiveHeat{kept_heat(*mesh.traction, contact.fields, contact.film->grid().y_count())});
-  contact.film->set_correction(contact.heat->state.flow);
+  contact.film->set_flow_factors(contact.heat->state.flow);
 }
 
 void put_down_heat(const MeshModel& mesh, LiveContact& contact) {

@@ -42,10 +42,10 @@ void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
   shown_ = 0;
 }
 
-void ContactFilm::set_correction(FlowCorrection correction) {
-  correction_ = std::move(correction);
+void ContactFilm::set_flow_factors(FlowFactors factors) {
+  flow_factors_ = std::move(factors);
   state_.across.reset();
-  if (correction_.sheared) state_.across.emplace(grid_).load(correction_.across);
+  if (flow_factors_.sheared) state_.across.emplace(grid_).load(flow_factors_.cross_flow);
   set_entrained();
   shown_ = 0;
 }
@@ -54,8 +54,8 @@ void ContactFilm::set_entrained() {
   for (int i = 0; i < grid_.nx(); ++i) {
     double* entrained = state_.entrained.row(i);
     std::ranges::copy(surfaces_.entrainment, entrained);
-    if (correction_.empty()) continue;
-    const double* wedge = correction_.wedge.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    if (flow_factors_.empty()) continue;
+    const double* wedge = flow_factors_.entrainment_excess.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) entrained[j] += wedge[j];
   }
 }
@@ -70,7 +70,7 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVer
     const double* gap = surfaces_.gap.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) thickness[j] += H0 + gap[j];
   }
-  properties_.evaluate(state_, correction_);
+  properties_.evaluate(state_, flow_factors_);
   exchange_ghosts(discretisation_->halo(), state_);
   shown_ = version;
   shown_H0_ = H0;
@@ -112,7 +112,7 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                             StateVersion version) {
   evaluate(pressure, H0, version);
-  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the wet nodes
+  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the full nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, shift);
   linearised_->displacement_column(displacement_column_);
@@ -149,7 +149,7 @@ void ContactFilm::multiply_mass(std::span<const double> change, double change_H0
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double mass = state_.density.row(i)[j] * (deformed.row(i)[j] + change_H0) +
                           state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * pressure_change.row(i)[j];
-      line[j] = state_.wet.row(i)[j] * mass;
+      line[j] = state_.full_film.row(i)[j] * mass;
     }
   }
 }

@@ -36,13 +36,13 @@ void FilmProperties::evaluate_line(Viscosity viscosity, Density density_law, Fil
 
 /// ln xi_R gains ln F + ln S, which depend on the pressure by ln(eta/eta_0) alone.
 template <bool sheared, EvaluatesViscosity Viscosity>
-void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i,
-                                  const FlowCorrection& correction) const {
-  const double scale = pressure_scale_, power = correction.shear_power;
+void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i, const FlowFactors& factors) const {
+  const double scale = pressure_scale_, power = factors.shear_power;
   const int count = state.film_pressure().y_count();
   const std::size_t first = static_cast<std::size_t>(i) * count;
-  const double *thinning = correction.thinning.data() + first, *density_factor = correction.density.data() + first;
-  const double *kappa = correction.shear.data() + first, *pressure = state.film_pressure().row(i);
+  const double *thinning = factors.log_poiseuille.data() + first,
+               *density_factor = factors.density_ratio.data() + first;
+  const double *kappa = factors.shear_index.data() + first, *pressure = state.film_pressure().row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
   double* conductance = state.conductance.row(i);
@@ -65,7 +65,7 @@ void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i,
   }
 }
 
-void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction) const {
+void FilmProperties::evaluate(FilmState& state, const FlowFactors& factors) const {
   const ScopedEvent event(Kernel::film_properties);
   const int lines = state.film_pressure().nx();
   std::visit(
@@ -73,12 +73,12 @@ void FilmProperties::evaluate(FilmState& state, const FlowCorrection& correction
         for (int i = 0; i < lines; ++i) evaluate_line(viscosity, density, state, i);
       },
       viscosity_, density_);
-  if (correction.empty()) return;
+  if (factors.empty()) return;
   std::visit(
       [&](const auto& viscosity) {
         for (int i = 0; i < lines; ++i) {
-          correction.sheared ? correct_line<true>(viscosity, state, i, correction)
-                             : correct_line<false>(viscosity, state, i, correction);
+          factors.sheared ? correct_line<true>(viscosity, state, i, factors)
+                          : correct_line<false>(viscosity, state, i, factors);
         }
       },
       viscosity_);

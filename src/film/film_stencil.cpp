@@ -48,12 +48,12 @@ struct Face {
   double factor = 1.0;
 };
 
-/// The rows of an inner line; those of nodes that are not wet have the scale d on their diagonal only.
+/// The rows of an inner line; those of nodes that are not full have the scale d on their diagonal only.
 template <class Real>
 void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights<ShiftOf<Real>>& mass,
                     int i, FilmStencil<Real>& linear) {
   const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
-  const double *wet = state.wet.row(i), *scale = state.row_scale.row(i);
+  const double *full_film = state.full_film.row(i), *scale = state.row_scale.row(i);
   std::array<Real*, neighbour_count> v{}, u{};
   for (int n = 0; n < neighbour_count; ++n) {
     v[n] = linear.by_pressure[n].row(i);
@@ -70,7 +70,7 @@ void linearise_line(const FilmState& state, const ReynoldsWeights& weights, cons
     const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
     const double slopes =
         to_west.half_slope + to_east.half_slope + c.across[j] * (to_south.half_slope + to_north.half_slope);
-    const double on = wet[j];
+    const double on = full_film[j];
     const double mass_ww = mass.west_west * ww.entrained[j], mass_w = mass.west * w.entrained[j];
     const ShiftOf<Real> mass_c = mass.centre * c.entrained[j] + mass.squeeze;
     v[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho_p[j] * ww.h[j]);

@@ -28,7 +28,7 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
       long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       band_(static_cast<std::size_t>(nx_) * band_width * rows_),
       distributive_(grid),
-      wet_(grid),
+      full_film_(grid),
       spread_(grid) {
   const double inverse_h_y2 = 1.0 / (grid.h_y() * grid.h_y());
   const double w_x = 0.5 * inverse_h_x2_ / (inverse_h_x2_ + inverse_h_y2);
@@ -51,13 +51,13 @@ template <class Real>
 void LineSmoother<Real>::choose_unknowns(const FilmState& state, double oscillation) {
   double largest = distributive_limit * (1.0 + oscillation_share * oscillation) / inverse_h_x2_;
   for (int i = 0; i < nx_; ++i) {
-    const double* __restrict wet_here = state.wet.row(i);  // 0 or 1
+    const double* __restrict full_here = state.full_film.row(i);  // 0 or 1
     const double* __restrict conductance = state.conductance.row(i);
-    Part* __restrict wet = wet_.row(i);
+    Part* __restrict full_film = full_film_.row(i);
     Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      wet[j] = static_cast<Part>(wet_here[j]);
-      distributive[j] = static_cast<Part>(conductance[j] < largest ? wet_here[j] : 0.0);
+      full_film[j] = static_cast<Part>(full_here[j]);
+      distributive[j] = static_cast<Part>(conductance[j] < largest ? full_here[j] : 0.0);
     }
   }
 }
@@ -105,11 +105,11 @@ void LineSmoother<Real>::add_distant_deformation(const FilmState& state, int i) 
   const double weight = distant_share * long_wave_deformation_;
   const double* __restrict density = state.density.row(i);
   const double* __restrict entrained = state.entrained.row(i);
-  const Part* __restrict wet = wet_.row(i);
+  const Part* __restrict full_film = full_film_.row(i);
   const Part* __restrict distributive = distributive_.row(i);
   Real* __restrict entry = band(i, 0);
   for (int j = 0; j < rows_; ++j) {
-    entry[j] += static_cast<Part>(weight * std::abs(entrained[j]) * density[j]) * (wet[j] - distributive[j]);
+    entry[j] += static_cast<Part>(weight * std::abs(entrained[j]) * density[j]) * (full_film[j] - distributive[j]);
   }
 }
 
@@ -198,10 +198,10 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* __restrict value = residual.row(i);
     Real* __restrict spread = spread_.row(i);
-    const Part* __restrict wet = wet_.row(i);
+    const Part* __restrict full_film = full_film_.row(i);
     const Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      value[j] *= Part(1) - Part(1.0 - damping) * wet[j];
+      value[j] *= Part(1) - Part(1.0 - damping) * full_film[j];
       spread[j] = value[j] * distributive[j];
     }
   }
@@ -210,12 +210,12 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
     const Real* __restrict here = spread_.row(i);
     const Real* __restrict before = spread_.row(i - 1);
     const Real* __restrict after = spread_.row(i + 1);
-    const Part* __restrict wet = wet_.row(i);
+    const Part* __restrict full_film = full_film_.row(i);
     const Real* __restrict value = residual.row(i);
     Real* __restrict out = change.row(i);
     for (int j = 0; j < rows_; ++j) {
       const Real neighbours = weight_x_ * (before[j] + after[j]) + weight_y_ * (here[j - 1] + here[j + 1]);
-      out[j] += value[j] - wet[j] * neighbours;
+      out[j] += value[j] - full_film[j] * neighbours;
     }
   }
 }

@@ -39,7 +39,7 @@ public:
   /// Builds and factors the bands of all lines. oscillation: |s| of a film that oscillates, else 0.
   void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0);
   /// 1 where Reynolds' equation holds, else 0.
-  const Field<Part>& wet() const { return wet_; }
+  const Field<Part>& full_film() const { return full_film_; }
   /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   void relax(Field<Real>& residual, Field<Real>& change);
 
@@ -79,7 +79,7 @@ private:
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
   Field<Part> distributive_;  ///< 1 where the unknown is a distributive change
-  Field<Part> wet_;
+  Field<Part> full_film_;
   Field<Real> spread_;  ///< distributive changes, with ghosts
 };
 

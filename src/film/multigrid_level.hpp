@@ -20,7 +20,7 @@ public:
   const Discretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return discretisation_.grid(); }
 
-  /// Linearises about a state with ghosts and wet mask, and factors the smoother.
+  /// Linearises about a state with ghosts and full-film mask, and factors the smoother.
   void update(const FilmState& state, double shift);
 
   /// rows = linearised film * change; compact.

@@ -44,15 +44,15 @@ void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int 
   }
 }
 
-/// Where oil is pushed over the front of a wet region, it goes as far as what it meets has room for: nodes there, wet
-/// or not by themselves, are wet. By itself the front would come forward by one node an iteration.
+/// Where oil is pushed over the front of a full region, it goes as far as what it meets has room for: nodes there, full
+/// or not by themselves, are full. By itself the front would come forward by one node an iteration.
 void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residual) {
   const RowRange rows = grid.inner_rows();
   const auto sweep = [&](int first, int last, int way) {
     std::vector<double> pushed(grid.y_count(), 0.0);
     for (int i = first; i != last; i += way) {
       const double *pressure = state.film_pressure().row(i), *behind = state.film_pressure().row(i - way);
-      double* wet = state.wet.row(i);
+      double* full_film = state.full_film.row(i);
       const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
       double* over = pushed.data();
       GEARFILM_INDEPENDENT_ITERATIONS
@@ -61,7 +61,7 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
         const bool front = empty & (line[j] < 0.0) & (behind[j] > 0.0);
         const bool filled = empty & (line[j] >= 0.0) & (line[j] <= over[j]);
         const double left = filled ? over[j] - line[j] : 0.0;
-        wet[j] = filled ? 1.0 : wet[j];
+        full_film[j] = filled ? 1.0 : full_film[j];
         over[j] = front ? -line[j] : left;
       }
     }
@@ -94,7 +94,7 @@ void reynolds_residual(const Grid& grid, std::span<const double> entrainment, Fi
     const bool interior = i > 0 && i < grid.nx() - 1;
     const double* pressure = state.film_pressure().row(i);
     const double* conductance = state.conductance.row(i);
-    double* wet = state.wet.row(i);
+    double* full_film = state.full_film.row(i);
     double* scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
     if (interior) {
@@ -110,20 +110,21 @@ void reynolds_residual(const Grid& grid, std::span<const double> entrainment, Fi
     for (int j = 0; j < rows; ++j) {
       const double row_scale = weights.row_scale(j, conductance[j]);
       scale[j] = row_scale;
-      wet[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
+      full_film[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
       out[j] = found[j];
     }
-    std::fill(wet, wet + inner.begin, 0.0);
-    std::fill(wet + inner.end, wet + rows, 0.0);
+    std::fill(full_film, full_film + inner.begin, 0.0);
+    std::fill(full_film + inner.end, full_film + rows, 0.0);
   }
   advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
-    const double *pressure = state.film_pressure().row(i), *wet = state.wet.row(i), *scale = state.row_scale.row(i);
+    const double *pressure = state.film_pressure().row(i), *full_film = state.full_film.row(i),
+                 *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
       const double given = out[j], dry = scale[j] * pressure[j];
-      out[j] = wet[j] != 0.0 ? given : dry;
+      out[j] = full_film[j] != 0.0 ? given : dry;
     }
   }
 }

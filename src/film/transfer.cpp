@@ -32,7 +32,7 @@ int injected_row(const Grid& fine_grid, const Grid& coarse_grid, int J) {
 
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
-                       const Field<Real>& coarse_wet, Field<Real>& coarse) {
+                       const Field<Real>& coarse_full_film, Field<Real>& coarse) {
   const Ratio ratio(fine_grid, coarse_grid);
   const Weighting<Real> along_x(ratio.x), along_y(ratio.y);
   const Real side = along_x.side, centre = along_x.centre;
@@ -41,29 +41,29 @@ void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Fie
     const Real* here = fine.row(ratio.x * I);
     const Real* after = fine.row(ratio.x * I + 1);
     const auto mean = [&](int j) { return side * (before[j] + after[j]) + centre * here[j]; };
-    const Real* wet = coarse_wet.row(I);
+    const Real* full_film = coarse_full_film.row(I);
     Real* out = coarse.row(I);
     for (int J = 0; J < coarse_grid.y_count(); ++J) {
       const int j = same_row(fine_grid, coarse_grid, ratio.y, J);
-      out[J] = wet[J] * (along_y.side * (mean(j - 1) + mean(j + 1)) + along_y.centre * mean(j));
+      out[J] = full_film[J] * (along_y.side * (mean(j - 1) + mean(j + 1)) + along_y.centre * mean(j));
     }
   }
 }
 
 template <class Real>
 void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
-                      const Field<Real>& fine_wet, Field<Real>& fine) {
+                      const Field<Real>& fine_full_film, Field<Real>& fine) {
   const Ratio ratio(fine_grid, coarse_grid);
   for (int i = 1; i < fine_grid.nx() - 1; ++i) {
     const Real* below = coarse.row(i / ratio.x);
     const Real* above = coarse.row((i + ratio.x - 1) / ratio.x);
-    const Real* wet = fine_wet.row(i);
+    const Real* full_film = fine_full_film.row(i);
     Real* out = fine.row(i);
     for (int j = 0; j < fine_grid.y_count(); ++j) {
       const int row = fine_grid.y_begin() + j;
       const int J = row / ratio.y - coarse_grid.y_begin();
       const int J_next = (row + ratio.y - 1) / ratio.y - coarse_grid.y_begin();
-      out[j] += wet[j] * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
+      out[j] += full_film[j] * Real(0.25) * (below[J] + below[J_next] + above[J] + above[J_next]);
     }
   }
 }

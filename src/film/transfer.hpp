@@ -8,15 +8,15 @@
 
 namespace gearfilm {
 
-/// coarse = full weighting of fine; fine needs its ghosts. Zero at coarse nodes that are not wet.
+/// coarse = full weighting of fine; fine needs its ghosts. Zero at coarse nodes that are not full.
 template <class Real>
 void restrict_residual(const Grid& fine_grid, const Grid& coarse_grid, const Field<Real>& fine,
-                       const Field<Real>& coarse_wet, Field<Real>& coarse);
+                       const Field<Real>& coarse_full_film, Field<Real>& coarse);
 
-/// fine += bilinear interpolation of coarse at wet nodes; coarse needs its ghosts.
+/// fine += bilinear interpolation of coarse at full nodes; coarse needs its ghosts.
 template <class Real>
 void add_interpolated(const Grid& coarse_grid, const Grid& fine_grid, const Field<Real>& coarse,
-                      const Field<Real>& fine_wet, Field<Real>& fine);
+                      const Field<Real>& fine_full_film, Field<Real>& fine);
 
 /// fine = cubic interpolation of coarse (own nodes), for first guesses of smooth fields.
 void interpolate_cubic(const Grid& coarse_grid, const Grid& fine_grid, const Field<double>& coarse,

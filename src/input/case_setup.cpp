@@ -71,7 +71,7 @@ GearInertias inertias_of(const Case& problem) {
 
 namespace {
 
-std::optional<InertiaShares> friction_in_motion(const Case& problem) {
+std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
   if (problem.parameters.text("friction.in_motion") == "no") return {};
   const LineOfAction& line = *problem.pair.line;
   const auto [pinion, wheel] = inertias_of(problem);
@@ -93,7 +93,7 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, c
           .tooth_force = problem.pair.tooth_force,
           .traction = problem.traction,
           .roughness = problem.roughness,
-          .friction_in_motion = friction_in_motion(problem),
+          .friction_couples_dynamics = friction_couples_dynamics(problem),
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
           .order = problem.search.order};
 }

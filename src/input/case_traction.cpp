@@ -44,7 +44,8 @@ HeatOptions read_heat(const ParameterValues& values) {
                      ", but 'lubricant.temperature_viscosity' is missing; give -d ln eta/dT in 1/K (about 0.04 for a "
                      "mineral oil)");
   }
-  return {.oil = *oil, .points = values.integer("thermal.points"), .in_film = values.text("thermal.model") == "film"};
+  return {
+      .oil = *oil, .points = values.integer("thermal.points"), .couple_film = values.text("thermal.model") == "film"};
 }
 
 bool shears_in_film(const ParameterValues& values, const ShearLaw& law) {
@@ -85,7 +86,7 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   check_sliding(values);
   TractionModel model;
   model.law = read_law(values);
-  model.shear_in_film = shears_in_film(values, model.law);
+  model.shear_couples_film = shears_in_film(values, model.law);
   const std::array<std::string, 2> conductivity = body_keys(values, "conductivity");
   const std::array<std::string, 2> density = body_keys(values, "density");
   const std::array<std::string, 2> heat_capacity = body_keys(values, "heat_capacity");

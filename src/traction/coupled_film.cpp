@@ -43,7 +43,7 @@ struct Turn {
 };
 
 /// So many turns in a row that change no more than so many times that: on a coarse grid a film may go on moving a
-/// little, where a node at its exit changes between wet and dry.
+/// little, where a node at its exit changes between full and dry.
 struct Rest {
   std::size_t turns;
   double unrest;
@@ -68,13 +68,13 @@ public:
 
   std::vector<double> packed(const FilmHeat& heat) const {
     std::vector<double> all;
-    all.reserve(heat.temperatures.size() + 5 * heat.flow.wedge.size());
+    all.reserve(heat.temperatures.size() + 5 * heat.flow.entrainment_excess.size());
     for (const double T : heat.temperatures) all.push_back(T / kelvin_);
-    for (const double theta : heat.flow.thinning) all.push_back(theta);
-    for (const double W : heat.flow.wedge) all.push_back(W / wedge);
-    for (const double r : heat.flow.density) all.push_back(r / density);
-    for (const double kappa : heat.flow.shear) all.push_back(kappa);
-    for (const double A : heat.flow.across) all.push_back(A / across);
+    for (const double theta : heat.flow.log_poiseuille) all.push_back(theta);
+    for (const double W : heat.flow.entrainment_excess) all.push_back(W / wedge);
+    for (const double r : heat.flow.density_ratio) all.push_back(r / density);
+    for (const double kappa : heat.flow.shear_index) all.push_back(kappa);
+    for (const double A : heat.flow.cross_flow) all.push_back(A / across);
     return all;
   }
 
@@ -82,11 +82,12 @@ public:
   void add(const std::vector<double>& change, double part, FilmHeat& heat) const {
     const double* value = change.data();
     for (double& T : heat.temperatures) T = std::max(T + part * kelvin_ * *value++, coldest);
-    for (double& theta : heat.flow.thinning) theta += std::clamp(part * *value++, -largest_change, largest_change);
-    for (double& W : heat.flow.wedge) W += part * wedge * *value++;
-    for (double& r : heat.flow.density) r += part * density * *value++;
-    for (double& kappa : heat.flow.shear) kappa += std::clamp(part * *value++, -largest_shear, largest_shear);
-    for (double& A : heat.flow.across) A = std::max(A + part * across * *value++, least_across);
+    for (double& theta : heat.flow.log_poiseuille)
+      theta += std::clamp(part * *value++, -largest_change, largest_change);
+    for (double& W : heat.flow.entrainment_excess) W += part * wedge * *value++;
+    for (double& r : heat.flow.density_ratio) r += part * density * *value++;
+    for (double& kappa : heat.flow.shear_index) kappa += std::clamp(part * *value++, -largest_shear, largest_shear);
+    for (double& A : heat.flow.cross_flow) A = std::max(A + part * across * *value++, least_across);
   }
 
 private:
@@ -99,7 +100,7 @@ double relative_change(double before, double after) {
 }
 
 /// Root mean square of the changes of a field where the contact is loaded: at the exit a node may go on changing
-/// between wet and dry. Common to all processes; infinite where nothing is known of before.
+/// between full and dry. Common to all processes; infinite where nothing is known of before.
 double loaded_change(const ContactFilm& film, const std::vector<double>& before, const std::vector<double>& after) {
   if (after.empty()) return 0.0;
   if (before.empty()) return HUGE_VAL;
@@ -120,13 +121,13 @@ FilmHeat cold_film(const ContactFilm& film, const TractionModel& model) {
   if (model.heats_film()) {
     cold.temperatures.assign(film.grid().local_size() * model.heat->points, model.heat->oil.temperature);
   }
-  cold.flow = FlowCorrection::none(film.grid().local_size());
-  if (!model.shear_in_film) return cold;
-  FlowCorrection sheared = sheared_flow(model, film);
-  cold.flow.shear = std::move(sheared.shear);
+  cold.flow = FlowFactors::none(film.grid().local_size());
+  if (!model.shear_couples_film) return cold;
+  FlowFactors sheared = sheared_flow(model, film);
+  cold.flow.shear_index = std::move(sheared.shear_index);
   cold.flow.shear_power = sheared.shear_power;
   cold.flow.sheared = true;
-  for (double& kappa : cold.flow.shear) kappa -= least_sheared;
+  for (double& kappa : cold.flow.shear_index) kappa -= least_sheared;
   return cold;
 }
 
@@ -150,7 +151,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     Traction traction = coupled_traction(model, film, swept);
     ++found.turns;
     const double warmed = loaded_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
-    const double sheared = loaded_change(film, present.flow.shear, swept.flow.shear);
+    const double sheared = loaded_change(film, present.flow.shear_index, swept.flow.shear_index);
     const double friction = relative_change(found.traction.figures.coefficient, traction.figures.coefficient);
     found.traction = std::move(traction);
     turns.push_back({found.change, std::max({found.change / settled_film, friction / settled_friction,
@@ -174,7 +175,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     while (!next && way > shortest_way) {
       moved = present;
       unknowns.add(change, way, moved);
-      film.set_correction(moved.flow);
+      film.set_flow_factors(moved.flow);
       next = improve_stationary(film, load, careful, found.film.solution);
       if (!next) way *= 0.25;
     }

@@ -103,15 +103,15 @@ void FilmEnergyEquation::shear() {
     each_lane([&](int l) { mean[l] += weight * fluidity_[k][l]; });
   }
   each_lane([&](int l) {
-    inverse[l] = wet[l] / mean[l];
+    inverse[l] = full_film[l] / mean[l];
     log_newtonian_[l] = log_ambient_ + log(std::abs(sliding[l]) / (thickness[l] * mean[l]));
   });
   for (int k = 0; k < count; ++k) {
-    each_lane([&](int l) { share_[k][l] = fluidity_[k][l] * inverse[l] + (1.0 - wet[l]); });
+    each_lane([&](int l) { share_[k][l] = fluidity_[k][l] * inverse[l] + (1.0 - full_film[l]); });
   }
   for (int l = 0; l < lanes; ++l) {
     stress_[l] = by_rate_[l] = 0.0;
-    if (wet[l] == 0.0 || sliding[l] == 0.0) continue;
+    if (full_film[l] == 0.0 || sliding[l] == 0.0) continue;
     const MeanShear found = mean_shear(law_, log_newtonian_[l], half_gradient[l], pressure[l]);
     stress_[l] = found.stress;
     by_rate_[l] = found.by_rate;
@@ -145,7 +145,7 @@ void FilmEnergyEquation::set_transport() {
   }
 }
 
-/// That of film_flow.hpp; of a torn film the part that fills it, between walls that shear it evenly.
+/// That of film_flow.hpp; of a cavitated film the part that fills it, between walls that shear it evenly.
 void FilmEnergyEquation::set_own_transport() {
   const int count = points();
   Lanes passed{}, mean_change{}, flow_up{};
@@ -153,7 +153,7 @@ void FilmEnergyEquation::set_own_transport() {
     const double weight = weights_[k], half = 0.5 / (count - 1);
     each_lane([&](int l) {
       if (k > 0) passed[l] += half * (share_[k - 1][l] + share_[k][l]);
-      const double filled = wet[l] + (1.0 - wet[l]) * flow[l] / mean_velocity[l];
+      const double filled = full_film[l] + (1.0 - full_film[l]) * flow[l] / mean_velocity[l];
       const double wheel = mean_velocity[l] - 0.5 * sliding[l];
       const double speed = filled * (wheel + sliding[l] * passed[l]) + own_.poiseuille[k][l];
       const double passing = thickness[l] * carried[l] * speed;
@@ -161,7 +161,7 @@ void FilmEnergyEquation::set_own_transport() {
       source_[k][l] = speed < 0.0 ? downstream[k][l] : upstream[k][l];
       transport_[k][l] = weight * (speed < 0.0 ? -downstream_factor[k][l] * passing : upstream_factor[k][l] * passing);
       // For a moment: what stays behind, or is added.
-      above_[k][l] = wet[l] * (step_factor[l] * passing - arriving[k][l]);
+      above_[k][l] = full_film[l] * (step_factor[l] * passing - arriving[k][l]);
       mean_change[l] += weight * above_[k][l];
     });
   }
@@ -288,8 +288,9 @@ void FilmEnergyEquation::update(bool sheared, int iteration) {
     shear();
   }
   if (own) {
-    own_.update({fluidity_, slope_, log_viscosities_, share_}, {wet, thickness, log_viscosity, poiseuille_flow, stress_,
-                                                                shear_factor, std::exp(log_ambient_), sliding});
+    own_.update(
+        {fluidity_, slope_, log_viscosities_, share_},
+        {full_film, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_), sliding});
     if (iteration == 0) set_own_transport();
   } else if (iteration < profile_iterations) {
     set_transport();
@@ -298,7 +299,7 @@ void FilmEnergyEquation::update(bool sheared, int iteration) {
 
 void FilmEnergyEquation::solve() {
   const bool own = flow_ == FlowProfile::thermal;
-  const bool sheared = own || std::ranges::any_of(wet, [](double value) { return value != 0.0; });
+  const bool sheared = own || std::ranges::any_of(full_film, [](double value) { return value != 0.0; });
   T_ = before;
   if (!sheared) {  // heat without a source: the equations are linear
     for (Lanes& share : share_) share.fill(1.0);
@@ -318,7 +319,7 @@ void FilmEnergyEquation::solve() {
   }
 }
 
-bool FilmEnergyEquation::missed(int lane) const { return !(change_[lane] < tolerance); }
+bool FilmEnergyEquation::unconverged(int lane) const { return !(change_[lane] < tolerance); }
 
 /// Means and sums of the solution. What the last change adds to stress and heat is that of the linear equations, so
 /// that heat is balanced as these are solved.

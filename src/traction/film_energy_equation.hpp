@@ -29,7 +29,7 @@ public:
                      FlowProfile kind = FlowProfile::isothermal);
 
   // To be given for every lane.
-  Lanes wet{};              ///< 1; 0 where there is neither shear nor Poiseuille heat
+  Lanes full_film{};        ///< 1; 0 where there is neither shear nor Poiseuille heat
   Lanes pressure{};         ///< p [Pa]
   Lanes thickness{};        ///< h [m]
   Lanes log_viscosity{};    ///< ln(eta/eta_0) at T_0
@@ -45,7 +45,7 @@ public:
   Lanes sliding{};              ///< u_s [m/s]
   std::vector<Lanes> upstream;  ///< T_k there, the wheel's wall first [K]
   std::vector<Lanes> before;    ///< T_k of a guess, which makes u(z) of a film that feels its heat
-  // Of a film that does not feel its heat, and of a torn one.
+  // Of a film that does not feel its heat, and of a cavitated one.
   Lanes poiseuille_heat{};  ///< 12 times the mean of Phi [W/m^3]
   Lanes flow{};             ///< mean of u(z) [m/s]
   // Of a film that does.
@@ -59,10 +59,10 @@ public:
   std::vector<Lanes> downstream_factor;
 
   int points() const { return static_cast<int>(weights_.size()); }
-  /// Finds the temperatures, from the guess, to 1e-9 K; lanes where that takes too long count as missed. Throws
+  /// Finds the temperatures, from the guess, to 1e-9 K; lanes where that takes too long count as unconverged. Throws
   /// SolveError where one is not finite.
   void solve();
-  bool missed(int lane) const;
+  bool unconverged(int lane) const;
 
   // Of the solution.
   const std::vector<Lanes>& temperatures() const { return T_; }  ///< T_k [K]

@@ -36,7 +36,7 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
   Lanes inwards, own_scale, stress_scale, rate_scale, parabola_scale, own_row, parabola_row;
   each_lane([&](int l) {
     log_factor[l] = log(moment[l] / second_moment_) + film.log_viscosity[l];
-    inwards[l] = film.poiseuille_flow[l] < 0.0 ? film.wet[l] : 0.0;
+    inwards[l] = film.poiseuille_flow[l] < 0.0 ? film.full_film[l] : 0.0;
     const double thinned = film.ambient_viscosity / film.shear_factor[l], inverse = 1.0 / moment[l];
     const double speed = film.poiseuille_flow[l] / film.thickness[l];
     const double gradient = -inwards[l] * speed * inverse;  // G h/eta_0
@@ -44,9 +44,9 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     own_scale[l] = exact * thinned * gradient * gradient;
     stress_scale[l] = gradient * (film.sliding[l] < 0.0 ? -film.stress[l] : film.stress[l]);
     rate_scale[l] = gradient * thinned * film.sliding[l] / film.thickness[l];
-    parabola_scale[l] = exact * (film.wet[l] - inwards[l]) * thinned * exp(log_mean[l]) * forwards * forwards;
+    parabola_scale[l] = exact * (film.full_film[l] - inwards[l]) * thinned * exp(log_mean[l]) * forwards * forwards;
     own_row[l] = inwards[l] * inverse;
-    parabola_row[l] = (1.0 - inwards[l]) * film.wet[l];
+    parabola_row[l] = (1.0 - inwards[l]) * film.full_film[l];
   });
   Lanes driven{}, passed{}, drive_before{};
   for (std::size_t k = 0; k < count; ++k) {
@@ -69,7 +69,7 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     const double place = places_[k], bent = 6.0 * place * (1.0 - place);
     each_lane([&](int l) {
       const double own = inwards[l] * poiseuille[k][l] / (passed[l] != 0.0 ? passed[l] : 1.0);
-      poiseuille[k][l] = film.wet[l] * film.poiseuille_flow[l] * (own + (1.0 - inwards[l]) * bent);
+      poiseuille[k][l] = film.full_film[l] * film.poiseuille_flow[l] * (own + (1.0 - inwards[l]) * bent);
     });
   }
 }

@@ -15,7 +15,7 @@ namespace gearfilm {
 namespace {
 
 constexpr double least_flow = 0.1;     // of u_m h
-constexpr double least_filled = 1e-3;  // of a torn film
+constexpr double least_filled = 1e-3;  // of a cavitated film
 
 /// The march along x.
 class HeatMarch {
@@ -59,8 +59,8 @@ public:
       field->assign(nodes, 0.0);
     }
     if (!own_) return;
-    heat.flow = FlowCorrection::none(nodes);
-    heat.flow.sheared = model.shear_in_film;
+    heat.flow = FlowFactors::none(nodes);
+    heat.flow.sheared = model.shear_couples_film;
     fields_.log_flow_factor.assign(nodes, 0.0);
     if (heat.passing.empty()) heat.passing.assign(nodes * points(), 0.0);
   }
@@ -151,10 +151,10 @@ private:
 
   void load_lane(int l, int j) {
     const double h = line_.thickness[j], p = line_.pressure[j], density = line_.density[j];
-    const bool wet = line_.wet[j] != 0;
+    const bool full_film = line_.full_film[j] != 0;
     const SurfaceVelocities& u = line_.velocities[j];
-    const double filled = wet ? 1.0 : std::clamp(flow_[j] / (density * u.mean * h), least_filled, 1.0);
-    across_.wet[l] = wet ? 1.0 : 0.0;
+    const double filled = full_film ? 1.0 : std::clamp(flow_[j] / (density * u.mean * h), least_filled, 1.0);
+    across_.full_film[l] = full_film ? 1.0 : 0.0;
     across_.pressure[l] = p;
     across_.thickness[l] = h;
     across_.log_viscosity[l] = line_.log_viscosity[j] - log_ambient_;
@@ -174,7 +174,7 @@ private:
 
   // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
   void load_isothermal_flow(int l, int i, int j) {
-    if (!line_.wet[j]) return;
+    if (!line_.full_film[j]) return;
     const double h = line_.thickness[j], p_x = line_.gradient[j];
     const double inverse_viscosity = std::exp(log_shear_factor(i, j, l) - line_.log_viscosity[j]);
     const double u_m = line_.velocities[j].mean;
@@ -186,7 +186,7 @@ private:
     flow_[j] = line_.density[j] * across_.flow[l] * h;
   }
 
-  /// g of the line, ln F over theta (flow_correction.hpp).
+  /// g of the line, ln F over theta (flow_factors.hpp).
   template <EvaluatesViscosity Viscosity>
   void find_heating_ratios(Viscosity viscosity) {
     const int count = rows();
@@ -197,19 +197,21 @@ private:
   }
 
   /// theta and ln S with which the film was solved.
-  double theta(int i, int j) const { return film_.correction().empty() ? 0.0 : film_.correction().thinning[at(i, j)]; }
+  double theta(int i, int j) const {
+    return film_.flow_factors().empty() ? 0.0 : film_.flow_factors().log_poiseuille[at(i, j)];
+  }
   double log_shear_factor(int i, int j, int l) const {
-    const FlowCorrection& flow = film_.correction();
+    const FlowFactors& flow = film_.flow_factors();
     if (!flow.sheared) return 0.0;
     const double x = across_.log_viscosity[l] - theta(i, j) * heating_ratio_[j];
-    return gearfilm::log_shear_factor(flow.shear_power, flow.shear[at(i, j)], x).value;
+    return gearfilm::log_shear_factor(flow.shear_power, flow.shear_index[at(i, j)], x).value;
   }
 
-  // At the last wet node of a row dp/dx = 0.
+  // At the last full node of a row dp/dx = 0.
   void load_own_flow(int l, int i, int j) {
     const double log_S = log_shear_factor(i, j, l);
     across_.shear_factor[l] = std::exp(log_S);
-    if (!line_.wet[j] || film_.film_pressure().row(i + 1)[j] <= 0.0) return;
+    if (!line_.full_film[j] || film_.film_pressure().row(i + 1)[j] <= 0.0) return;
     const double h = line_.thickness[j], log_factor = theta(i, j) * heating_ratio_[j] + log_S;
     across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }
@@ -234,7 +236,7 @@ private:
       each_lane([&](int l) {
         const double T = T_before[row(l)];
         across_.upstream[k][l] = T;
-        across_.before[k][l] = T + across_.wet[l] * (T - T_far[row(l)]);
+        across_.before[k][l] = T + across_.full_film[l] * (T - T_far[row(l)]);
       });
     }
   }
@@ -248,7 +250,7 @@ private:
     const double here = i > 1 ? 1.0 : 0.0, guessed = returning_ ? 0.0 : here;
     each_lane([&](int l) {
       across_.stored[l] = storage_ * line_.density[row(l)];
-      across_.step_factor[l] = 1.0 + 0.5 * here * across_.wet[l];
+      across_.step_factor[l] = 1.0 + 0.5 * here * across_.full_film[l];
     });
     for (int k = 0; k < points(); ++k) {
       const double *T_before = temperatures(before, k), *T_far = temperatures(far, k), *T = temperatures(i, k);
@@ -258,23 +260,23 @@ private:
       const double *returned = passing(next, k), *returned_far = passing(next_far, k);
       each_lane([&](int l) {
         const int j = row(l);
-        const double wet = here * across_.wet[l];
-        const double arrives = (passed[j] > 0.0) & (passed_far[j] > 0.0) ? wet : 0.0;
+        const double full_film = here * across_.full_film[l];
+        const double arrives = (passed[j] > 0.0) & (passed_far[j] > 0.0) ? full_film : 0.0;
         across_.upstream_factor[k][l] = 1.0 + 0.5 * arrives;
         across_.upstream[k][l] = T_before[j] + arrives * (1.0 / 3.0) * (T_before[j] - T_far[j]);
-        const double returns = resting & (returned[j] < 0.0) & (returned_far[j] < 0.0) ? wet : 0.0;
+        const double returns = resting & (returned[j] < 0.0) & (returned_far[j] < 0.0) ? full_film : 0.0;
         across_.downstream_factor[k][l] = 1.0 + 0.5 * returns;
         across_.downstream[k][l] = T_next[j] + returns * (1.0 / 3.0) * (T_next[j] - T_next_far[j]);
         // That of the sweep before, changed as upstream.
-        across_.before[k][l] = T[j] + guessed * across_.wet[l] * gained[j];
+        across_.before[k][l] = T[j] + guessed * across_.full_film[l] * gained[j];
         across_.earlier[k][l] = T_earlier[j];
-        across_.arriving[k][l] = heat_by_step() * (passed[j] + wet * (passed[j] - 0.5 * passed_far[j]));
+        across_.arriving[k][l] = heat_by_step() * (passed[j] + full_film * (passed[j] - 0.5 * passed_far[j]));
       });
     }
   }
 
-  /// On the way back what the torn film has stays.
-  bool changes(int j) const { return !returning_ || line_.wet[j]; }
+  /// On the way back what the cavitated film has stays.
+  bool changes(int j) const { return !returning_ || line_.full_film[j]; }
 
   void store_profiles(int i, int first, int count) {
     for (int k = 0; k < points(); ++k) {
@@ -293,7 +295,7 @@ private:
       for (int l = 0; l < count; ++l) {
         if (!changes(first + l)) continue;
         passed[l] = line_.density[first + l] * line_.thickness[first + l] * speed[l];
-        turns = turns || (across_.wet[l] * passed[l] < 0.0);
+        turns = turns || (across_.full_film[l] * passed[l] < 0.0);
       }
       if (turns && !returning_) last_returning_ = i;
     }
@@ -306,7 +308,7 @@ private:
     fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
     fields_.heat_generated[node] = across_.heat_generated()[l];
     fields_.heat_carried[node] = across_.heat_carried()[l];
-    if (across_.missed(l)) fields_.missed += 1.0;
+    if (across_.unconverged(l)) fields_.unconverged_nodes += 1.0;
     store_temperatures(i, j, across_.mean_temperature()[l], across_.largest_temperature()[l]);
     if (own_) store_flow(l, i, j);
   }
@@ -315,17 +317,17 @@ private:
     const std::size_t node = at(i, j);
     const double mass = line_.density[j] * line_.thickness[j];
     const ThermalOil& oil = model_.heat->oil;
-    heat_.flow.density[node] =
+    heat_.flow.density_ratio[node] =
         density_factor(film_.scales().oil, oil, line_.pressure[j], fields_.temperature_mean[node]);
     const double wedge = line_.velocities[j].sliding * (0.5 - across_.own_flow().centre[l]);
     fields_.log_flow_factor[node] = across_.own_flow().log_factor[l];
-    heat_.flow.thinning[node] = across_.own_flow().log_factor[l] / heating_ratio_[j];
-    heat_.flow.wedge[node] = wedge / film_.scales().operation.entrainment_velocity;
-    if (model_.shear_in_film) {
+    heat_.flow.log_poiseuille[node] = across_.own_flow().log_factor[l] / heating_ratio_[j];
+    heat_.flow.entrainment_excess[node] = wedge / film_.scales().operation.entrainment_velocity;
+    if (model_.shear_couples_film) {
       put_shear(model_.law, across_.log_newtonian(l), across_.half_gradient[l],
                 across_.log_viscosity[l] - across_.own_flow().log_factor[l], node, heat_.flow);
     }
-    if (line_.wet[j]) flow_[j] = mass * (line_.velocities[j].mean + wedge + across_.poiseuille_flow[l]);
+    if (line_.full_film[j]) flow_[j] = mass * (line_.velocities[j].mean + wedge + across_.poiseuille_flow[l]);
   }
 
   /// Oil that enters between its walls.
@@ -361,7 +363,7 @@ private:
   FilmLine line_;
   FilmEnergyEquation across_;
   FilmHeat& heat_;
-  std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last wet node of every row
+  std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last full node of every row
   std::vector<double> base_pinion_, base_wheel_;  // sums of moving_source.hpp
   std::vector<double> gain_;
   int last_returning_ = 0;  // line where oil turns back

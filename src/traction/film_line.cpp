@@ -35,7 +35,7 @@ FilmLine::FilmLine(const ContactFilm& film)
       log_viscosity(pressure.size()),
       density(pressure.size()),
       gradient(pressure.size()),
-      wet(pressure.size()),
+      full_film(pressure.size()),
       velocities(row_velocities(film)),
       film_(film),
       viscosity_(viscosity_evaluator(film.scales().oil)) {}
@@ -53,7 +53,7 @@ void FilmLine::load(int i) {
     thickness[j] = scales.thickness * H[j];
     density[j] = rho[j];
     gradient[j] = by_x * (east[j] - west[j]);
-    wet[j] = here[j] > 0.0;
+    full_film[j] = here[j] > 0.0;
   }
   const double ambient = std::log(scales.oil.viscosity);
   std::visit([&](auto viscosity) { set_viscosity(viscosity, ambient, pressure, log_viscosity); }, viscosity_);

@@ -7,16 +7,16 @@
 namespace gearfilm {
 
 void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double x, std::size_t node,
-               FlowCorrection& flow) {
+               FlowFactors& flow) {
   const ShearThinning thinning = shear_thinning(law, log_newtonian, half_gradient);
   flow.shear_power = thinning_power(law);
-  flow.shear[node] = shear_of(flow.shear_power, thinning.log_along, x);
-  flow.across[node] = std::exp(thinning.log_across - thinning.log_along);
+  flow.shear_index[node] = shear_of(flow.shear_power, thinning.log_along, x);
+  flow.cross_flow[node] = std::exp(thinning.log_across - thinning.log_along);
 }
 
-FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film) {
+FlowFactors sheared_flow(const TractionModel& model, const ContactFilm& film) {
   const Grid& grid = film.grid();
-  FlowCorrection flow = FlowCorrection::none(grid.local_size());
+  FlowFactors flow = FlowFactors::none(grid.local_size());
   flow.sheared = true;
   FilmLine line(film);
   const double log_ambient = std::log(film.scales().oil.viscosity);

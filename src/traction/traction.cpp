@@ -25,7 +25,7 @@ TractionFields isothermal_film(const TractionModel& model, const ContactFilm& fi
     line.load(i);
     for (int j = 0; j < grid.y_count(); ++j) {
       const double h = line.thickness[j], sliding = line.velocities[j].sliding;
-      if (!line.wet[j] || sliding == 0.0) continue;
+      if (!line.full_film[j] || sliding == 0.0) continue;
       const double log_newtonian = line.log_viscosity[j] + std::log(std::abs(sliding) / h);
       const double stress = mean_shear(model.law, log_newtonian, 0.5 * h * line.gradient[j], line.pressure[j]).stress;
       fields.shear_stress[static_cast<std::size_t>(i) * grid.y_count() + j] = std::copysign(stress, sliding);
@@ -118,7 +118,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   for (std::size_t n = 0; n < size; ++n) rolling_power[n] *= 2.0 * velocities[n % velocities.size()].mean;
   put(sliding_loss, heat);
   put(rolling_loss, rolling_power);
-  double missed[] = {fields.missed, 0.0};
+  double unconverged[] = {fields.unconverged_nodes, 0.0};
   std::vector<double> own(size);
   film.total_pressure().store(own);
   put(pressure, own);
@@ -140,9 +140,9 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
                                   largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel),
                                   largest_of(fields.temperature_mean), largest_of(fields.temperature_max)};
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
-  missed[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
-  MPI_Allreduce(MPI_IN_PLACE, missed, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
-  figures.missed = missed[0] > 0.0 ? missed[0] / missed[1] : 0.0;
+  unconverged[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
+  MPI_Allreduce(MPI_IN_PLACE, unconverged, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
+  figures.unconverged_fraction = unconverged[0] > 0.0 ? unconverged[0] / unconverged[1] : 0.0;
   figures.flash = maxima[0];
   if (!model.heat) return result;
   figures.surface_pinion = maxima[1];
@@ -153,7 +153,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   figures.heat_wheel = total[wheel];
   figures.heat_oil = total[oil];
   if (total[generated] > 0.0) {
-    figures.heat_balance = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
+    figures.energy_residual = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
   }
   return result;
 }

@@ -138,7 +138,7 @@ TEST_F(Communication, of_heat_is_sums_alone) {
   pair.place(0.5);
   first.residual(pressure, 0.5, {}, rows);
   sweep();
-  first.set_correction(heat.flow);
+  first.set_flow_factors(heat.flow);
   // Film, ghosts of four fields.
   expect_equal(traffic_of([&] { first.residual(pressure, 0.5, {}, rows); }),
                convolution(in_double) + halo(4, in_double));

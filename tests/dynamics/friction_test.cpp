@@ -18,8 +18,8 @@ ContactRecord sliding_contact(double xi, double friction) {
 
 TEST(FrictionInMotion, shares_of_the_inertias_are_those_of_the_gears) {
   const MeshModel given = mesh_of(table3_case(coulomb));
-  EXPECT_NEAR(given.friction_in_motion->pinion + given.friction_in_motion->wheel, 1.0, 1e-12);
-  EXPECT_FALSE(mesh_of(table3_case()).friction_in_motion);
+  EXPECT_NEAR(given.friction_couples_dynamics->pinion + given.friction_couples_dynamics->wheel, 1.0, 1e-12);
+  EXPECT_FALSE(mesh_of(table3_case()).friction_couples_dynamics);
 }
 
 // Arms of 39.5 and 60.6 mm over base radii, at the pitch point: A = -F_s R_x(0) (g_1/R_b1 + g_2 tau ...) = -0.48 F_s.

@@ -89,7 +89,7 @@ protected:
   }
 
   /// A change of the state: of the pressures of some contacts, and of the motion. Small where the pressure is, so that
-  /// no node changes between wet and cavitated (there the rows have a kink).
+  /// no node changes between full and cavitated (there the rows have a kink).
   OwnedVec direction(const std::vector<double>& amplitudes, const Motion& motion) const {
     std::vector<std::vector<double>> changes;
     for (std::size_t k = 0; k < amplitudes.size(); ++k) {

@@ -53,7 +53,7 @@ private:
   std::vector<double> pressure_, mass_, conductance_;
 };
 
-/// What passes the border of the wet nodes.
+/// What passes the border of the full nodes.
 struct BorderFlow {
   double in = 0.0;
   double out = 0.0;
@@ -61,19 +61,19 @@ struct BorderFlow {
   void add(double outward) { (outward > 0.0 ? out : in) += std::abs(outward); }
 };
 
-BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::vector<double>& wet) {
-  const auto is_wet = [&](int i, int row) { return wet[fluxes.index(i, row)] != 0.0; };
+BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::vector<double>& full_film) {
+  const auto is_full = [&](int i, int row) { return full_film[fluxes.index(i, row)] != 0.0; };
   BorderFlow flow;
   for (int i = 0; i + 1 < grid.nx(); ++i) {
     for (int row = 0; row + 1 < grid.ny(); ++row) {
-      if (is_wet(i, row) != is_wet(i + 1, row)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_x(i, row));
-      if (is_wet(i, row) != is_wet(i, row + 1)) flow.add((is_wet(i, row) ? 1.0 : -1.0) * fluxes.along_y(i, row));
+      if (is_full(i, row) != is_full(i + 1, row)) flow.add((is_full(i, row) ? 1.0 : -1.0) * fluxes.along_x(i, row));
+      if (is_full(i, row) != is_full(i, row + 1)) flow.add((is_full(i, row) ? 1.0 : -1.0) * fluxes.along_y(i, row));
     }
   }
   return flow;
 }
 
-// The discrete equations of all wet nodes telescope: what flows in through the border of the wet set flows out or is
+// The discrete equations of all full nodes telescope: what flows in through the border of the full set flows out or is
 // stored. The cavitated nodes, where the film is not full, are outside.
 TEST(MassBalance, mass_is_conserved_over_a_step) {
   const Case problem = table3_case(with(after_leaving(), {{"time.newton_tolerance", "1e-9"}}));
@@ -82,7 +82,7 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   const Grid& grid = steps.march.grid();
   PairAt system(steps.march, steps.last);
   const OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
-  // The wet nodes are those of the residual with its rate.
+  // The full nodes are those of the residual with its rate.
   OwnedVec rate = system.vector(steps.last.mass, steps.last.motion), rows = system.system().create_state();
   petsc_check(VecScale(rate, 1.5 / steps.last.dT));
   petsc_check(VecAXPY(rate, -2.0 / steps.last.dT, system.vector(steps.last_but_one.mass, steps.last_but_one.motion)));
@@ -90,16 +90,16 @@ TEST(MassBalance, mass_is_conserved_over_a_step) {
   system.system().residual(state, {rate, 1.5 / steps.last.dT}, rows);
   const ContactFilm& film = system.film(0);
   const FaceFluxes fluxes(steps.march, film);
-  const std::vector<double> wet = unfolded(grid, whole_of(grid, film.state().wet)),
+  const std::vector<double> full_film = unfolded(grid, whole_of(grid, film.state().full_film)),
                             rates = unfolded(grid, whole_of(grid, system.system().field(rate, 0)));
   double stored = 0.0;
   int wet_nodes = 0;
-  for (std::size_t n = 0; n < wet.size(); ++n) {
-    if (wet[n] == 0.0) continue;
+  for (std::size_t n = 0; n < full_film.size(); ++n) {
+    if (full_film[n] == 0.0) continue;
     stored += grid.h_x() * grid.h_y() * rates[n];
     ++wet_nodes;
   }
-  const BorderFlow flow = border_flow(grid, fluxes, wet);
+  const BorderFlow flow = border_flow(grid, fluxes, full_film);
   report("inflow %.6f, outflow %.6f, storage %.6f, balance %.2e", flow.in, flow.out, stored,
          flow.in - flow.out - stored);
   // Both must matter against what the balance may miss.

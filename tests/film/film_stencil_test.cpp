@@ -31,7 +31,7 @@ protected:
     exchange_ghosts(halo, state);
   }
 
-  /// R with the squeeze term shift rho H; a constant of -1e4 keeps every inner node wet.
+  /// R with the squeeze term shift rho H; a constant of -1e4 keeps every inner node full.
   std::vector<double> residual_at(double step, double shift) {
     set_state(step);
     std::vector<double> rate(grid.local_size()), residual(grid.local_size());
@@ -91,7 +91,7 @@ TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
   set_state(0.0);
   std::vector<double> residual(grid.local_size());
   reynolds_residual(grid, U, state, {{}, 40.0}, residual);  // sets the scales
-  state.wet.fill(0.0);
+  state.full_film.fill(0.0);
   linearise(grid, 3.0, state, linear);
   apply_stencil(linear, v, u, rows);
   const ReynoldsWeights weights(grid, U, 40.0);

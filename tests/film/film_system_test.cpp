@@ -160,7 +160,7 @@ protected:
     return maximum(count);
   }
 
-  /// A change of the state, small where the pressure is, so that no node changes between wet and cavitated.
+  /// A change of the state, small where the pressure is, so that no node changes between full and cavitated.
   OwnedVec direction(double of_pressure, const std::array<double, 3>& of_scalars) const {
     OwnedVec change = system.create_state();
     for (int k = 0; k < 2; ++k) {

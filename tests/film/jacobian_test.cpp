@@ -64,7 +64,7 @@ protected:
     return std::sqrt(sum);
   }
 
-  // Zero on the boundary; small where the pressure is, so that no node changes between wet and cavitated (there the
+  // Zero on the boundary; small where the pressure is, so that no node changes between full and cavitated (there the
   // residual has a kink).
   std::vector<double> direction_at(double amplitude) const {
     std::vector<double> change(grid.local_size(), 0.0);

@@ -48,7 +48,7 @@ inline TractionModel heated(int points = 17) {
 inline void expect_second_order(const ContactFilm& corrected, const FilmSolution& state) {
   ContactFilm film(corrected.discretisation(), corrected.scales(), {.precision = Precision::double_precision});
   move_surfaces(film, corrected.conditions());
-  film.set_correction(corrected.correction());
+  film.set_flow_factors(corrected.flow_factors());
   const std::vector<double>& pressure = state.pressure;
   std::vector<double> change(pressure), slope(pressure.size()), at_state(pressure.size());
   for (std::size_t n = 0; n < change.size(); ++n) change[n] *= std::sin(0.7 * static_cast<double>(n));

@@ -68,7 +68,7 @@ protected:
     for (int i = first_line ? 1 : 2; i < (first_line ? 2 : grid.nx() - 1); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         if (grid.is_boundary(i, j)) continue;
-        EXPECT_EQ(state.wet.row(i)[j], 1.0);
+        EXPECT_EQ(state.full_film.row(i)[j], 1.0);
         error = std::max(error, std::abs(residual[i * grid.y_count() + j] - exact_residual(grid.x(i), grid.y(j))));
       }
     }
@@ -141,7 +141,7 @@ TEST_F(Reynolds, oil_pushed_over_a_front_fills_what_has_room_for_it) {
   for (int i = 1; i < grid_.nx() - 1; ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       if (grid_.is_boundary(i, j)) continue;
-      EXPECT_EQ(state_.wet.row(i)[j], i <= front + 1 + filled ? 1.0 : 0.0) << i;
+      EXPECT_EQ(state_.full_film.row(i)[j], i <= front + 1 + filled ? 1.0 : 0.0) << i;
       if (i <= front + 1) continue;
       EXPECT_NEAR(residual[i * grid_.y_count() + j], i <= front + 1 + filled ? room : 0.0, 1e-12) << i;
     }
@@ -157,10 +157,10 @@ TEST_F(Reynolds, opening_gap_without_pressure_is_cavitated) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double value = residual[i * grid_.y_count() + j];
       if (grid_.is_boundary(i, j) || grid_.x(i) > 0.0) {
-        EXPECT_EQ(state_.wet.row(i)[j], 0.0);
+        EXPECT_EQ(state_.full_film.row(i)[j], 0.0);
         EXPECT_EQ(value, 0.0);
       } else {
-        EXPECT_EQ(state_.wet.row(i)[j], 1.0);
+        EXPECT_EQ(state_.full_film.row(i)[j], 1.0);
         // The second-order wedge is exact for a parabola, the first-order one is off by U h_x/2.
         const double exact = entrainment * (grid_.x(i) - (i == 1 ? 0.5 * grid_.h_x() : 0.0));
         EXPECT_NEAR(value, exact, 1e-13);
@@ -169,7 +169,7 @@ TEST_F(Reynolds, opening_gap_without_pressure_is_cavitated) {
   }
 }
 
-// R itself is seen through a squeeze rate so negative that every inner node is wet.
+// R itself is seen through a squeeze rate so negative that every inner node is full.
 TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
   constexpr double suction = 1e6;
   const std::vector<double> sucking(grid_.local_size(), -suction);
@@ -187,7 +187,7 @@ TEST_F(Reynolds, residual_is_the_smaller_of_scaled_pressure_and_flow) {
       const double flow = shifted[n] + suction;
       const double scaled = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.total_pressure.row(i)[j];
       EXPECT_NEAR(residual[n], std::min(scaled, flow), 1e-8);  // round-off of the suction, 1e-10
-      EXPECT_EQ(state_.wet.row(i)[j], flow < scaled ? 1.0 : 0.0);
+      EXPECT_EQ(state_.full_film.row(i)[j], flow < scaled ? 1.0 : 0.0);
       ++counts[flow < scaled];
     }
   }
@@ -211,7 +211,7 @@ TEST_F(Reynolds, row_scale_is_poiseuille_diagonal_and_a_part_of_the_wedge) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       if (!grid_.is_boundary(i, j)) continue;
       const double expected = weights.row_scale(j, state_.conductance.row(i)[j]) * state_.total_pressure.row(i)[j];
-      EXPECT_EQ(state_.wet.row(i)[j], 0.0);
+      EXPECT_EQ(state_.full_film.row(i)[j], 0.0);
       EXPECT_DOUBLE_EQ(residual[i * grid_.y_count() + j], expected);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 TractionModel sheared(ShearLawKind kind) {
   TractionModel model;
   model.law.kind = kind;
-  model.shear_in_film = true;
+  model.shear_couples_film = true;
   return model;
 }
 
@@ -36,7 +36,7 @@ TEST(ShearedFilm, of_a_stress_that_nothing_reaches_is_newtonian) {
   stiff.law.eyring_stress = 1e30;
   const ShearedFilm film(0.002, 65, 33, stiff);
   EXPECT_NEAR(film.factor(), 1.0, 1e-9);
-  EXPECT_EQ(*std::ranges::min_element(film.film->correction().across), 1.0);
+  EXPECT_EQ(*std::ranges::min_element(film.film->flow_factors().cross_flow), 1.0);
 }
 
 // Stresses of the inlet are below tau_0: a few per cent.
@@ -57,15 +57,15 @@ TEST(ShearedFilm, is_thinner_the_softer_the_oil) {
 TEST(ShearedFilm, has_the_flow_of_its_own_shear) {
   const TractionModel model = sheared(ShearLawKind::carreau);
   const ShearedFilm film(0.005, 65, 33, model);
-  const FlowCorrection& kept = film.film->correction();
-  const FlowCorrection own = sheared_flow(model, *film.film);
+  const FlowFactors& kept = film.film->flow_factors();
+  const FlowFactors own = sheared_flow(model, *film.film);
   const Grid& grid = film.grid;
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
       if (film.film->total_pressure().row(i)[j] < 0.05) continue;
       const std::size_t n = static_cast<std::size_t>(i) * grid.y_count() + j;
-      EXPECT_NEAR(kept.shear[n], own.shear[n], 0.02);
-      EXPECT_NEAR(kept.across[n], own.across[n], 0.02);
+      EXPECT_NEAR(kept.shear_index[n], own.shear_index[n], 0.02);
+      EXPECT_NEAR(kept.cross_flow[n], own.cross_flow[n], 0.02);
     }
   }
 }

@@ -147,7 +147,7 @@ TEST(Stationary, films_where_contacts_enter_are_found_at_any_displacement) {
 TEST(Stationary, pressure_and_flow_are_complementary) {
   SolvedFilm solved(PETSC_COMM_WORLD, table3_pitch(), 65, 33);
   const auto& [pressure, H0] = solved.result.solution;
-  // A squeeze rate so negative that every inner node is wet shows R itself, less that rate.
+  // A squeeze rate so negative that every inner node is full shows R itself, less that rate.
   constexpr double suction = 1e6;
   const std::vector<double> sucking(pressure.size(), -suction);
   std::vector<double> residual(pressure.size());
@@ -164,7 +164,7 @@ TEST(Stationary, pressure_and_flow_are_complementary) {
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
-  report("%d cavitated, %d wet nodes", counts[0], counts[1]);
+  report("%d cavitated, %d full nodes", counts[0], counts[1]);
   EXPECT_GT(counts[0], 100);
   EXPECT_GT(counts[1], 500);
 }

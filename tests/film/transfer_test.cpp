@@ -21,14 +21,15 @@ protected:
   static constexpr double tolerance = std::is_same_v<Number, double> ? 1e-13 : 1e-5;
 
   // Ones inside, zeros on the boundary and at every fifth node or so.
-  static Field<Number> wet_mask(const Grid& grid, unsigned seed) {
-    Field<Number> wet(grid);
+  static Field<Number> full_film_mask(const Grid& grid, unsigned seed) {
+    Field<Number> full_film(grid);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        wet.row(i)[j] = !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? Number(1) : Number(0);
+        full_film.row(i)[j] =
+            !grid.is_boundary(i, j) && noise(i, grid.y_begin() + j, seed) > -0.6 ? Number(1) : Number(0);
       }
     }
-    return wet;
+    return full_film;
   }
 
   Grid fine{PETSC_COMM_WORLD, rectangle(33, 29, -2.0, 1.2, 1.5)};
@@ -92,13 +93,13 @@ TYPED_TEST(TransferOf, full_weighting_keeps_constants) {
 
 TYPED_TEST(TransferOf, full_weighting_is_zero_where_nothing_flows) {
   using Real = typename TypeParam::Real;
-  const auto wet = this->wet_mask(this->coarse, 1);
+  const auto full_film = this->full_film_mask(this->coarse, 1);
   fill(this->fine, this->on_fine, [](double x, double) { return 3.0 + x; });
   this->fine_halo.exchange(this->on_fine);
-  restrict_residual(this->fine, this->coarse, this->on_fine, wet, this->on_coarse);
+  restrict_residual(this->fine, this->coarse, this->on_fine, full_film, this->on_coarse);
   for (int i = 0; i < this->coarse.nx(); ++i) {
     for (int j = 0; j < this->coarse.y_count(); ++j) {
-      EXPECT_EQ(this->on_coarse.row(i)[j] == Real(0), wet.row(i)[j] == 0.0);
+      EXPECT_EQ(this->on_coarse.row(i)[j] == Real(0), full_film.row(i)[j] == 0.0);
     }
   }
 }
@@ -119,13 +120,13 @@ TYPED_TEST(TransferOf, bilinear_interpolation_is_exact_for_bilinear_fields) {
 
 TYPED_TEST(TransferOf, interpolation_leaves_nodes_alone_that_are_not_wet) {
   using Real = typename TypeParam::Real;
-  const auto wet = this->wet_mask(this->fine, 2);
+  const auto full_film = this->full_film_mask(this->fine, 2);
   this->on_coarse.fill(Real(7));
   this->on_fine.fill(Real(-2));
-  add_interpolated(this->coarse, this->fine, this->on_coarse, wet, this->on_fine);
+  add_interpolated(this->coarse, this->fine, this->on_coarse, full_film, this->on_fine);
   for (int i = 0; i < this->fine.nx(); ++i) {
     for (int j = 0; j < this->fine.y_count(); ++j) {
-      EXPECT_NEAR(this->on_fine.row(i)[j], wet.row(i)[j] != 0.0 ? 5.0 : -2.0, TestFixture::tolerance);
+      EXPECT_NEAR(this->on_fine.row(i)[j], full_film.row(i)[j] != 0.0 ? 5.0 : -2.0, TestFixture::tolerance);
     }
   }
 }
@@ -134,7 +135,7 @@ TYPED_TEST(TransferOf, interpolation_leaves_nodes_alone_that_are_not_wet) {
 // masked f and c: what a symmetric cycle needs.
 TYPED_TEST(TransferOf, full_weighting_is_the_transpose_of_interpolation_in_part) {
   using Real = typename TypeParam::Real;
-  const auto wet_fine = this->wet_mask(this->fine, 3), wet_coarse = this->wet_mask(this->coarse, 4);
+  const auto wet_fine = this->full_film_mask(this->fine, 3), wet_coarse = this->full_film_mask(this->coarse, 4);
   Field<Real> restricted(this->coarse), interpolated(this->fine);
   for (int i = 0; i < this->fine.nx(); ++i) {
     for (int j = 0; j < this->fine.y_count(); ++j) {

@@ -26,7 +26,8 @@ struct ContactField {
   Unit unit = units::number;  ///< there
   bool compared = true;       ///< counts in the defect of a periodic state, and in disturbances of it
   double smallest = -std::numeric_limits<double>::infinity();  ///< that a disturbed state may have
-  bool loaded_only = false;  ///< compared where there is pressure: in the torn film it may differ and means nothing
+  bool loaded_only =
+      false;  ///< compared where there is pressure: in the cavitated film it may differ and means nothing
 };
 
 namespace field {
@@ -39,19 +40,20 @@ inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = fa
 /// beta (T - T_0) at a point across the film: the name begins so.
 inline constexpr std::string_view heat = "heat_";
 /// What heat and shear make of the flow: nothing to compare, since temperatures and pressures are.
-struct OfCorrection {
+struct OfFlowFactors {
   ContactField field;
-  std::vector<double> FlowCorrection::*values;
+  std::vector<double> FlowFactors::*values;
 };
 
-constexpr OfCorrection of_correction(std::string_view name, std::vector<double> FlowCorrection::*values) {
+constexpr OfFlowFactors of_flow_factors(std::string_view name, std::vector<double> FlowFactors::*values) {
   return {{.name = name, .dataset = "", .compared = false}, values};
 }
 
-inline constexpr auto correction = std::to_array<OfCorrection>(
-    {of_correction("thinning", &FlowCorrection::thinning), of_correction("wedge", &FlowCorrection::wedge),
-     of_correction("density_factor", &FlowCorrection::density), of_correction("shear", &FlowCorrection::shear),
-     of_correction("across", &FlowCorrection::across)});
+inline constexpr auto correction = std::to_array<OfFlowFactors>(
+    {of_flow_factors("thinning", &FlowFactors::log_poiseuille),
+     of_flow_factors("wedge", &FlowFactors::entrainment_excess),
+     of_flow_factors("density_factor", &FlowFactors::density_ratio),
+     of_flow_factors("shear", &FlowFactors::shear_index), of_flow_factors("across", &FlowFactors::cross_flow)});
 
 /// What follows from a film for friction and heat: of results only.
 struct OfTraction {
@@ -82,7 +84,7 @@ constexpr ContactField field_named(std::string_view name) {
   for (const ContactField& known : field::all) {
     if (known.name == name) return known;
   }
-  for (const field::OfCorrection& known : field::correction) {
+  for (const field::OfFlowFactors& known : field::correction) {
     if (known.field.name == name) return known.field;
   }
   for (const field::OfTraction& known : field::traction) {

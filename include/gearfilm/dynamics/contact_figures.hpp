@@ -184,7 +184,7 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
      .meaning = "heat that the oil takes away",
      .needs = Needs::heat},
     {.name = "temperatures_missed",
-     .value = [](const ContactMoment& at) { return at.traction.missed; },
+     .value = [](const ContactMoment& at) { return at.traction.unconverged_fraction; },
      .meaning = "part of the loaded nodes where temperatures across the film did not settle: bands of shear "
                 "as narrow as the points are apart",
      .needs = Needs::heat,
@@ -192,7 +192,7 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>({
                    "largest part of a contact's loaded nodes where temperatures across the film did not settle",
                    Shown::march}}}},
     {.name = "heat_balance",
-     .value = [](const ContactMoment& at) { return at.traction.heat_balance; },
+     .value = [](const ContactMoment& at) { return at.traction.energy_residual; },
      .meaning = "heat that is made in the film and goes nowhere, over all that is made",
      .needs = Needs::heat},
 });

@@ -41,8 +41,8 @@ public:
   const ContactSurfaces& surfaces() const { return surfaces_; }
   const ContactConditions& conditions() const { return surfaces_.conditions; }
   void set_surfaces(ContactSurfaces surfaces);
-  const FlowCorrection& correction() const { return correction_; }
-  void set_correction(FlowCorrection correction);
+  const FlowFactors& flow_factors() const { return flow_factors_; }
+  void set_flow_factors(FlowFactors factors);
 
   // Collective, all of them.
 
@@ -56,7 +56,7 @@ public:
   void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version = 0);
 
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
-  /// says which nodes are wet.
+  /// says which nodes are full.
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                  StateVersion version = 0);
   /// rows = dG/dP change + dG/dH_0 change_H0.
@@ -95,7 +95,7 @@ private:
   const Deformation<double>& deformation_;
   Scales scales_;
   ContactSurfaces surfaces_;
-  FlowCorrection correction_;
+  FlowFactors flow_factors_;
   FilmProperties properties_;
   FilmState state_;
   MultigridOptions options_;

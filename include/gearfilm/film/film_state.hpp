@@ -4,7 +4,7 @@
 // it drives the flow, sets viscosity and density, and cavitates. Between smooth surfaces both are the same.
 //
 //   conductance xi_R = rho H^3/(eta lambda)          (22) of doi 10.1016/j.triboint.2013.01.017
-// with the corrections of flow_correction.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept
+// with the factors of flow_factors.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept
 // beside the values: the exact Jacobian and every coarser level of the preconditioner are made from them without
 // evaluating the oil again.
 #pragma once
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/film/flow_correction.hpp"
+#include "gearfilm/film/flow_factors.hpp"
 #include "gearfilm/grid/halo.hpp"
 
 namespace gearfilm {
@@ -29,7 +29,7 @@ struct FilmState {
         conductance_by_pressure(grid),
         conductance_by_thickness(grid),
         entrained(grid),
-        wet(grid),
+        full_film(grid),
         row_scale(grid),
         ones(static_cast<std::size_t>(thickness.stride()), 1.0) {
     entrained.fill(1.0);
@@ -47,8 +47,8 @@ struct FilmState {
   Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
   Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
   Field<double> entrained;                 ///< U + W, with which the wedge carries oil
-  Field<double> wet;                       ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
-  Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not wet
+  Field<double> full_film;                 ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
+  Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
   std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
                                            ///< it is 1 everywhere
   std::vector<double> ones;                ///< of a line with its ghosts, for lines of A where that is absent
@@ -66,7 +66,7 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
                                                                             &FilmState::conductance_by_pressure,
                                                                             &FilmState::conductance_by_thickness,
                                                                             &FilmState::entrained,
-                                                                            &FilmState::wet,
+                                                                            &FilmState::full_film,
                                                                             &FilmState::row_scale};
 
 /// Oil properties of one contact in dimensionless form.
@@ -80,13 +80,13 @@ public:
 
   /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
   /// only inside an iteration) conducts nothing.
-  void evaluate(FilmState& state, const FlowCorrection& correction = {}) const;
+  void evaluate(FilmState& state, const FlowFactors& factors = {}) const;
 
 private:
   template <EvaluatesViscosity Viscosity, EvaluatesDensity Density>
   void evaluate_line(Viscosity viscosity, Density density_law, FilmState& state, int i) const;
   template <bool sheared, EvaluatesViscosity Viscosity>
-  void correct_line(Viscosity viscosity, FilmState& state, int i, const FlowCorrection& correction) const;
+  void correct_line(Viscosity viscosity, FilmState& state, int i, const FlowFactors& factors) const;
 
   ViscosityEvaluator viscosity_;
   DensityEvaluator density_;

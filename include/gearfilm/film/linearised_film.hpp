@@ -22,7 +22,7 @@ class LinearisedFilm {
 public:
   virtual ~LinearisedFilm() = default;
 
-  /// Linearises about a state (with ghosts and wet mask) of the finest grid.
+  /// Linearises about a state (with ghosts and full-film mask) of the finest grid.
   virtual void update(const FilmState& state, double shift) = 0;
   /// rows = linearised rows for a change of the pressure; compact.
   virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;

@@ -43,7 +43,7 @@ struct ReynoldsWeights {
   double shift;  ///< of the time scheme
 };
 
-/// Computes G on the own nodes, compact, and sets state.wet and state.row_scale. Needs the ghosts of the state.
+/// Computes G on the own nodes, compact, and sets state.full_film and state.row_scale. Needs the ghosts of the state.
 /// entrainment: U of the own rows, for d.
 void reynolds_residual(const Grid& grid, std::span<const double> entrainment, FilmState& state, const Squeeze& squeeze,
                        std::span<double> residual);

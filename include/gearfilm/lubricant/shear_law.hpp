@@ -55,7 +55,7 @@ struct ShearThinning {
 ///   S = 12/h^3 Int (z - h/2) g(tau)/p_x dz,  tau = tau_m + (z - h/2) p_x;  across 12/h^3 Int (z - h/2)^2 g(tau)/tau dz
 ///   eyring: S = 3 (s cosh s - sinh s)/s^3 sqrt[1 + ((eta u_s/(h tau_0)) s/sinh s)^2],  s = h p_x/(2 tau_0)
 ShearThinning shear_thinning(const ShearLaw& law, double log_newtonian, double half_gradient);
-/// m: far from Newton's law S follows eta to this power (flow_correction.hpp).
+/// m: far from Newton's law S follows eta to this power (flow_factors.hpp).
 double thinning_power(const ShearLaw& law);
 
 /// g(tau) [Pa], of a stress of either sign; not of coulomb.

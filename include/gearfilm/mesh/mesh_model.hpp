@@ -30,13 +30,13 @@ struct MeshModel {
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
-  double stiffness = 0.0;                             ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
-  double tooth_force = 0.0;                           ///< T_g1/R_b1, which the reference load stands for [N]
-  std::optional<TractionModel> traction{};            ///< absent: no friction is computed
-  std::optional<double> roughness{};                  ///< of both flanks together [m]
-  std::optional<InertiaShares> friction_in_motion{};  ///< absent: friction does not act on the motion
-  int pattern = 1;                                    ///< mesh periods after which the same teeth meet again
-  int order = 1;                                      ///< patterns after which a periodic motion repeats
+  double stiffness = 0.0;                   ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
+  double tooth_force = 0.0;                 ///< T_g1/R_b1, which the reference load stands for [N]
+  std::optional<TractionModel> traction{};  ///< absent: no friction is computed
+  std::optional<double> roughness{};        ///< of both flanks together [m]
+  std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
+  int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
+  int order = 1;                                             ///< patterns after which a periodic motion repeats
 
   /// A contact at time T, and one at a place xi [m] at the first speed.
   MeshedContact contact(int number, double T) const;

@@ -1,7 +1,7 @@
 // The mode in which a gear pair swings on its films at rest, from the films' dynamic stiffness.
 //
 // A displacement H_k exp(s T) of a film at rest changes its pressure by p exp(s T) with
-//   (A + s B) p = -(a + s b) H_k ,      A = dG/dP ,  a = dG/dH ,  B, b: the same of rho H at wet nodes
+//   (A + s B) p = -(a + s b) H_k ,      A = dG/dP ,  a = dG/dH ,  B, b: the same of rho H at full nodes
 // and its force by -K_k(s) H_k: K_k(s) = Int (A + s B)^-1 (a + s b). On rigid teeth H_k = H_0; on teeth that give way
 // (compliance.hpp) the forces are those of (I + K C) F = -K H_0 together. The pair swings at the s with
 //   I_n s^2 + sum_k [(I + K(s) C)^-1 K(s)]_k = 0 ,

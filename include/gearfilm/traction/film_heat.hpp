@@ -3,8 +3,8 @@
 //
 // The equation across the film stands in film_energy_equation.hpp. Here: upwind along x; the Poiseuille flow as
 // Reynolds' equation fixed it, q_P = -F h^3 p_x/(12 eta(p, T_0)); the surfaces by moving_source.hpp, implicit in the
-// heat at the place itself. Where the film is torn the oil that went past the last wet node fills a part of the gap,
-// and conducts by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a
+// heat at the place itself. Where the film is cavitated the oil that went past the last full node fills a part of the
+// gap, and conducts by that part. Oil enters with T_0, surfaces with the temperatures of their bodies. Stationary: in a
 // march, that of the film at the moment. A film that does not feel its heat: u(z) carries the mass flow rho (u_m h +
 // q_P), a tenth of rho u_m h at least; steps of first order. One that does (FlowProfile::thermal): its own flow, which
 // may turn back in the inlet and brings the temperatures of the sweep before from there; steps of second order, (3 T_i
@@ -34,7 +34,7 @@ struct TractionFields {
   std::vector<double> heat_carried;     ///< away by the oil [W/m^2]
   std::vector<double> log_flow_factor;  ///< ln F of a film that feels its heat; empty without
   std::vector<double> across;           ///< T_k along y = 0, line after line, where that row is; else empty
-  double missed = 0.0;                  ///< own nodes whose temperatures were not found to the last digit
+  double unconverged_nodes = 0.0;       ///< own nodes whose temperatures were not found to the last digit
 };
 
 /// Of the film at its present state, which does not feel it. Throws SolveError where a temperature is not found.
@@ -46,7 +46,7 @@ struct FilmHeat {
                                      ///< point, row after row; empty before the first sweep, and where the film does
                                      ///< not feel its heat
   std::vector<double> passing;       ///< rho/rho_0 h u_k likewise [m^2/s]
-  FlowCorrection flow;               ///< that these temperatures make
+  FlowFactors flow;                  ///< that these temperatures make
 };
 
 /// Where FilmHeat has the rows of a line, so many, at a point across the film.
@@ -54,7 +54,7 @@ inline std::size_t rows_at_point(std::size_t line, std::size_t point, std::size_
   return (line * points + point) * rows;
 }
 
-/// One sweep over the film at its present state, solved with film.correction(); the heat after a time step [s], or,
+/// One sweep over the film at its present state, solved with film.flow_factors(); the heat after a time step [s], or,
 /// with none, what it tends to. Throws SolveError likewise.
 TractionFields sweep_heat(const TractionModel& model, const ContactFilm& film, FilmHeat& heat,
                           std::optional<double> time_step = {});

@@ -1,5 +1,5 @@
 // What a shear law that is not Newton's makes of the flow along a film (lubricant/shear_law.hpp), as fields that
-// Reynolds' equation is given (film/flow_correction.hpp).
+// Reynolds' equation is given (film/flow_factors.hpp).
 //
 // The flow that pressure drives is S times that of a Newtonian oil along the sliding velocity, and A S times at right
 // angles to it: shear by sliding thins the oil for it, along more than across. Where the film is as warm everywhere S
@@ -14,9 +14,9 @@ namespace gearfilm {
 
 /// S and A at one node of a flow correction; x = ln(eta/eta_0) - ln F there, the others as mean_shear has them.
 void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double x, std::size_t node,
-               FlowCorrection& flow);
+               FlowFactors& flow);
 
 /// Of a film at its present state that is as warm everywhere.
-FlowCorrection sheared_flow(const TractionModel& model, const ContactFilm& film);
+FlowFactors sheared_flow(const TractionModel& model, const ContactFilm& film);
 
 }  // namespace gearfilm

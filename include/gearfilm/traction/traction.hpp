@@ -3,7 +3,7 @@
 //   t_1 = -(tau_m + h p_x/2),  t_2 = tau_m - h p_x/2          traction on pinion and wheel along +x
 //   F_s = Int Int tau_m,  F_r = Int Int h p_x/2,  F_1 = -F_s - F_r,  F_2 = F_s - F_r,  mu = F_s/F
 //   power lost = Int Int (u_s tau_m + u_m h p_x) = u_s F_s + 2 u_m F_r where all rows move alike
-// tau_m is zero where the film is torn. It has the sign of the sliding velocity, which is that of xi.
+// tau_m is zero where the film is cavitated. It has the sign of the sliding velocity, which is that of xi.
 #pragma once
 
 #include "gearfilm/traction/film_heat.hpp"
@@ -27,8 +27,8 @@ struct TractionFigures {
   double heat_pinion = 0.0;  ///< into the bodies, and away with the oil [W]
   double heat_wheel = 0.0;
   double heat_oil = 0.0;
-  double missed = 0.0;        ///< part of the loaded nodes whose temperatures did not settle
-  double heat_balance = 0.0;  ///< what is generated and goes nowhere, over what is generated [-]
+  double unconverged_fraction = 0.0;  ///< part of the loaded nodes whose temperatures did not settle
+  double energy_residual = 0.0;       ///< what is generated and goes nowhere, over what is generated [-]
 };
 
 /// With powers and heats so many times as large: of a whole tooth whose contact carries a part of its force.

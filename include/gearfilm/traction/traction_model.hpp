@@ -26,8 +26,8 @@ struct HeatedBody {
 /// The energy equation across the film (film_heat.hpp).
 struct HeatOptions {
   ThermalOil oil;
-  int points = 17;       ///< across the film, odd
-  bool in_film = false;  ///< the film feels its heat
+  int points = 17;           ///< across the film, odd
+  bool couple_film = false;  ///< the film feels its heat
 };
 
 struct TractionModel {
@@ -35,11 +35,11 @@ struct TractionModel {
   std::array<HeatedBody, 2> bodies;  ///< pinion, wheel
   std::optional<HeatOptions> heat;   ///< absent: friction of an isothermal film
 
-  bool shear_in_film = false;  ///< the film feels the shear law
+  bool shear_couples_film = false;  ///< the film feels the shear law
 
-  bool heats_film() const { return heat && heat->in_film; }
+  bool heats_film() const { return heat && heat->couple_film; }
   /// The flow in the film is corrected for heat or shear.
-  bool corrects_film() const { return shear_in_film || heats_film(); }
+  bool corrects_film() const { return shear_couples_film || heats_film(); }
 };
 
 /// [m/s].

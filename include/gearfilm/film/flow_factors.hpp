@@ -20,20 +20,20 @@
 namespace gearfilm {
 
 /// Compact fields of a contact's own nodes.
-struct FlowCorrection {
-  std::vector<double> thinning;  ///< theta
-  std::vector<double> wedge;     ///< W, of u_m* [-]
-  std::vector<double> density;   ///< r
-  std::vector<double> shear;     ///< kappa
-  std::vector<double> across;    ///< A
-  double shear_power = 1.0;      ///< m
-  bool sheared = false;          ///< on all processes: S and A may differ from 1
+struct FlowFactors {
+  std::vector<double> log_poiseuille;      ///< theta
+  std::vector<double> entrainment_excess;  ///< W, of u_m* [-]
+  std::vector<double> density_ratio;       ///< r
+  std::vector<double> shear_index;         ///< kappa
+  std::vector<double> cross_flow;          ///< A
+  double shear_power = 1.0;                ///< m
+  bool sheared = false;                    ///< on all processes: S and A may differ from 1
 
   /// None: theta = 0, W = 0, r = 1, S = 1, A = 1.
-  bool empty() const { return thinning.empty(); }
+  bool empty() const { return log_poiseuille.empty(); }
 
   /// So many nodes that correct nothing.
-  static FlowCorrection none(std::size_t nodes);
+  static FlowFactors none(std::size_t nodes);
 };
 
 /// ln S and its derivative by x = ln(eta/eta_0) - ln F.

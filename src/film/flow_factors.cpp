@@ -1,4 +1,4 @@
-#include "gearfilm/film/flow_correction.hpp"
+#include "gearfilm/film/flow_factors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@ constexpr double no_shear = -12.0;  // kappa + x of S = 1 to ten digits
 
 }  // namespace
 
-FlowCorrection FlowCorrection::none(std::size_t nodes) {
-  FlowCorrection flow;
-  for (auto* field : {&flow.thinning, &flow.wedge}) field->assign(nodes, 0.0);
-  for (auto* field : {&flow.density, &flow.across}) field->assign(nodes, 1.0);
-  flow.shear.assign(nodes, -40.0);
+FlowFactors FlowFactors::none(std::size_t nodes) {
+  FlowFactors flow;
+  for (auto* field : {&flow.log_poiseuille, &flow.entrainment_excess}) field->assign(nodes, 0.0);
+  for (auto* field : {&flow.density_ratio, &flow.cross_flow}) field->assign(nodes, 1.0);
+  flow.shear_index.assign(nodes, -40.0);
   return flow;
 }
 
