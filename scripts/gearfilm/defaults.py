@@ -62,6 +62,7 @@ thermal.temperature = 363.15
 thermal.points = 17
 grid.domain = auto
 grid.accuracy = 0.02
+film.discretisation = fitted
 steady.position = 0
 steady.load_ratio = 1
 static.load_ratios = 0.25, 0.5, 0.75, 1, 1.25

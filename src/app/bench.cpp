@@ -27,7 +27,7 @@ public:
         problem_(problem),
         discretisation_(discretise(
             Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-            problem.scales)),
+            problem)),
         film_(discretisation_, problem.scales, problem.numerics.solver.multigrid),
         unit_(common_unit(comm, size)),
         change_(film_.grid().local_size()),

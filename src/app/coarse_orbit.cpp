@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/domain.hpp"
+#include "gearfilm/film/expected_errors.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "input/case_numerics.hpp"
 #include "parallel/agreement.hpp"
@@ -48,7 +48,8 @@ std::optional<Case> coarser_case(const Case& problem, const MeshModel& mesh, Dis
 /// taken to be off by as much as their thickness.
 void add_grid_error(const Case& coarse, FreeDecay& decay) {
   const double modulus = largest_modulus(decay.multipliers);
-  const FilmErrors films = expected_errors(ExpectedFilm(coarse.scales), steps_of(coarse.numerics));
+  const FilmErrors films =
+      expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.scales), steps_of(coarse.numerics));
   decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
 }
 
@@ -77,11 +78,14 @@ OrbitGuess guess_from(const OrbitRun& run) {
 
 /// Steps of dT tell the orbit, and how it damps: formulas of second order have the frequency w wrong by (w dT)^2/3 of
 /// it.
-bool resolves_swings(const MeshModel& mesh, double dT) { return mesh.frequency() * dT * steps_of_a_swing < 1.0; }
+bool resolves_swings(const MeshModel& mesh, double dT) {
+  return mesh.inertia == 0.0 || mesh.frequency() * dT * steps_of_a_swing < 1.0;
+}
 
 /// A pair that swings often in a mesh period ends it elsewhere with steps that are too long: by (w dT)^2/3 of all its
 /// phase.
 bool keeps_phase(const MeshModel& mesh, double dT) {
+  if (mesh.inertia == 0.0) return true;
   const double w = 2.0 * std::numbers::pi * mesh.frequency();
   return w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }

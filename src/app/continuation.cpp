@@ -4,6 +4,7 @@
 #include "app/case_at.hpp"
 #include "app/commands.hpp"
 #include "app/derived.hpp"
+#include "app/pair_motion.hpp"
 #include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
@@ -91,6 +92,7 @@ private:
 };
 
 void check(const Case& problem) {
+  require_dynamic(problem, "continuation");
   require_inertia(problem);
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {

@@ -56,7 +56,7 @@ void add_numerics(const Case& problem, Summary& summary) {
   summary["x_min"] = domain.x_min;
   summary["x_max"] = domain.x_max;
   summary["y_half"] = domain.y_half;
-  const FilmErrors errors = expected_errors(ExpectedFilm(problem.scales), steps_of(numerics));
+  const FilmErrors errors = expected_errors(numerics.discretisation, ExpectedFilm(problem.scales), steps_of(numerics));
   summary["expected_error_h_central"] = errors.central;
   if (std::isfinite(errors.smallest)) summary["expected_error_h_min"] = errors.smallest;
   if (!problem.pair.line) return;

@@ -8,6 +8,7 @@
 #include "app/film_swing.hpp"
 #include "app/friction_summary.hpp"
 #include "app/orbit_run.hpp"
+#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
@@ -149,6 +150,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
         given.parameters.origin("friction.in_film") +
         ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");
   }
+  require_dynamic(given, "eigen");
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");

@@ -52,7 +52,7 @@ std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDi
   shape.nx = coarser.numerics.nx;
   shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
   if (shape.rows() < 2 * fine->grid().processes()) return {};
-  return swing_on(problem, discretise(Grid(fine->grid().comm(), shape), problem.scales), coarser.ratio, watcher);
+  return swing_on(problem, discretise(Grid(fine->grid().comm(), shape), problem), coarser.ratio, watcher);
 }
 
 }  // namespace

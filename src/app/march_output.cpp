@@ -7,6 +7,7 @@
 
 #include "app/derived.hpp"
 #include "app/friction_summary.hpp"
+#include "app/pair_motion.hpp"
 
 namespace gearfilm {
 
@@ -206,6 +207,7 @@ Summary grid_summary(const Scales& scales, const GridShape& shape) {
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
+  if (problem.march.model == MarchModel::dynamic) summary["motion"] = word_of(problem.march.motion);
   summary["nx"] = problem.numerics.nx;
   summary["ny"] = problem.numerics.ny;
   summary["dT"] = problem.numerics.steps.dT;

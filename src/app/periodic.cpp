@@ -10,6 +10,7 @@
 #include "app/march_output.hpp"
 #include "app/orbit_errors.hpp"
 #include "app/orbit_run.hpp"
+#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/warning.hpp"
@@ -25,7 +26,8 @@ constexpr double typical_periods = 4.0;  // of the motion, for the time left
 /// period that an orbit without damping says nothing.
 Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   constexpr double most_oscillations = 10.0;
-  if (mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations) return nullptr;
+  if (mesh.inertia == 0.0 || mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations)
+    return nullptr;
   try {
     const DryOrbit dry = find_dry_orbit(mesh, 0.0);
     Summary summary = {{"H0_after_leaving", dry.start.H0},
@@ -109,8 +111,9 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
 
 }  // namespace
 
-void run_periodic(MPI_Comm comm, const Case& problem) {
-  require_inertia(problem);
+void run_periodic(MPI_Comm comm, const Case& given) {
+  require_inertia(given);
+  const Case problem = with_chosen_motion(comm, given);
   require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
@@ -150,6 +153,7 @@ void run_periodic(MPI_Comm comm, const Case& problem) {
                      {"nx", problem.numerics.nx},
                      {"ny", problem.numerics.ny},
                      {"dT", problem.numerics.steps.dT}};
+  summary["motion"] = word_of(problem.march.motion);
   summary["order"] = problem.search.order;
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();

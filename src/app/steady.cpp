@@ -249,7 +249,7 @@ void couple_film(const Case& problem, const LoadCondition& load, FilmOnGrid& sol
 
 FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& position) {
   FilmOnGrid solved;
-  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem.scales), problem.scales,
+  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem), problem.scales,
                                               problem.numerics.solver.multigrid);
   move_surfaces(*solved.film, position.contact.conditions);
   const LoadCondition load =
@@ -301,7 +301,7 @@ void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
 GridShape refined(const GridShape& shape, double factor) {
   GridShape fine = shape;
   fine.nx = std::max(shape.nx, std::min(nodes_along(shape.nx - 1, 1.0 / factor), most_nodes));
-  const int ny = std::max(shape.ny(), std::min(nodes_along(shape.ny() - 1, 1.0 / factor), most_nodes));
+  const int ny = std::max(shape.ny(), std::min(nodes_across(shape.ny() - 1, 1.0 / factor), most_nodes));
   if (ny > shape.ny()) fine.row_axis = shape.row_axis.with_whole_count(ny);
   return fine;
 }

@@ -9,6 +9,7 @@
 #include "app/derived.hpp"
 #include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
+#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/sweep_chain.hpp"
@@ -115,6 +116,7 @@ void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
 }  // namespace
 
 void run_sweep(MPI_Comm comm, const Case& problem) {
+  require_dynamic(problem, "sweep");
   require_inertia(problem);
   require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");

@@ -5,6 +5,7 @@
 #include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
+#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
@@ -72,8 +73,9 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
 
 }  // namespace
 
-void run_transient(MPI_Comm comm, const Case& problem) {
-  require_inertia(problem);
+void run_transient(MPI_Comm comm, const Case& given) {
+  require_inertia(given);
+  const Case problem = with_chosen_motion(comm, given);
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.

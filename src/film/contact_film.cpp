@@ -81,7 +81,7 @@ void ContactFilm::residual(std::span<const double> pressure, double H0, const Sq
                            StateVersion version) {
   evaluate(pressure, H0, version);
   at_linearised_ = false;
-  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, rows);
+  reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze, rows);
 }
 
 void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version) {
@@ -112,20 +112,23 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                             StateVersion version) {
   evaluate(pressure, H0, version);
-  reynolds_residual(grid_, surfaces_.entrainment, state_, squeeze, displacement_column_);  // for the full nodes
+  reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze,
+                    displacement_column_);  // for the full nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, shift);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
-  const ReynoldsWeights scale_weights(grid_, surfaces_.entrainment, shift);
-  for (int j = 0; j < grid_.y_count(); ++j) smallest_scales_[j] = scale_weights.row_scale(j, 0.0);
+  const ReynoldsEquation& equation = discretisation_->equation();
+  for (int j = 0; j < grid_.y_count(); ++j)
+    smallest_scales_[j] = equation.row_scale(j, 0.0, surfaces_.entrainment[j], shift);
   for (int i = 0; i < grid_.nx(); ++i) {
-    const double *scale = state_.row_scale.row(i), *conductance = state_.conductance.row(i);
+    const StateLine line(state_, i);
+    const double* scale = state_.row_scale.row(i);
     const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
     float *weight = weights_.data() + first, *kept = conductance_.data() + first;
     for (int j = 0; j < grid_.y_count(); ++j) {
       weight[j] = static_cast<float>(smallest_scales_[j] / std::max(scale[j], smallest_scales_[j]));
-      kept[j] = static_cast<float>(conductance[j]);
+      kept[j] = static_cast<float>(line.conductance(j));
     }
   }
 }
@@ -167,7 +170,7 @@ bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const
                                        std::span<const double> before, std::span<const double> after) const {
   bool relaxed = false;
   for (int i = 0; i < grid_.nx(); ++i) {
-    const double* conductance = state_.conductance.row(i);
+    const StateLine line(state_, i);
     for (int j = 0; j < grid_.y_count(); ++j) {
       const std::size_t n = static_cast<std::size_t>(i) * grid_.y_count() + j;
       if (change[n] <= 0.0 || conductance_[n] <= 0.0F) continue;  // pressures fall by positive changes
@@ -175,7 +178,7 @@ bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const
                            .taken = change[n] / whole[n],
                            .before = before[n],
                            .after = after[n],
-                           .growth = std::log(conductance[j] / conductance_[n])};
+                           .growth = std::log(line.conductance(j) / conductance_[n])};
       if (!has_overshot(node)) continue;
       change[n] = part_to_take(node) * whole[n];
       relaxed = true;

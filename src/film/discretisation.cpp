@@ -9,7 +9,8 @@ bool can_be_cut(const Grid& grid) { return grid.fewest_coarse_rows() >= fewest_r
 
 }  // namespace
 
-Discretisation::Discretisation(Grid grid, double C_h) : grid_(std::move(grid)), C_h_(C_h), halo_(grid_) {}
+Discretisation::Discretisation(Grid grid, double C_h, FilmDiscretisation of_films)
+    : grid_(std::move(grid)), C_h_(C_h), halo_(grid_), equation_(grid_, C_h, of_films) {}
 
 template <>
 const Deformation<double>& Discretisation::prepare_deformation<double>() {
@@ -26,7 +27,7 @@ const Deformation<float>& Discretisation::prepare_deformation<float>() {
 Discretisation* Discretisation::prepare_coarser(Coarsening along) {
   if (!grid_.can_coarsen(along) || (along != Coarsening::x_only && !can_be_cut(grid_))) return nullptr;
   auto& made = coarser_[static_cast<std::size_t>(along)];
-  if (!made) made = std::make_unique<Discretisation>(grid_.coarsened(along), C_h_);
+  if (!made) made = std::make_unique<Discretisation>(grid_.coarsened(along), C_h_, of_films());
   return made.get();
 }
 
@@ -36,7 +37,7 @@ Discretisation* Discretisation::prepare_sequencing_grid() {
 
 Discretisation* Discretisation::prepare_replicated() {
   if (!grid_.can_coarsen(Coarsening::y_only) || can_be_cut(grid_)) return nullptr;
-  if (!replicated_) replicated_ = std::make_unique<Discretisation>(grid_.gathered(), C_h_);
+  if (!replicated_) replicated_ = std::make_unique<Discretisation>(grid_.gathered(), C_h_, of_films());
   return replicated_.get();
 }
 
@@ -45,8 +46,8 @@ const Gather& Discretisation::prepare_gather() {
   return *gather_;
 }
 
-SharedDiscretisation discretise(const Grid& grid, const Scales& scales) {
-  return std::make_shared<Discretisation>(grid, scales.C_h);
+SharedDiscretisation discretise(const Grid& grid, const Scales& scales, FilmDiscretisation of_films) {
+  return std::make_shared<Discretisation>(grid, scales.C_h, of_films);
 }
 
 }  // namespace gearfilm

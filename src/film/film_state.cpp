@@ -12,56 +12,50 @@ template <EvaluatesViscosity Viscosity, EvaluatesDensity Density>
 void FilmProperties::evaluate_line(Viscosity viscosity, Density density_law, FilmState& state, int i) const {
   const double scale = pressure_scale_, inverse_lambda = inverse_lambda_;
   const double* pressure = state.film_pressure().row(i);
-  const double* film = state.thickness.row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
-  double* conductance = state.conductance.row(i);
-  double* conductance_by_pressure = state.conductance_by_pressure.row(i);
-  double* conductance_by_thickness = state.conductance_by_thickness.row(i);
+  double* fluidity = state.fluidity.row(i);
+  double* log_fluidity = state.log_fluidity.row(i);
+  double* log_fluidity_by_pressure = state.log_fluidity_by_pressure.row(i);
   const int count = state.film_pressure().y_count();
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const PressureFunction rho = density_law.density(scale * pressure[j]);
     const PressureFunction log_eta = viscosity.log_viscosity(scale * pressure[j]);
-    const double h = film[j] > 0.0 ? film[j] : 0.0;
-    const double by_film_squared = rho.value * exp(-log_eta.value) * inverse_lambda;
-    const double xi = by_film_squared * h * h * h;
     density[j] = rho.value;
     density_by_pressure[j] = scale * rho.derivative;
-    conductance[j] = xi;
-    conductance_by_pressure[j] = scale * xi * (rho.derivative / rho.value - log_eta.derivative);
-    conductance_by_thickness[j] = 3.0 * by_film_squared * h * h;
+    fluidity[j] = exp(-log_eta.value) * inverse_lambda;
+    log_fluidity[j] = -log_eta.value;
+    log_fluidity_by_pressure[j] = -scale * log_eta.derivative;
   }
 }
 
-/// ln xi_R gains ln F + ln S, which depend on the pressure by ln(eta/eta_0) alone.
+/// ln phi gains ln F + ln S, which depend on the pressure by ln(eta/eta_0) alone.
 template <bool sheared, EvaluatesViscosity Viscosity>
 void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i, const FlowFactors& factors) const {
-  const double scale = pressure_scale_, power = factors.shear_power;
+  const double scale = pressure_scale_, power = factors.shear_power, inverse_lambda = inverse_lambda_;
   const int count = state.film_pressure().y_count();
   const std::size_t first = static_cast<std::size_t>(i) * count;
-  const double *thinning = factors.log_poiseuille.data() + first,
-               *density_factor = factors.density_ratio.data() + first;
+  const double *theta = factors.log_poiseuille.data() + first, *density_ratio = factors.density_ratio.data() + first;
   const double *kappa = factors.shear_index.data() + first, *pressure = state.film_pressure().row(i);
   double* density = state.density.row(i);
   double* density_by_pressure = state.density_by_pressure.row(i);
-  double* conductance = state.conductance.row(i);
-  double* conductance_by_pressure = state.conductance_by_pressure.row(i);
-  double* conductance_by_thickness = state.conductance_by_thickness.row(i);
+  double* fluidity = state.fluidity.row(i);
+  double* log_fluidity = state.log_fluidity.row(i);
+  double* log_fluidity_by_pressure = state.log_fluidity_by_pressure.row(i);
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const PressureFunction log_eta = viscosity.log_viscosity(scale * pressure[j]);
-    const HeatingRatio ratio = viscosity.heating_ratio(log_eta.value, scale * pressure[j]);
-    const double log_F = thinning[j] * ratio.value, by_eta = ratio.derivative * thinning[j];
+    const double log_eta = -log_fluidity[j];
+    const HeatingRatio ratio = viscosity.heating_ratio(log_eta, scale * pressure[j]);
+    const double log_F = theta[j] * ratio.value, by_eta = ratio.derivative * theta[j];
     LogShearFactor shear{};
-    if constexpr (sheared) shear = log_shear_factor(power, kappa[j], log_eta.value - log_F);
-    const double factor = density_factor[j] * exp(log_F + shear.value);
-    const double slope = scale * log_eta.derivative * (by_eta + shear.derivative * (1.0 - by_eta));
-    density[j] *= density_factor[j];
-    density_by_pressure[j] *= density_factor[j];
-    conductance_by_pressure[j] = factor * (conductance_by_pressure[j] + slope * conductance[j]);
-    conductance[j] *= factor;
-    conductance_by_thickness[j] *= factor;
+    if constexpr (sheared) shear = log_shear_factor(power, kappa[j], log_eta - log_F);
+    const double log_phi = log_F + shear.value - log_eta;
+    density[j] *= density_ratio[j];
+    density_by_pressure[j] *= density_ratio[j];
+    fluidity[j] = exp(log_phi) * inverse_lambda;
+    log_fluidity[j] = log_phi;
+    log_fluidity_by_pressure[j] *= 1.0 - by_eta - shear.derivative * (1.0 - by_eta);
   }
 }
 
@@ -85,8 +79,8 @@ void FilmProperties::evaluate(FilmState& state, const FlowFactors& factors) cons
 }
 
 void exchange_ghosts(const Halo& halo, FilmState& state) {
-  halo.exchange(state.film_pressure(), state.conductance, state.conductance_by_pressure,
-                state.conductance_by_thickness);
+  halo.exchange(state.film_pressure(), state.thickness, state.density, state.density_by_pressure, state.fluidity,
+                state.log_fluidity, state.log_fluidity_by_pressure);
   if (state.across) halo.exchange(*state.across);
 }
 

@@ -1,93 +1,107 @@
 #include "film/film_stencil.hpp"
 
+#include "film/face_flow.hpp"
 #include "lubricant/independent_iterations.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
 
-/// Weights of rho H of the nodes i-2, i-1, i in the row of line i: of the wedge, to be multiplied by U + W, and of the
-/// squeeze term.
-template <class Shift>
-struct MassWeights {
-  double west_west, west, centre;
-  Shift squeeze;
-};
+/// Derivatives of the flows through a line of faces, by P and H of the nodes W, 0 and 1 of each.
+struct FaceDerivatives {
+  explicit FaceDerivatives(int faces) : p_w(faces), p_0(faces), p_1(faces), h_w(faces), h_0(faces), h_1(faces) {}
 
-/// The fields of a state on one line.
-struct StateLine {
-  StateLine(const FilmState& state, int i)
-      : p(state.film_pressure().row(i)),
-        h(state.thickness.row(i)),
-        rho(state.density.row(i)),
-        rho_p(state.density_by_pressure.row(i)),
-        xi(state.conductance.row(i)),
-        xi_p(state.conductance_by_pressure.row(i)),
-        xi_h(state.conductance_by_thickness.row(i)),
-        entrained(state.entrained.row(i)),
-        across(state.across_row(i)) {}
-
-  const double *p, *h, *rho, *rho_p, *xi, *xi_p, *xi_h, *entrained, *across;
-};
-
-/// Derivatives of the flow through the face between this node (0) and a neighbour (n), out of this node's cell:
-/// -0.5 (A_0 xi_0 + A_n xi_n)(P_n - P_0)/h^2, A = 1 along x. Each neighbour's line may be this one, at j - 1 or j + 1.
-struct Face {
-  Face(const StateLine& here, const StateLine& there, int j, double weight)
-      : conductance(0.5 * weight * (here.xi[j] + there.xi[j])), half_slope(0.5 * weight * (there.p[j] - here.p[j])) {}
-  Face(const StateLine& line, int j, int m, double weight)
-      : conductance(0.5 * weight * (line.across[j] * line.xi[j] + line.across[m] * line.xi[m])),
-        half_slope(0.5 * weight * (line.p[m] - line.p[j])),
-        factor(line.across[m]) {}
-
-  double by_pressure(const StateLine& there, int m) const { return -conductance - half_slope * factor * there.xi_p[m]; }
-  double by_thickness(const StateLine& there, int m) const { return -half_slope * factor * there.xi_h[m]; }
-
-  double conductance;
-  double half_slope;
-  double factor = 1.0;
-};
-
-/// The rows of an inner line; those of nodes that are not full have the scale d on their diagonal only.
-template <class Real>
-void linearise_line(const FilmState& state, const ReynoldsWeights& weights, const MassWeights<ShiftOf<Real>>& mass,
-                    int i, FilmStencil<Real>& linear) {
-  const StateLine ww(state, std::max(i - 2, 0)), w(state, i - 1), c(state, i), e(state, i + 1);
-  const double *full_film = state.full_film.row(i), *scale = state.row_scale.row(i);
-  std::array<Real*, neighbour_count> v{}, u{};
-  for (int n = 0; n < neighbour_count; ++n) {
-    v[n] = linear.by_pressure[n].row(i);
-    u[n] = linear.by_thickness[n].row(i);
+  template <class FlowAt>
+  void find(int faces, FlowAt flow_at) {
+    double *by_p_w = p_w.data(), *by_p_0 = p_0.data(), *by_p_1 = p_1.data();
+    double *by_h_w = h_w.data(), *by_h_0 = h_0.data(), *by_h_1 = h_1.data();
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < faces; ++j) {
+      const FaceFlow flow = flow_at(j);
+      by_p_w[j] = flow.by_p_w;
+      by_p_0[j] = flow.by_p_0;
+      by_p_1[j] = flow.by_p_1;
+      by_h_w[j] = flow.by_h_w;
+      by_h_0[j] = flow.by_h_0;
+      by_h_1[j] = flow.by_h_1;
+    }
   }
-  const int count = state.thickness.y_count();
-  const double x_weight = weights.inverse_h_x2;
-  const double *south_weight = weights.south.data(), *north_weight = weights.north.data();
-  // The lines of state and stencil are different memory.
-  GEARFILM_INDEPENDENT_ITERATIONS
-  for (int j = 0; j < count; ++j) {
-    const Face to_west(c, w, j, x_weight), to_east(c, e, j, x_weight);
-    const Face to_south(c, j, j - 1, south_weight[j]), to_north(c, j, j + 1, north_weight[j]);
-    const double own = to_west.conductance + to_east.conductance + to_south.conductance + to_north.conductance;
-    const double slopes =
-        to_west.half_slope + to_east.half_slope + c.across[j] * (to_south.half_slope + to_north.half_slope);
-    const double on = full_film[j];
-    const double mass_ww = mass.west_west * ww.entrained[j], mass_w = mass.west * w.entrained[j];
-    const ShiftOf<Real> mass_c = mass.centre * c.entrained[j] + mass.squeeze;
-    v[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho_p[j] * ww.h[j]);
-    u[west_west][j] = static_cast<Real>(on * mass_ww * ww.rho[j]);
-    v[west][j] = static_cast<Real>(on * (to_west.by_pressure(w, j) + mass_w * w.rho_p[j] * w.h[j]));
-    u[west][j] = static_cast<Real>(on * (to_west.by_thickness(w, j) + mass_w * w.rho[j]));
-    v[centre][j] =
-        static_cast<Real>(on * (own - slopes * c.xi_p[j] + mass_c * c.rho_p[j] * c.h[j]) + (1.0 - on) * scale[j]);
-    u[centre][j] = static_cast<Real>(on * (mass_c * c.rho[j] - slopes * c.xi_h[j]));
-    v[east][j] = static_cast<Real>(on * to_east.by_pressure(e, j));
-    u[east][j] = static_cast<Real>(on * to_east.by_thickness(e, j));
-    v[south][j] = static_cast<Real>(on * to_south.by_pressure(c, j - 1));
-    u[south][j] = static_cast<Real>(on * to_south.by_thickness(c, j - 1));
-    v[north][j] = static_cast<Real>(on * to_north.by_pressure(c, j + 1));
-    u[north][j] = static_cast<Real>(on * to_north.by_thickness(c, j + 1));
+
+  std::vector<double> p_w, p_0, p_1, h_w, h_0, h_1;
+};
+
+/// The rows of inner lines, one after the other; those of nodes that are not full have the scale d on their diagonal
+/// only.
+template <class Real, FilmDiscretisation discretisation>
+class LineRows {
+public:
+  LineRows(const ReynoldsEquation& equation, const FilmState& state, ShiftOf<Real> shift)
+      : equation_(equation),
+        state_(state),
+        shift_(shift),
+        count_(equation.grid.y_count()),
+        west_(count_),
+        east_(count_),
+        across_(count_ + 1) {
+    find_along_x(0);
   }
-}
+
+  void find(int i, FilmStencil<Real>& linear) {
+    std::swap(west_, east_);
+    find_along_x(i);
+    const StateLine line(state_, i);
+    across_.find(count_ + 1, [&](int j) { return flow_along_y<discretisation>(line, j - 1); });
+    write<&FilmStencil<Real>::by_pressure>(
+        i, {west_.p_w.data(), west_.p_0.data(), west_.p_1.data()},
+        {east_.p_w.data(), east_.p_0.data(), east_.p_1.data()}, across_.p_0.data(), across_.p_1.data(),
+        [&](int j) { return line.rho_p[j] * line.h[j]; }, state_.row_scale.row(i), linear);
+    const std::vector<double> none(count_, 0.0);
+    write<&FilmStencil<Real>::by_thickness>(
+        i, {west_.h_w.data(), west_.h_0.data(), west_.h_1.data()},
+        {east_.h_w.data(), east_.h_0.data(), east_.h_1.data()}, across_.h_0.data(), across_.h_1.data(),
+        [&](int j) { return line.rho[j]; }, none.data(), linear);
+  }
+
+private:
+  struct Face {
+    const double *w, *node_0, *node_1;
+  };
+
+  void find_along_x(int i) {
+    const FlowAlongX<discretisation> flow(equation_, state_, i);
+    east_.find(count_, [&](int j) { return flow.at(j); });
+  }
+
+  /// V or W of line i; mass: the derivative of rho H, other: the diagonal of nodes that are not full.
+  template <std::array<Field<Real>, neighbour_count> FilmStencil<Real>::*coefficients, class Mass>
+  void write(int i, Face before, Face behind, const double* side_0, const double* side_1, Mass mass,
+             const double* other, FilmStencil<Real>& linear) const {
+    std::array<Real*, neighbour_count> out{};
+    for (int n = 0; n < neighbour_count; ++n) out[n] = (linear.*coefficients)[n].row(i);
+    const double *full_film = state_.full_film.row(i), *to_south = equation_.south.data(),
+                 *to_north = equation_.north.data();
+    const ShiftOf<Real> shift = shift_;
+    // The lines of state and stencil are different memory.
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < count_; ++j) {
+      const double on = full_film[j];
+      const double flows = behind.node_0[j] - before.node_1[j] + to_north[j] * side_0[j + 1] - to_south[j] * side_1[j];
+      out[west_west][j] = static_cast<Real>(-on * before.w[j]);
+      out[west][j] = static_cast<Real>(on * (behind.w[j] - before.node_0[j]));
+      out[centre][j] = static_cast<Real>(on * (flows + shift * mass(j)) + (1.0 - on) * other[j]);
+      out[east][j] = static_cast<Real>(on * behind.node_1[j]);
+      out[south][j] = static_cast<Real>(-on * to_south[j] * side_0[j]);
+      out[north][j] = static_cast<Real>(on * to_north[j] * side_1[j + 1]);
+    }
+  }
+
+  const ReynoldsEquation& equation_;
+  const FilmState& state_;
+  ShiftOf<Real> shift_;
+  int count_;
+  FaceDerivatives west_, east_;  ///< along X, of the faces before and behind the cells of the line
+  FaceDerivatives across_;       ///< along Y, of the face before each row and behind the last
+};
 
 /// The rows of an edge of the grid: d v.
 template <class Real>
@@ -103,18 +117,18 @@ void linearise_edge(const FilmState& state, int i, FilmStencil<Real>& linear) {
 }  // namespace
 
 template <class Real>
-void linearise(const Grid& grid, ShiftOf<Real> shift, const FilmState& state, FilmStencil<Real>& linear) {
+void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const FilmState& state,
+               FilmStencil<Real>& linear) {
   const ScopedEvent event(Kernel::linearise);
-  const ReynoldsWeights weights(grid, {});
-  const double wedge = weights.inverse_h_x;
+  const int last = equation.grid.nx() - 1;
   linearise_edge(state, 0, linear);
-  for (int i = 1; i < grid.nx() - 1; ++i) {
-    const MassWeights<ShiftOf<Real>> mass =
-        i == 1 ? MassWeights<ShiftOf<Real>>{0.0, -wedge, wedge, shift}
-               : MassWeights<ShiftOf<Real>>{0.5 * wedge, -2.0 * wedge, 1.5 * wedge, shift};
-    linearise_line(state, weights, mass, i, linear);
-  }
-  linearise_edge(state, grid.nx() - 1, linear);
+  const auto inner_lines = [&](auto rows) {
+    for (int i = 1; i < last; ++i) rows.find(i, linear);
+  };
+  equation.discretisation == FilmDiscretisation::fitted
+      ? inner_lines(LineRows<Real, FilmDiscretisation::fitted>(equation, state, shift))
+      : inner_lines(LineRows<Real, FilmDiscretisation::central>(equation, state, shift));
+  linearise_edge(state, last, linear);
 }
 
 namespace {
@@ -178,9 +192,10 @@ void displacement_column(const FilmStencil<Real>& linear, std::span<double> colu
   }
 }
 
-template void linearise(const Grid&, double, const FilmState&, FilmStencil<float>&);
-template void linearise(const Grid&, double, const FilmState&, FilmStencil<double>&);
-template void linearise(const Grid&, std::complex<double>, const FilmState&, FilmStencil<std::complex<double>>&);
+template void linearise(const ReynoldsEquation&, double, const FilmState&, FilmStencil<float>&);
+template void linearise(const ReynoldsEquation&, double, const FilmState&, FilmStencil<double>&);
+template void linearise(const ReynoldsEquation&, std::complex<double>, const FilmState&,
+                        FilmStencil<std::complex<double>>&);
 template void displacement_column(const FilmStencil<float>&, std::span<double>);
 template void displacement_column(const FilmStencil<double>&, std::span<double>);
 template void apply_stencil(const FilmStencil<float>&, const Field<float>&, const Field<float>&, Field<float>&);

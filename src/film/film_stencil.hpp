@@ -1,10 +1,9 @@
 // Reynolds' equation linearised about a film state, as one stencil in the changes of pressure and film.
 //
-// For a change v of P and u of H, with
-//   d(xi_R) = xi_P v + xi_H u ,   d(rho H) = rho_P H v + rho u ,
-// the row of a full node is  dR = sum_s ( V_s v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1 of its own
-// x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact where P = 0 at cavitated
-// nodes, as at every solution: only the derivative of their scale d is left out.
+// For a change v of P and u of H the flows through the faces change as face_flow.hpp says, and rho H by
+// rho_P H v + rho u: the row of a full node is  dR = sum_s ( V_s v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1
+// of its own x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact where P = 0 at
+// cavitated nodes, as at every solution: only the derivative of their scale d is left out.
 #pragma once
 
 #include <array>
@@ -39,7 +38,8 @@ struct FilmStencil {
 /// Fills the stencil from a state with ghosts and full-film mask. shift: d(dT-rate)/d(rho H) of the time scheme,
 /// 0 for a stationary film, the complex s of exp(s T) for one that oscillates.
 template <class Real>
-void linearise(const Grid& grid, ShiftOf<Real> shift, const FilmState& state, FilmStencil<Real>& linear);
+void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const FilmState& state,
+               FilmStencil<Real>& linear);
 
 /// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
 template <class Real>

@@ -52,12 +52,12 @@ void LineSmoother<Real>::choose_unknowns(const FilmState& state, double oscillat
   double largest = distributive_limit * (1.0 + oscillation_share * oscillation) / inverse_h_x2_;
   for (int i = 0; i < nx_; ++i) {
     const double* __restrict full_here = state.full_film.row(i);  // 0 or 1
-    const double* __restrict conductance = state.conductance.row(i);
+    const StateLine line(state, i);
     Part* __restrict full_film = full_film_.row(i);
     Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
       full_film[j] = static_cast<Part>(full_here[j]);
-      distributive[j] = static_cast<Part>(conductance[j] < largest ? full_here[j] : 0.0);
+      distributive[j] = static_cast<Part>(line.conductance(j) < largest ? full_here[j] : 0.0);
     }
   }
 }

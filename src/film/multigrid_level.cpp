@@ -16,7 +16,7 @@ MultigridLevel<Real>::MultigridLevel(Discretisation& discretisation)
 
 template <class Real>
 void MultigridLevel<Real>::update(const FilmState& state, double shift) {
-  linearise(grid(), shift, state, linear_);
+  linearise(discretisation_.equation(), shift, state, linear_);
   smoother_.factor(linear_, state);
 }
 

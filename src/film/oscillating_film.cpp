@@ -51,7 +51,7 @@ OscillatingFilm::OscillatingFilm(Discretisation& discretisation)
 OscillatingFilm::~OscillatingFilm() = default;
 
 void OscillatingFilm::update(const FilmState& state, std::complex<double> s) {
-  linearise(discretisation_.grid(), s, state, work_->linear);
+  linearise(discretisation_.equation(), s, state, work_->linear);
   work_->smoother.factor(work_->linear, state, std::abs(s));
 }
 

@@ -1,48 +1,63 @@
 #include "gearfilm/film/reynolds.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
+#include "film/face_flow.hpp"
 #include "lubricant/independent_iterations.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
 
-/// Wedge d(rho H (U + W))/dX of line i in upwind differences.
-void add_wedge(const FilmState& state, double inverse_h_x, int i, double* line) {
-  const auto mass = [&](int n, int j) {
-    return state.density.row(n)[j] * state.thickness.row(n)[j] * state.entrained.row(n)[j];
-  };
-  const int rows = state.thickness.y_count();
-  if (i == 1) {
-    for (int j = 0; j < rows; ++j) line[j] += inverse_h_x * (mass(i, j) - mass(i - 1, j));
-  } else {
-    for (int j = 0; j < rows; ++j) {
-      line[j] += inverse_h_x * (1.5 * mass(i, j) - 2.0 * mass(i - 1, j) + 0.5 * mass(i - 2, j));
-    }
-  }
-}
+constexpr double carrying_share = 0.2;  // c of face_flow.hpp
 
-/// Poiseuille flow out of the cells of line i.
-void add_poiseuille(const FilmState& state, const ReynoldsWeights& weights, int i, double* line) {
-  const double* p = state.film_pressure().row(i);
-  const double* p_west = state.film_pressure().row(i - 1);
-  const double* p_east = state.film_pressure().row(i + 1);
-  const double* xi = state.conductance.row(i);
-  const double* xi_west = state.conductance.row(i - 1);
-  const double* xi_east = state.conductance.row(i + 1);
-  const double* across = state.across_row(i);
-  const double *to_south = weights.south.data(), *to_north = weights.north.data();
-  const auto xi_y = [&](int j) { return across[j] * xi[j]; };
-  for (int j = 0; j < state.thickness.y_count(); ++j) {
-    const double east = 0.5 * (xi[j] + xi_east[j]) * (p_east[j] - p[j]);
-    const double west = 0.5 * (xi[j] + xi_west[j]) * (p[j] - p_west[j]);
-    const double north = 0.5 * (xi_y(j) + xi_y(j + 1)) * (p[j + 1] - p[j]);
-    const double south = 0.5 * (xi_y(j) + xi_y(j - 1)) * (p[j] - p[j - 1]);
-    line[j] -= weights.inverse_h_x2 * (east - west) + (to_north[j] * north - to_south[j] * south);
+/// What flows through the faces of one line's cells, from process to process the same.
+template <FilmDiscretisation discretisation>
+class CellFlows {
+public:
+  CellFlows(const ReynoldsEquation& equation, const FilmState& state)
+      : equation_(equation),
+        state_(state),
+        rows_(equation.grid.y_count()),
+        west_(rows_),
+        east_(rows_),
+        across_(rows_ + 1) {
+    find_along_x(0);
   }
-}
+
+  /// Adds to every row what flows out of the cells of line i; lines in their order, from the first inner one on.
+  void add(int i, double* line) {
+    west_.swap(east_);
+    find_along_x(i);
+    find_along_y(i);
+    const double *west = west_.data(), *east = east_.data(), *face = across_.data();
+    const double *to_south = equation_.south.data(), *to_north = equation_.north.data();
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < rows_; ++j) line[j] += east[j] - west[j] + to_north[j] * face[j + 1] - to_south[j] * face[j];
+  }
+
+private:
+  void find_along_x(int i) {
+    const FlowAlongX<discretisation> flow(equation_, state_, i);
+    double* east = east_.data();
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j < rows_; ++j) east[j] = flow.at(j).value;
+  }
+  void find_along_y(int i) {
+    const StateLine line(state_, i);
+    double* face = across_.data();
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int j = 0; j <= rows_; ++j) face[j] = flow_along_y<discretisation>(line, j - 1).value;
+  }
+
+  const ReynoldsEquation& equation_;
+  const FilmState& state_;
+  int rows_;
+  std::vector<double> west_, east_;  ///< along X, through the faces before and behind the cells of the line, over h_x
+  std::vector<double> across_;       ///< along Y, through the face before each row and behind the last
+};
 
 /// Where oil is pushed over the front of a full region, it goes as far as what it meets has room for: nodes there, full
 /// or not by themselves, are full. By itself the front would come forward by one node an iteration.
@@ -72,8 +87,12 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
 
 }  // namespace
 
-ReynoldsWeights::ReynoldsWeights(const Grid& grid, std::span<const double> entrainment, double scheme_shift)
-    : inverse_h_x(1.0 / grid.h_x()), inverse_h_x2(inverse_h_x * inverse_h_x), U(entrainment), shift(scheme_shift) {
+ReynoldsEquation::ReynoldsEquation(const Grid& on, double C_h, FilmDiscretisation by)
+    : grid(on),
+      discretisation(by),
+      inverse_h_x(1.0 / grid.h_x()),
+      inverse_h_x2(inverse_h_x * inverse_h_x),
+      carrying(carrying_share * grid.h_x() * grid.h_x() * 2.0 * std::numbers::pi * C_h) {
   for (int j = 0; j < grid.y_count(); ++j) {
     const double before = grid.row_axis().step(grid.y_begin() + j - 1),
                  after = grid.row_axis().step(grid.y_begin() + j);
@@ -83,49 +102,81 @@ ReynoldsWeights::ReynoldsWeights(const Grid& grid, std::span<const double> entra
   }
 }
 
-void reynolds_residual(const Grid& grid, std::span<const double> entrainment, FilmState& state, const Squeeze& squeeze,
-                       std::span<double> residual) {
-  const ScopedEvent event(Kernel::residual);
-  const ReynoldsWeights weights(grid, entrainment, squeeze.shift);
+namespace {
+
+/// R of the own inner nodes, with the scales of rows and the nodes that are full by themselves.
+template <FilmDiscretisation discretisation>
+void find_rows(const ReynoldsEquation& equation, std::span<const double> U, FilmState& state, const Squeeze& squeeze,
+               std::span<double> residual) {
+  const Grid& grid = equation.grid;
   const int rows = grid.y_count();
-  std::vector<double> line(rows);
   const RowRange inner = grid.inner_rows();
+  CellFlows<discretisation> flows(equation, state);
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
-    const double* pressure = state.film_pressure().row(i);
-    const double* conductance = state.conductance.row(i);
-    double* full_film = state.full_film.row(i);
-    double* scale = state.row_scale.row(i);
+    const StateLine line(state, i);
+    double *full_film = state.full_film.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
-    if (interior) {
-      std::fill(line.begin(), line.end(), 0.0);
-      if (!squeeze.rate.empty()) {
-        std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, line.begin());
-      }
-      add_wedge(state, weights.inverse_h_x, i, line.data());
-      add_poiseuille(state, weights, i, line.data());
+    if (squeeze.rate.empty() || !interior) {
+      std::fill_n(out, rows, 0.0);
+    } else {
+      std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, out);
     }
-    const double inside = interior ? 1.0 : 0.0, *found = line.data();
+    if (interior) flows.add(i, out);
+    const double inside = interior ? 1.0 : 0.0, *speed = U.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
-      const double row_scale = weights.row_scale(j, conductance[j]);
+      const double row_scale = equation.row_scale(j, line.conductance(j), speed[j], squeeze.shift);
       scale[j] = row_scale;
-      full_film[j] = found[j] < row_scale * pressure[j] ? inside : 0.0;
-      out[j] = found[j];
+      full_film[j] = out[j] < row_scale * line.p[j] ? inside : 0.0;
     }
     std::fill(full_film, full_film + inner.begin, 0.0);
     std::fill(full_film + inner.end, full_film + rows, 0.0);
   }
+}
+
+}  // namespace
+
+void reynolds_residual(const ReynoldsEquation& equation, std::span<const double> entrainment, FilmState& state,
+                       const Squeeze& squeeze, std::span<double> residual) {
+  const ScopedEvent event(Kernel::residual);
+  equation.discretisation == FilmDiscretisation::fitted
+      ? find_rows<FilmDiscretisation::fitted>(equation, entrainment, state, squeeze, residual)
+      : find_rows<FilmDiscretisation::central>(equation, entrainment, state, squeeze, residual);
+  const Grid& grid = equation.grid;
   advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
     const double *pressure = state.film_pressure().row(i), *full_film = state.full_film.row(i),
                  *scale = state.row_scale.row(i);
-    double* out = residual.data() + static_cast<std::size_t>(i) * rows;
+    double* out = residual.data() + static_cast<std::size_t>(i) * grid.y_count();
     GEARFILM_INDEPENDENT_ITERATIONS
-    for (int j = 0; j < rows; ++j) {
+    for (int j = 0; j < grid.y_count(); ++j) {
       const double given = out[j], dry = scale[j] * pressure[j];
       out[j] = full_film[j] != 0.0 ? given : dry;
     }
+  }
+}
+
+void poiseuille_flow(const ReynoldsEquation& equation, const FilmState& state, int i, std::span<double> flow) {
+  std::ranges::fill(flow, 0.0);
+  if (i == 0 || i == equation.grid.nx() - 1) return;
+  const StateLine west(state, i - 1), line(state, i), east(state, i + 1);
+  const double half_inverse_h_x = 0.5 * equation.inverse_h_x;
+  const int rows = equation.grid.y_count();
+  double* out = flow.data();
+  const auto of_node = [&](int j) {
+    return -half_inverse_h_x * line.conductance(j) / line.rho[j] * (east.p[j] - west.p[j]);
+  };
+  if (equation.discretisation == FilmDiscretisation::central) {
+    for (int j = 0; j < rows; ++j) out[j] = of_node(j);
+    return;
+  }
+  const FlowAlongX<FilmDiscretisation::fitted> before(equation, state, i - 1), behind(equation, state, i);
+  GEARFILM_INDEPENDENT_ITERATIONS
+  for (int j = 0; j < rows; ++j) {
+    const double through_faces = 0.5 * (before.driven(j) + behind.driven(j)), own = of_node(j);
+    const double smaller = std::abs(own) < std::abs(through_faces) ? own : through_faces;
+    out[j] = own * through_faces > 0.0 ? smaller : 0.0;
   }
 }
 

@@ -205,6 +205,22 @@ MarchModel read_model(const std::string& name) {
   return name == "dry" ? MarchModel::dry : MarchModel::dynamic;
 }
 
+PairMotion read_motion(const Case& result) {
+  const ParameterValues& values = result.parameters;
+  const std::string name = "motion";
+  if (!values.has(name) || values.text(name) == "dynamic") return PairMotion::dynamic;
+  const std::string other = [&]() -> std::string {
+    if (result.march.model != MarchModel::dynamic) return "model";
+    if (values.text("geometry") == "held") return "geometry";
+    if (values.text("friction.in_motion") == "yes") return "friction.in_motion";
+    const std::string multipliers = "periodic.multipliers";
+    return values.given(multipliers) && values.text(multipliers) == "yes" ? multipliers : "";
+  }();
+  if (other.empty()) return PairMotion::quasi_static;
+  throw InputError(values.origin(name) + ": " + quoted(name) + " is quasi_static, but " + quoted(other) + " is " +
+                   values.text(other) + "; use one of the two");
+}
+
 std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
   const std::string name = "load_sharing.file";
   if (!values.has(name)) {
@@ -286,6 +302,7 @@ void set_march(Case& result) {
   result.pair.stiffness = pitch_stiffness(result.scales, *result.pair.line, result.pair.teeth);
   result.march.start_position = read_start_position(result);
   result.march.model = read_model(values.text("model"));
+  result.march.motion = read_motion(result);
   result.march.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
   if (result.march.model == MarchModel::simplified || result.march.model == MarchModel::quasistatic)
     set_single_contact(result);
@@ -303,7 +320,8 @@ void set_march(Case& result) {
                            .max_periods = values.integer("periodic.max_periods")};
   result.search.order = values.integer("periodic.order");
   result.search.max_pattern = values.integer("periodic.max_pattern");
-  result.search.with_multipliers = values.text("periodic.multipliers") == "yes";
+  result.search.with_multipliers =
+      values.text("periodic.multipliers") == "yes" && result.march.motion == PairMotion::dynamic;
   result.sweep = read_sweep(values);
   result.continuation = read_continuation(values, result.search.order);
   result.march.dry_damping_ratio = optional_real(values, "dry.damping_ratio");

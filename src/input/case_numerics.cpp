@@ -25,12 +25,12 @@ void set_nodes(Case& result) {
   const Domain& domain = result.numerics.domain;
   ExpectedFilm film(result.scales);
   film.film = std::max(film.film, thinnest_film / result.scales.thickness);
-  const Steps steps = steps_for(film, values.real("grid.accuracy"));
-  const auto nodes = [&](const std::string& name, double length, double step) {
-    return values.has(name) ? values.integer(name) : std::min(nodes_along(length, step), most_nodes);
+  const Steps steps = steps_for(result.numerics.discretisation, film, values.real("grid.accuracy"));
+  const auto nodes = [&](const std::string& name, int chosen) {
+    return values.has(name) ? values.integer(name) : std::min(chosen, most_nodes);
   };
-  result.numerics.nx = nodes("grid.nx", domain.x_max - domain.x_min, steps.x);
-  result.numerics.ny = nodes("grid.ny", 2.0 * domain.y_half, steps.y);
+  result.numerics.nx = nodes("grid.nx", nodes_along(domain.x_max - domain.x_min, steps.x));
+  result.numerics.ny = nodes("grid.ny", nodes_across(2.0 * domain.y_half, steps.y));
 }
 
 // Under more force the ellipse comes nearer to the inlet, but needs no longer one: half of what is there at first
@@ -75,6 +75,7 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
               values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
 }
 
+
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
 // 0.026, since what they resolve besides stands still before the contact. By the mesh, and by the swing of the gears.
 double time_step(const Case& result) {
@@ -82,7 +83,7 @@ double time_step(const Case& result) {
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
   const double faster = largest_speed_ratio(result.parameters);  // than at first, where scales are taken
   double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period) / faster;
-  if (result.pair.equivalent_mass) step = std::min(step, natural_period(result) / steps_in_swing);
+  if (swings(result)) step = std::min(step, natural_period(result) / steps_in_swing);
   return step;
 }
 
@@ -106,7 +107,7 @@ Steps steps_of(const NumericsCase& numerics) {
 }
 
 std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
-  constexpr int fewest_x = 65, fewest_y = 17;
+  constexpr int fewest_x = 33, fewest_y = 9;
   NumericsCase coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
   coarse.ny = (numerics.ny - 1) / 2 + 1;
@@ -127,6 +128,8 @@ SlightlyCoarser slightly_coarser(const NumericsCase& numerics) {
   return {coarse, ratio};
 }
 
+bool swings(const Case& problem) { return problem.pair.equivalent_mass && problem.march.motion == PairMotion::dynamic; }
+
 double natural_period(const Case& problem) {
   return 1.0 / natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
@@ -140,6 +143,13 @@ double mesh_period(const Case& problem) {
   return 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
 }
 
+Case without_inertia(Case problem) {
+  problem.march.motion = PairMotion::quasi_static;
+  problem.search.with_multipliers = false;
+  set_time_steps(problem);
+  return problem;
+}
+
 void set_film_numerics(Case& result) {
   const ParameterValues& values = result.parameters;
   // Thicker films begin further before the contact.
@@ -147,6 +157,8 @@ void set_film_numerics(Case& result) {
   fastest.entrainment_velocity *= largest_speed_ratio(values);
   result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.margins = margin_rule(result);
+  result.numerics.discretisation =
+      values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance")),
                             read_multigrid_options(values)};

@@ -34,12 +34,17 @@ struct SlightlyCoarser {
 };
 SlightlyCoarser slightly_coarser(const NumericsCase& numerics);
 
+/// The pair has inertia, and it is part of its motion.
+bool swings(const Case& problem);
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
 double natural_period(const Case& problem);
 /// The largest speed of a march over its first; 1 without a ramp.
 double largest_speed_ratio(const ParameterValues& values);
 /// The mesh period of a gear pair at the first speed [T].
 double mesh_period(const Case& problem);
+
+/// The case as a pair without inertia, whose steps and search follow.
+Case without_inertia(Case problem);
 
 /// Steps that a mesh period and a free oscillation are given at least, where the program chooses.
 constexpr double steps_in_mesh_period = 100.0;

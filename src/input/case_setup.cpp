@@ -15,7 +15,11 @@ GridShape case_grid(const Case& problem) {
 }
 
 SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
-  return discretise(Grid(comm, case_grid(problem)), problem.scales);
+  return discretise(Grid(comm, case_grid(problem)), problem);
+}
+
+SharedDiscretisation discretise(const Grid& grid, const Case& problem) {
+  return discretise(grid, problem.scales, problem.numerics.discretisation);
 }
 
 void require_tooth_force(const Case& problem, const std::string& what) {
@@ -30,12 +34,13 @@ void require_tooth_force(const Case& problem, const std::string& what) {
 }
 
 void require_inertia(const Case& problem) {
-  const bool quasi_static = problem.march.model == MarchModel::quasistatic;
-  if (!quasi_static) require_tooth_force(problem, "the motion of the pair");
+  const bool quasi_static =
+      problem.march.model == MarchModel::quasistatic || problem.march.motion == PairMotion::quasi_static;
+  if (problem.march.model != MarchModel::quasistatic) require_tooth_force(problem, "the motion of the pair");
   if (problem.pair.line && (problem.pair.equivalent_mass || quasi_static)) return;
   throw InputError("the case '" + problem.name +
                    "' has no inertia to march in time; give gear.equivalent_mass, or pinion.inertia and "
-                   "wheel.inertia, of a gear pair");
+                   "wheel.inertia, of a gear pair, or motion: quasi_static");
 }
 
 void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too) {
@@ -83,7 +88,8 @@ std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
 }  // namespace
 
 MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, const SpeedCourse& course) {
-  const bool inert = problem.march.model != MarchModel::quasistatic && problem.pair.equivalent_mass;
+  const bool inert = problem.march.model != MarchModel::quasistatic && problem.march.motion == PairMotion::dynamic &&
+                     problem.pair.equivalent_mass;
   return {.scales = problem.scales,
           .path = ContactPath(*problem.pair.line, problem.scales, problem.pair.pinion_speed, start, geometry, course),
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,

@@ -183,7 +183,7 @@ void compare_steps(const Case& problem, Oddities& found) {
           {"the number of time steps a mesh period", "", fewest_in_period, HUGE_VAL,
            "too coarse for entering and leaving contacts; lower time.dt", ""},
           found);
-  if (problem.pair.equivalent_mass) {
+  if (swings(problem)) {
     compare(natural_period(problem) / problem.numerics.steps.dT,
             {"the number of time steps a free oscillation", "", steps_in_swing * (1 - 1e-9), HUGE_VAL,
              "too coarse for the vibration of the pair; lower time.dt", ""},

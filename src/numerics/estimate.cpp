@@ -38,6 +38,12 @@ Estimate estimate_smallest(double fine, double coarse, double ratio) {
   return smallest;
 }
 
+Estimate estimate_fast(double fine, double coarse, double least, double ratio) {
+  const double difference = fine - coarse, second_order = difference / (ratio * ratio - 1.0);
+  return {fine, std::max(std::abs(second_order), least * std::abs(fine)),
+          fine + difference / (ratio * ratio * ratio - 1.0)};
+}
+
 std::optional<Estimate> estimate_spike(double fine, double coarse, double ratio) {
   if (!(fine > 0.0)) return {};
   return Estimate{fine, doublings * spike_growth(fine, coarse, ratio) * fine};

@@ -134,6 +134,7 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWa
 }
 
 DryOrbit dry_start(const MeshModel& mesh) {
+  if (mesh.inertia == 0.0) return {.start = at_rest(mesh)};
   // A slow pair swings often in a mesh period, on thin films that damp it more.
   const DryWatch none;
   const DryMap map(mesh, typical_film_damping, none);

@@ -16,12 +16,20 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
-/// `step`: of the finer grid along X.
-std::optional<GridErrors> errors_between(const FilmFigures& fine, const FilmFigures& half, double step) {
+// Least bars of fitted films, relative: what errors that change their sign with the step have left.
+constexpr double least_central = 0.0035;
+constexpr double least_smallest = 0.0125;
+
+std::optional<GridErrors> errors_between(const Discretisation& discretisation, const FilmFigures& fine,
+                                         const FilmFigures& half) {
   if (!half.finite || half.smallest_film <= 0.0) return {};
+  const double step = discretisation.grid().h_x();
+  const bool fitted = discretisation.of_films() == FilmDiscretisation::fitted;
   const double spike = fine.spike_pressure, half_spike = half.spike_pressure;
-  return GridErrors{estimate(fine.central_film, half.central_film),
-                    estimate_smallest(fine.smallest_film, half.smallest_film),
+  return GridErrors{fitted ? estimate_fast(fine.central_film, half.central_film, least_central)
+                           : estimate(fine.central_film, half.central_film),
+                    fitted ? estimate_fast(fine.smallest_film, half.smallest_film, least_smallest)
+                           : estimate_smallest(fine.smallest_film, half.smallest_film),
                     estimate_beside_spike({fine.central_pressure, spike}, {half.central_pressure, half_spike}, step),
                     estimate_largest({fine.largest_pressure, spike}, {half.largest_pressure, half_spike}, step),
                     estimate_spike(spike, half_spike)};
@@ -45,14 +53,13 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   const ScopedStage stage("Error of the grid");
   Discretisation &fine = *film.discretisation(), *coarser = fine.prepare_coarser();
   if (!coarser) return {};
-  const double step = film.grid().h_x();
   if (!couple && result.before && fine.prepare_sequencing_grid() == coarser)
-    return errors_between(result.figures, *result.before, step);
+    return errors_between(fine, result.figures, *result.before);
   ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
   coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
   try {
     const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
-    return errors_between(result.figures, couple ? couple(coarse, alone).figures : alone.figures, step);
+    return errors_between(fine, result.figures, couple ? couple(coarse, alone).figures : alone.figures);
   } catch (const SolveError&) {
     return {};
   }

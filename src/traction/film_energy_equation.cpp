@@ -288,9 +288,9 @@ void FilmEnergyEquation::update(bool sheared, int iteration) {
     shear();
   }
   if (own) {
-    own_.update(
-        {fluidity_, slope_, log_viscosities_, share_},
-        {full_film, thickness, log_viscosity, poiseuille_flow, stress_, shear_factor, std::exp(log_ambient_), sliding});
+    own_.update({fluidity_, slope_, log_viscosities_, share_},
+                {full_film, thickness, log_viscosity, poiseuille_flow, driven_flow, stress_, shear_factor,
+                 std::exp(log_ambient_), sliding});
     if (iteration == 0) set_own_transport();
   } else if (iteration < profile_iterations) {
     set_transport();

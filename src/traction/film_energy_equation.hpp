@@ -35,6 +35,7 @@ public:
   Lanes log_viscosity{};    ///< ln(eta/eta_0) at T_0
   Lanes half_gradient{};    ///< h p_x/2 [Pa]
   Lanes poiseuille_flow{};  ///< q_P/h [m/s]
+  Lanes driven_flow{};      ///< what p_x would drive through oil as viscous as at the place [m/s]
   Lanes carried{};          ///< rho c/step [J/(m^4 K)]
   Lanes conductivity{};     ///< k [W/(m K)]
   Lanes base_pinion{};      ///< wall temperatures without heat [K]

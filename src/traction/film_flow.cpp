@@ -41,10 +41,13 @@ void OwnFlow::update(const Oil& oil, const Film& film) {
     const double speed = film.poiseuille_flow[l] / film.thickness[l];
     const double gradient = -inwards[l] * speed * inverse;  // G h/eta_0
     const double forwards = speed / second_moment_;
-    own_scale[l] = exact * thinned * gradient * gradient;
+    // Heat is the flow times p_x.
+    const double work = film.poiseuille_flow[l] != 0.0 ? film.driven_flow[l] / film.poiseuille_flow[l] : 0.0;
+    const double heating = exact * thinned * (work > 0.0 ? work : 0.0);
+    own_scale[l] = heating * gradient * gradient;
     stress_scale[l] = gradient * (film.sliding[l] < 0.0 ? -film.stress[l] : film.stress[l]);
     rate_scale[l] = gradient * thinned * film.sliding[l] / film.thickness[l];
-    parabola_scale[l] = exact * (film.full_film[l] - inwards[l]) * thinned * exp(log_mean[l]) * forwards * forwards;
+    parabola_scale[l] = heating * (film.full_film[l] - inwards[l]) * exp(log_mean[l]) * forwards * forwards;
     own_row[l] = inwards[l] * inverse;
     parabola_row[l] = (1.0 - inwards[l]) * film.full_film[l];
   });

@@ -37,7 +37,7 @@ public:
   };
   /// The film as Reynolds' equation has it.
   struct Film {
-    const Lanes &full_film, &thickness, &log_viscosity, &poiseuille_flow, &stress, &shear_factor;
+    const Lanes &full_film, &thickness, &log_viscosity, &poiseuille_flow, &driven_flow, &stress, &shear_factor;
     double ambient_viscosity;  ///< eta_0 [Pa s]
     const Lanes& sliding;      ///< u_s [m/s]
   };

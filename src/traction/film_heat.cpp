@@ -126,7 +126,7 @@ private:
       if (own_) {
         load_own_flow(l, i, j);
       } else {
-        load_isothermal_flow(l, i, j);
+        load_isothermal_flow(l, j);
       }
     }
     if (first + FilmEnergyEquation::lanes <= solved_.end) {
@@ -168,22 +168,20 @@ private:
     across_.mean_velocity[l] = u.mean;
     across_.sliding[l] = u.sliding;
     across_.poiseuille_flow[l] = 0.0;
+    across_.driven_flow[l] = 0.0;
     across_.poiseuille_heat[l] = 0.0;
     across_.flow[l] = filled * u.mean;
   }
 
   // Oil that a squeezed film throws back over the inlet takes its heat where the march does not go.
-  void load_isothermal_flow(int l, int i, int j) {
+  void load_isothermal_flow(int l, int j) {
     if (!line_.full_film[j]) return;
-    const double h = line_.thickness[j], p_x = line_.gradient[j];
-    const double inverse_viscosity = std::exp(log_shear_factor(i, j, l) - line_.log_viscosity[j]);
-    const double u_m = line_.velocities[j].mean;
-    const double poiseuille = -h * h * p_x * inverse_viscosity / 12.0, back = -u_m;
+    const double u_m = line_.velocities[j].mean, poiseuille = line_.poiseuille[j], back = -u_m;
     const double part = poiseuille < back ? back / poiseuille : 1.0;
     across_.poiseuille_flow[l] = part * poiseuille;
     across_.flow[l] = std::max(least_flow * u_m, u_m + across_.poiseuille_flow[l]);
-    across_.poiseuille_heat[l] = part * part * h * h * p_x * p_x * inverse_viscosity;
-    flow_[j] = line_.density[j] * across_.flow[l] * h;
+    across_.poiseuille_heat[l] = std::max(0.0, -12.0 * part * part * poiseuille * line_.gradient[j]);
+    flow_[j] = line_.density[j] * across_.flow[l] * line_.thickness[j];
   }
 
   /// g of the line, ln F over theta (flow_factors.hpp).
@@ -213,7 +211,8 @@ private:
     across_.shear_factor[l] = std::exp(log_S);
     if (!line_.full_film[j] || film_.film_pressure().row(i + 1)[j] <= 0.0) return;
     const double h = line_.thickness[j], log_factor = theta(i, j) * heating_ratio_[j] + log_S;
-    across_.poiseuille_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
+    across_.poiseuille_flow[l] = line_.poiseuille[j];
+    across_.driven_flow[l] = -h * h * line_.gradient[j] * std::exp(log_factor - line_.log_viscosity[j]) / 12.0;
   }
 
   /// rho_0 c/h_x [J/(m^4 K)].

@@ -35,6 +35,7 @@ FilmLine::FilmLine(const ContactFilm& film)
       log_viscosity(pressure.size()),
       density(pressure.size()),
       gradient(pressure.size()),
+      poiseuille(pressure.size()),
       full_film(pressure.size()),
       velocities(row_velocities(film)),
       film_(film),
@@ -48,7 +49,12 @@ void FilmLine::load(int i) {
   const double *here = P.row(i), *west = P.row(inside ? i - 1 : i), *east = P.row(inside ? i + 1 : i);
   const double *H = film_.thickness().row(i), *rho = film_.state().density.row(i);
   const double by_x = scales.pressure / (2.0 * scales.length * grid.h_x());
+  // h^3/(12 eta) = xi_R/rho lambda (a^2/R_x)^3/(12 eta_0)
+  const double by_flow = scales.lambda * scales.thickness * scales.thickness * scales.pressure /
+                         (12.0 * scales.oil.viscosity * scales.length);
+  poiseuille_flow(film_.discretisation()->equation(), film_.state(), i, poiseuille);
   for (int j = 0; j < grid.y_count(); ++j) {
+    poiseuille[j] *= H[j] > 0.0 ? by_flow / H[j] : 0.0;
     pressure[j] = scales.pressure * here[j];
     thickness[j] = scales.thickness * H[j];
     density[j] = rho[j];

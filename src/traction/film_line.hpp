@@ -22,6 +22,7 @@ struct FilmLine {
   std::vector<double> log_viscosity;  ///< ln(eta/1 Pa s) at the oil's reference temperature
   std::vector<double> density;        ///< rho/rho_0
   std::vector<double> gradient;       ///< dp/dx [Pa/m], central
+  std::vector<double> poiseuille;     ///< mean velocity that pressure drives, as Reynolds' equation has it [m/s]
   std::vector<char> full_film;        ///< p > 0
   std::vector<SurfaceVelocities> velocities;
 

@@ -69,14 +69,7 @@ protected:
     petsc_check(VecCopy(rows, scaled));
     {
       const VecWriting values(scaled);
-      std::size_t n = 0;
-      for (std::size_t k = 0; k < steps.last.numbers.size(); ++k) {
-        const ContactFilm& film = system.film(k);
-        const ReynoldsWeights weights(grid, film.surfaces().entrainment);
-        for (int i = 0; i < grid.nx(); ++i) {
-          for (int j = 0; j < grid.y_count(); ++j) values[n++] /= weights.row_scale(j, conductance[k].row(i)[j]);
-        }
-      }
+      for (std::size_t n = 0; n < row_scales.size(); ++n) values[n] /= row_scales[n];
     }
     PetscReal size = 0.0;
     petsc_check(VecNorm(scaled, NORM_2, &size));
@@ -84,8 +77,16 @@ protected:
   }
 
   void keep_row_scales() {
-    for (std::size_t k = 0; k < steps.last.numbers.size(); ++k)
-      conductance.push_back(system.film(k).state().conductance);
+    for (std::size_t k = 0; k < steps.last.numbers.size(); ++k) {
+      const ContactFilm& film = system.film(k);
+      const ReynoldsEquation& equation = film.discretisation()->equation();
+      for (int i = 0; i < grid.nx(); ++i) {
+        const StateLine line(film.state(), i);
+        for (int j = 0; j < grid.y_count(); ++j) {
+          row_scales.push_back(equation.row_scale(j, line.conductance(j), film.surfaces().entrainment[j], 0.0));
+        }
+      }
+    }
   }
 
   /// A change of the state: of the pressures of some contacts, and of the motion. Small where the pressure is, so that
@@ -113,7 +114,7 @@ protected:
   double shift = 1.5 / steps.last.dT;
   OwnedVec state = system.vector(steps.last.pressure, steps.last.motion);
   OwnedVec C0 = history();
-  std::vector<Field<double>> conductance;
+  std::vector<double> row_scales;  ///< of the own nodes of all films
 };
 
 // The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 2e-2.

@@ -25,32 +25,46 @@ public:
     const std::vector<double> heights = unfolded(grid_, whole_of(grid_, film.thickness()));
     for (std::size_t n = 0; n < heights.size(); ++n) {
       const double p = scales.pressure * pressure_[n], rho = relative_density(scales.oil, p).value;
+      density_.push_back(rho);
       mass_.push_back(rho * heights[n]);
-      conductance_.push_back(rho * std::pow(heights[n], 3) / scales.lambda *
-                             std::exp(-log_relative_viscosity(scales.oil, p).value));
+      fluidity_.push_back(std::exp(-log_relative_viscosity(scales.oil, p).value) / scales.lambda);
     }
+    height_ = heights;
+    carrying_ = 0.2 * grid_.h_x() * grid_.h_x() * 2.0 * std::numbers::pi * scales.C_h * U_;
   }
 
   int index(int i, int row) const { return i * grid_.ny() + row; }
 
-  /// Through the face between nodes i and i+1: the wedge extrapolates rho H to the face from upwind; in the first row
-  /// it has its mean there.
+  /// Through the face between nodes i and i+1: rho H at the face is between its extrapolation from upwind and the
+  /// parabola through three nodes; in the first row it has its mean there.
   double along_x(int i, int row) const {
-    const int n = index(i, row), east = index(i + 1, row);
-    const double carried = i == 0 ? 0.5 * (mass_[n] + mass_[east]) : 1.5 * mass_[n] - 0.5 * mass_[index(i - 1, row)];
-    return grid_.h_y() * (U_ * carried - driven(n, east) / grid_.h_x());
+    const int n = index(i, row), east = index(i + 1, row), west = index(std::max(i - 1, 0), row);
+    const double height =
+        i == 0 ? 0.5 * (height_[n] + height_[east]) : 0.375 * height_[east] + 0.75 * height_[n] - 0.125 * height_[west];
+    const double xi = conductance(n, east, height), part = xi / (xi + carrying_);
+    const double parabola = 0.375 * mass_[east] + 0.75 * mass_[n] - 0.125 * mass_[west];
+    const double upwind = 1.5 * mass_[n] - 0.5 * mass_[west];
+    const double carried = i == 0 ? 0.5 * (mass_[n] + mass_[east]) : part * parabola + (1.0 - part) * upwind;
+    return grid_.h_y() * (U_ * carried - xi * (pressure_[east] - pressure_[n]) / grid_.h_x());
   }
   /// Through the face between rows row and row+1.
-  double along_y(int i, int row) const { return -grid_.h_x() * driven(index(i, row), index(i, row + 1)) / grid_.h_y(); }
+  double along_y(int i, int row) const {
+    const int n = index(i, row), north = index(i, row + 1);
+    const double xi = conductance(n, north, 0.5 * (height_[n] + height_[north]));
+    return -grid_.h_x() * xi * (pressure_[north] - pressure_[n]) / grid_.h_y();
+  }
 
 private:
-  double driven(int n, int next) const {
-    return 0.5 * (conductance_[n] + conductance_[next]) * (pressure_[next] - pressure_[n]);
+  double conductance(int n, int next, double height) const {
+    const double ratio = fluidity_[next] / fluidity_[n];
+    const double fluidity = std::abs(ratio - 1.0) < 1e-7 ? 0.5 * (fluidity_[n] + fluidity_[next])
+                                                         : (fluidity_[next] - fluidity_[n]) / std::log(ratio);
+    return 0.5 * (density_[n] + density_[next]) * std::pow(height, 3) * fluidity;
   }
 
   const Grid& grid_;
-  double U_;
-  std::vector<double> pressure_, mass_, conductance_;
+  double U_, carrying_ = 0.0;
+  std::vector<double> pressure_, height_, density_, mass_, fluidity_;
 };
 
 /// What passes the border of the full nodes.

@@ -57,9 +57,9 @@ inline FilmCase circular_contact() {
 /// The stationary film of a case, from nothing.
 struct SolvedFilm {
   SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {},
-             Edge lower = Edge::symmetry)
+             Edge lower = Edge::symmetry, FilmDiscretisation by = FilmDiscretisation::fitted)
       : grid(comm, film_case.shape(nx, ny, lower)),
-        film(discretise(grid, film_case.scales), film_case.scales, options.multigrid),
+        film(discretise(grid, film_case.scales, by), film_case.scales, options.multigrid),
         result(solve_stationary(film, LoadCondition::force(film_case.scales.static_force), options)) {}
 
   Grid grid;

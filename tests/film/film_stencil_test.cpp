@@ -6,7 +6,7 @@
 namespace gearfilm {
 namespace {
 
-class LinearFilmRows : public testing::Test {
+class LinearFilmRows : public testing::TestWithParam<FilmDiscretisation> {
 protected:
   // Conductances of order one, so that wedge, squeeze and Poiseuille terms weigh alike in every row.
   static Scales scales() {
@@ -40,7 +40,7 @@ protected:
         rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.thickness.row(i)[j] - 1e4;
       }
     }
-    reynolds_residual(grid, U, state, {rate}, residual);
+    reynolds_residual(equation, U, state, {rate}, residual);
     return residual;
   }
 
@@ -60,19 +60,20 @@ protected:
   Grid grid{PETSC_COMM_WORLD, rectangle(17, 13, -1.5, 1.0, 1.2)};
   Halo halo{grid};
   FilmState state{grid};
+  ReynoldsEquation equation{grid, scales().C_h, GetParam()};
   const std::vector<double> U = in_all_rows(grid, entrainment);
   Field<double> v{grid}, u{grid}, rows{grid};
   FilmStencil<double> linear{grid};
 };
 
-TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
+TEST_P(LinearFilmRows, full_rows_are_the_derivative_of_the_residual) {
   for (const double shift : {0.0, 3.0}) {
     // Central differences: off by e^2/6 times third derivatives of order (alpha_B p_h)^3 ~ 1e3, and by round-off/e of
     // the constant 1e4: both 1e-6.
     constexpr double step = 1e-5, tolerance = 1e-5;
     const auto more = residual_at(step, shift), less = residual_at(-step, shift);
     (void)residual_at(0.0, shift);
-    linearise(grid, shift, state, linear);
+    linearise(equation, shift, state, linear);
     apply_stencil(linear, v, u, rows);
     double top = 0.0;
     for (int i = 1; i < grid.nx() - 1; ++i) {
@@ -87,26 +88,26 @@ TEST_F(LinearFilmRows, wet_rows_are_the_derivative_of_the_residual) {
   }
 }
 
-TEST_F(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
+TEST_P(LinearFilmRows, other_rows_are_the_scaled_change_of_pressure) {
   set_state(0.0);
   std::vector<double> residual(grid.local_size());
-  reynolds_residual(grid, U, state, {{}, 40.0}, residual);  // sets the scales
+  reynolds_residual(equation, U, state, {{}, 40.0}, residual);  // sets the scales
   state.full_film.fill(0.0);
-  linearise(grid, 3.0, state, linear);
+  linearise(equation, 3.0, state, linear);
   apply_stencil(linear, v, u, rows);
-  const ReynoldsWeights weights(grid, U, 40.0);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.y_count(); ++j) {
-      EXPECT_DOUBLE_EQ(rows.row(i)[j], weights.row_scale(j, state.conductance.row(i)[j]) * v.row(i)[j]);
+      EXPECT_DOUBLE_EQ(rows.row(i)[j],
+                       equation.row_scale(j, StateLine(state, i).conductance(j), entrainment, 40.0) * v.row(i)[j]);
     }
   }
 }
 
-TEST_F(LinearFilmRows, single_precision_is_the_rounded_double_one) {
+TEST_P(LinearFilmRows, single_precision_is_the_rounded_double_one) {
   (void)residual_at(0.0, 3.0);
   FilmStencil<float> rounded(grid);
-  linearise(grid, 3.0, state, linear);
-  linearise(grid, 3.0, state, rounded);
+  linearise(equation, 3.0, state, linear);
+  linearise(equation, 3.0, state, rounded);
   for (int n = 0; n < neighbour_count; ++n) {
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
@@ -116,6 +117,11 @@ TEST_F(LinearFilmRows, single_precision_is_the_rounded_double_one) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(both, LinearFilmRows, testing::Values(FilmDiscretisation::fitted, FilmDiscretisation::central),
+                         [](const auto& tested) {
+                           return tested.param == FilmDiscretisation::fitted ? "fitted" : "central";
+                         });
 
 }  // namespace
 }  // namespace gearfilm

@@ -49,10 +49,12 @@ protected:
     state.total_pressure = film.total_pressure();
     state.thickness = film.thickness();
     FilmProperties(contact.scales).evaluate(state);
-    const ReynoldsWeights weights(grid, film.surfaces().entrainment);
+    const ReynoldsEquation& equation = film.discretisation()->equation();
     for (int i = 0; i < grid.nx(); ++i) {
+      const StateLine line(state, i);
       for (int j = 0; j < grid.y_count(); ++j) {
-        row_scale[i * grid.y_count() + j] = weights.row_scale(j, state.conductance.row(i)[j]);
+        const double U = film.surfaces().entrainment[j];
+        row_scale[i * grid.y_count() + j] = equation.row_scale(j, line.conductance(j), U, 0.0);
       }
     }
   }

@@ -20,7 +20,7 @@ protected:
     FilmProperties(pitch.scales).evaluate(state);
     exchange_ghosts(Halo(grid), state);
     state.entrained.fill(entrainment);
-    reynolds_residual(grid, in_all_rows(grid, entrainment), state, {}, rows);
+    reynolds_residual(discretisation->equation(), in_all_rows(grid, entrainment), state, {}, rows);
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
         if (!grid.is_boundary(i, j)) right_side[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);

@@ -13,7 +13,7 @@ namespace gearfilm {
 
 struct PlacedFilm {
   PlacedFilm(double xi, double force_ratio, int nx = 129, int ny = 65, Domain domain = paper_domain(2400.0),
-             Edge lower = Edge::symmetry)
+             Edge lower = Edge::symmetry, FilmDiscretisation by = FilmDiscretisation::fitted)
       : pitch{table3_pitch().scales, domain},
         grid(PETSC_COMM_WORLD, pitch.shape(nx, ny, lower)),
         load(LoadCondition::force(force_ratio * pitch.scales.static_force)) {
@@ -21,7 +21,7 @@ struct PlacedFilm {
     const double u_m = pitch.scales.operation.entrainment_velocity;
     velocities = {.mean = line.entrainment_velocity(xi, table3::pinion_speed),
                   .sliding = line.sliding_velocity(xi, table3::pinion_speed)};
-    film = std::make_unique<ContactFilm>(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
+    film = std::make_unique<ContactFilm>(discretise(grid, pitch.scales, by), pitch.scales, MultigridOptions{});
     move_surfaces(*film, {.relative_radius = line.radius_x(xi) / pitch.scales.solids.radius_x,
                           .entrainment = velocities.mean / u_m,
                           .sliding = velocities.sliding / u_m});

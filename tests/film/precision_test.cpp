@@ -115,7 +115,7 @@ private:
 TEST(StiffStep, converges_though_it_would_not_in_single_precision) {
   constexpr double shift_over_wedge = 2500.0;
   const FilmCase pitch = table3_pitch();
-  SolvedFilm solved(PETSC_COMM_WORLD, pitch, 65, 33);
+  SolvedFilm solved(PETSC_COMM_WORLD, pitch, 65, 33, {}, Edge::symmetry, FilmDiscretisation::central);
   const FilmSolution& still = solved.result.solution;
   std::vector<double> mass(still.pressure.size());
   solved.film.mass(still.pressure, still.H0, mass);

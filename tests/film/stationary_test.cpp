@@ -42,7 +42,8 @@ void expect_sound(const SolvedFilm& solved) {
 void expect_row(const FilmCase& film_case, const nlohmann::json& row) {
   SolverOptions options;
   options.newton.tolerance = 1e-10;  // what symmetry and balance are then good to is far below what is asked
-  const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"), options);
+  const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"), options, Edge::symmetry,
+                          FilmDiscretisation::central);
   const FilmFigures& figures = solved.result.figures;
   const double metres = film_case.scales.thickness;
   const std::pair<const char*, double> values[] = {

@@ -1,5 +1,5 @@
-// What all films on one grid share: the grid, its ghosts, the transforms of the deformation, and the same of every
-// coarser grid. It depends on the grid and on C_h alone, so a further contact costs its fields only.
+// What all films on one grid share: the grid, its ghosts, how flows follow from nodes, the transforms of the
+// deformation, and the same of every coarser grid. A further contact costs its fields only.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 
 #include "gearfilm/contact/scales.hpp"
 #include "gearfilm/elasticity/deformation.hpp"
+#include "gearfilm/film/reynolds.hpp"
 #include "gearfilm/grid/gather.hpp"
 #include "gearfilm/grid/halo.hpp"
 
@@ -18,12 +19,14 @@ namespace gearfilm {
 class Discretisation {
 public:
   /// C_h as in Scales.
-  Discretisation(Grid grid, double C_h);
+  Discretisation(Grid grid, double C_h, FilmDiscretisation of_films);
   Discretisation(const Discretisation&) = delete;
   Discretisation& operator=(const Discretisation&) = delete;
 
   const Grid& grid() const { return grid_; }
   const Halo& halo() const { return halo_; }
+  const ReynoldsEquation& equation() const { return equation_; }
+  FilmDiscretisation of_films() const { return equation_.discretisation; }
   /// K in either precision.
   template <class Real>
   const Deformation<Real>& prepare_deformation();
@@ -47,6 +50,7 @@ private:
   Grid grid_;
   double C_h_;
   Halo halo_;
+  ReynoldsEquation equation_;
   std::unique_ptr<const Deformation<double>> deformation_;
   std::unique_ptr<const Deformation<float>> single_deformation_;
   std::array<std::unique_ptr<Discretisation>, 3> coarser_;  ///< by Coarsening
@@ -56,6 +60,7 @@ private:
 
 using SharedDiscretisation = std::shared_ptr<Discretisation>;
 
-SharedDiscretisation discretise(const Grid& grid, const Scales& scales);
+SharedDiscretisation discretise(const Grid& grid, const Scales& scales,
+                                FilmDiscretisation of_films = FilmDiscretisation::fitted);
 
 }  // namespace gearfilm

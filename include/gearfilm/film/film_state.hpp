@@ -3,10 +3,10 @@
 // The total pressure is the unknown: it deforms the solids and carries the load. The film pressure is that of the oil:
 // it drives the flow, sets viscosity and density, and cavitates. Between smooth surfaces both are the same.
 //
-//   conductance xi_R = rho H^3/(eta lambda)          (22) of doi 10.1016/j.triboint.2013.01.017
-// with the factors of flow_factors.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept
-// beside the values: the exact Jacobian and every coarser level of the preconditioner are made from them without
-// evaluating the oil again.
+//   fluidity phi = F S/(eta lambda),  conductance xi_R = rho H^3 phi    (22) of doi 10.1016/j.triboint.2013.01.017
+// with the factors of flow_factors.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept beside
+// the values: the exact Jacobian and every coarser level of the preconditioner are made from them without evaluating
+// the oil again.
 #pragma once
 
 #include <array>
@@ -25,9 +25,9 @@ struct FilmState {
         thickness(grid),
         density(grid),
         density_by_pressure(grid),
-        conductance(grid),
-        conductance_by_pressure(grid),
-        conductance_by_thickness(grid),
+        fluidity(grid),
+        log_fluidity(grid),
+        log_fluidity_by_pressure(grid),
         entrained(grid),
         full_film(grid),
         row_scale(grid),
@@ -43,18 +43,15 @@ struct FilmState {
   Field<double> thickness;                 ///< H
   Field<double> density;                   ///< rho
   Field<double> density_by_pressure;       ///< d rho/dP
-  Field<double> conductance;               ///< xi_R
-  Field<double> conductance_by_pressure;   ///< d xi_R/dP at constant H
-  Field<double> conductance_by_thickness;  ///< d xi_R/dH at constant P
+  Field<double> fluidity;                  ///< phi
+  Field<double> log_fluidity;              ///< ln(phi lambda)
+  Field<double> log_fluidity_by_pressure;  ///< d ln phi/dP
   Field<double> entrained;                 ///< U + W, with which the wedge carries oil
   Field<double> full_film;                 ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
   std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
                                            ///< it is 1 everywhere
   std::vector<double> ones;                ///< of a line with its ghosts, for lines of A where that is absent
-
-  /// A of line i, with ghosts.
-  const double* across_row(int i) const { return across ? across->row(i) : ones.data() + 1; }
 };
 
 /// All fields of a state but A, for what treats them alike (injection, gathering).
@@ -62,12 +59,47 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
                                                                             &FilmState::thickness,
                                                                             &FilmState::density,
                                                                             &FilmState::density_by_pressure,
-                                                                            &FilmState::conductance,
-                                                                            &FilmState::conductance_by_pressure,
-                                                                            &FilmState::conductance_by_thickness,
+                                                                            &FilmState::fluidity,
+                                                                            &FilmState::log_fluidity,
+                                                                            &FilmState::log_fluidity_by_pressure,
                                                                             &FilmState::entrained,
                                                                             &FilmState::full_film,
                                                                             &FilmState::row_scale};
+
+/// The fields of a state on one line of nodes, with their ghosts.
+struct StateLine {
+  StateLine(const FilmState& state, int i)
+      : p(state.film_pressure().row(i)),
+        h(state.thickness.row(i)),
+        rho(state.density.row(i)),
+        rho_p(state.density_by_pressure.row(i)),
+        phi(state.fluidity.row(i)),
+        f(state.log_fluidity.row(i)),
+        f_p(state.log_fluidity_by_pressure.row(i)),
+        entrained(state.entrained.row(i)),
+        across(state.across ? state.across->row(i) : state.ones.data() + 1) {}
+
+  /// m = rho H (U + W), what the wedge carries, with its derivatives.
+  double carried(int j) const { return rho[j] * h[j] * entrained[j]; }
+  double carried_by_pressure(int j) const { return rho_p[j] * h[j] * entrained[j]; }
+  double carried_by_thickness(int j) const { return rho[j] * entrained[j]; }
+  /// xi_R. A film H < 0 (met only inside an iteration) conducts nothing.
+  double conductance(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return rho[j] * phi[j] * (film * film * film);
+  }
+  /// d xi_R/dP at constant H, and d xi_R/dH at constant P.
+  double conductance_by_pressure(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return phi[j] * (film * film * film) * (rho_p[j] + rho[j] * f_p[j]);
+  }
+  double conductance_by_thickness(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return 3.0 * rho[j] * phi[j] * (film * film);
+  }
+
+  const double *p, *h, *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
+};
 
 /// Oil properties of one contact in dimensionless form.
 class FilmProperties {
@@ -78,8 +110,7 @@ public:
         pressure_scale_(scales.pressure),
         inverse_lambda_(1.0 / scales.lambda) {}
 
-  /// Fills density, conductance and their derivatives from pressure and film on the own nodes. A film H < 0 (met
-  /// only inside an iteration) conducts nothing.
+  /// Fills density, fluidity and their derivatives from the pressure of the own nodes.
   void evaluate(FilmState& state, const FlowFactors& factors = {}) const;
 
 private:
@@ -94,8 +125,7 @@ private:
   double inverse_lambda_;
 };
 
-/// Exchanges what stencils read from the neighbouring rows: pressure, conductance and its derivatives, and A where it
-/// is not one.
+/// Exchanges what faces read from the neighbouring rows: pressure, film and oil, and A where it is not one.
 void exchange_ghosts(const Halo& halo, FilmState& state);
 
 }  // namespace gearfilm

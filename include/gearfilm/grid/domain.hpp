@@ -1,15 +1,10 @@
 // The rectangle on which the film of one contact is computed (where its edges are at first; domain_margins.hpp: how
-// they follow), and the steps of its grid, both from the film that is to be expected.
+// they follow), from the film that is to be expected.
 //
-// With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the laws were fitted to 42 computed contacts, M =
+// With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the law was fitted to 42 computed contacts, M =
 // 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/film_laws.py):
 //   what a contact lacks of its central film if the inlet is x long, in units of a, beyond the Hertz ellipse
 //     0.328 L^0.285 H^1.15 / (x^2 (1 + 0.707 kappa x))
-//   relative errors of the central and of the smallest film on steps h_x, in units of a
-//     0.395 L^0.416 h_x^2/H^(4/3)      0.15 L^0.955/(1 + 0.66 kappa) h_x^2/H^(4/3)
-//   of the smallest film on steps h_y, in units of b, as far as they are not so long that the film tears at its sides
-//     1.3 kappa h_y^2/H^(4/3)
-//     h_y < 0.27 H^(3/4) kappa^(-1/4),  0.57 H kappa^(-1/2),  1.1 H^0.885 kappa^(-0.49) L^(-0.61)
 #pragma once
 
 #include "gearfilm/contact/scales.hpp"
@@ -49,24 +44,10 @@ double clear_side(const ExpectedFilm& expected);
 /// Flooded and clear, under up to 1.25 times the force too.
 Domain domain_of(const ExpectedFilm& expected);
 
-/// Steps of a grid, in units of a along X and of b along Y.
-struct Steps {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-/// Relative errors to be expected of a film on such steps.
-struct FilmErrors {
-  double central = 0.0;
-  double smallest = 0.0;  ///< infinite where the film tears
-};
-FilmErrors expected_errors(const ExpectedFilm& expected, const Steps& steps);
-
-/// The longest steps on which neither error exceeds `accuracy`.
-Steps steps_for(const ExpectedFilm& expected, double accuracy);
-
 /// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 33, so that there
 /// are coarser grids.
 int nodes_along(double length, double step);
+/// The same across the entrainment, where slender contacts need few: one more than a multiple of 8, and at least 17.
+int nodes_across(double length, double step);
 
 }  // namespace gearfilm

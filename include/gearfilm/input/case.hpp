@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
+#include "gearfilm/film/expected_errors.hpp"
 #include "gearfilm/film/solver_options.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
@@ -26,6 +27,8 @@ namespace gearfilm {
 
 enum class CaseKind { gear_pair, contact };
 enum class MarchModel { dynamic, simplified, quasistatic, dry };
+/// Of the model dynamic: with inertia, or in balance at every moment.
+enum class PairMotion { dynamic, quasi_static };
 
 /// The gears of a pair, and how they turn.
 struct PairCase {
@@ -46,6 +49,7 @@ struct NumericsCase {
   MarginRule margins;  ///< by which it follows the contacts
   int nx = 0;          ///< nodes along X
   int ny = 0;          ///< nodes along Y
+  FilmDiscretisation discretisation = FilmDiscretisation::fitted;
   SolverOptions solver;
   StepOptions steps;
   int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid
@@ -66,6 +70,7 @@ struct StaticCase {
 /// A march in time; of a gear pair only.
 struct MarchCase {
   MarchModel model = MarchModel::dynamic;
+  PairMotion motion = PairMotion::dynamic;
   MeshGeometry geometry = MeshGeometry::moving;
   std::optional<PrescribedLoad> load;  ///< of the models simplified and quasistatic
   double mesh_periods = 0.0;

@@ -13,6 +13,8 @@ void require_tooth_force(const Case& problem, const std::string& what);
 GridShape case_grid(const Case& problem);
 /// What all films of a case share. Collective.
 SharedDiscretisation discretise(MPI_Comm comm, const Case& problem);
+/// On another grid than the case's.
+SharedDiscretisation discretise(const Grid& grid, const Case& problem);
 /// Most contacts that a march of the case has at a time: those of a pair share its grid, one that is followed by itself
 /// is alone.
 int contacts_at_a_time(const Case& problem);

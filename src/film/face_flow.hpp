@@ -1,0 +1,158 @@
+// The flow of oil through the faces between nodes, and its derivatives by the pressures and films of the nodes.
+//
+// Through the face between node 0 and the next one, 1, along X, with W the node before 0; m = rho H (U + W):
+//   flow/h_x = m_f/h_x - xi_f (P_1 - P_0)/h_x^2
+// Fitted to oil whose fluidity phi changes by factors e to e^5 from node to node:
+//   xi_f = rho_f H_f^3 phi_f ,  rho_f = (rho_0 + rho_1)/2 ,  phi_f = (phi_1 - phi_0)/ln(phi_1/phi_0)
+//   H_f = 3/8 H_1 + 3/4 H_0 - 1/8 H_W
+//   m_f = 3/2 m_0 - 1/2 m_W + theta 3/8 (m_1 - 2 m_0 + m_W) ,  theta = xi_f/(xi_f + 0.2 h_x^2 2 pi C_h (U + W)_0)
+// The logarithmic mean is exact where ln phi is linear between the nodes. The wedge is upwind where oil is carried
+// only, as waves are that travel with it, and of third order where oil conducts too: in the inlet, and behind the
+// spike.
+// Central: xi_f = (xi_0 + xi_1)/2, theta = 0. Both: the first face along X has means of H and m. Across, A_f the mean:
+//   flow h_y = -A_f xi_f (P_1 - P_0) ,  H_f = (H_0 + H_1)/2
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gearfilm/film/reynolds.hpp"
+#include "lubricant/independent_iterations.hpp"
+
+namespace gearfilm {
+
+/// A mean of phi, with its derivatives by ln phi.
+struct LogarithmicMean {
+  double value, by_log_0, by_log_1;
+};
+inline LogarithmicMean logarithmic_mean(double phi_0, double phi_1, double log_0, double log_1) {
+  const double d = log_1 - log_0, square = 0.25 * d * d;
+  const bool close = std::abs(d) < 0.01;  // where differences of phi have few digits: tanh(d/2)/(d/2) in powers of d
+  const double inverse = 1.0 / (close ? 1.0 : d);
+  const double value =
+      close ? 0.5 * (phi_0 + phi_1) * (1.0 - square * (1.0 / 3.0 - (2.0 / 15.0) * square)) : (phi_1 - phi_0) * inverse;
+  const double by_log_0 = close ? value * (0.5 - (1.0 / 12.0) * d) : (value - phi_0) * inverse;
+  return {value, by_log_0, value - by_log_0};
+}
+
+/// xi_f, with its derivatives by P of the nodes 0 and 1 and by H of W, 0 and 1.
+struct FaceConductance {
+  double value, by_p_0, by_p_1, by_h_w, by_h_0, by_h_1;
+};
+
+/// Weights of the nodes W, 0 and 1.
+struct FaceWeights {
+  double w, node_0, node_1;
+};
+
+/// Of node j of line `a` and node m of line `b`, with H_f and its weights.
+inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m, double film,
+                                          const FaceWeights& weights) {
+  const double h = film > 0.0 ? film : 0.0, rho = 0.5 * (a.rho[j] + b.rho[m]), square = h * h, cube = h * square;
+  const LogarithmicMean phi = logarithmic_mean(a.phi[j], b.phi[m], a.f[j], b.f[m]);
+  const double by_h = 3.0 * rho * phi.value * square;
+  return {rho * phi.value * cube,
+          cube * (0.5 * a.rho_p[j] * phi.value + rho * phi.by_log_0 * a.f_p[j]),
+          cube * (0.5 * b.rho_p[m] * phi.value + rho * phi.by_log_1 * b.f_p[m]),
+          by_h * weights.w,
+          by_h * weights.node_0,
+          by_h * weights.node_1};
+}
+
+inline FaceConductance central_conductance(const StateLine& a, int j, const StateLine& b, int m) {
+  return {0.5 * (a.conductance(j) + b.conductance(m)), 0.5 * a.conductance_by_pressure(j),
+          0.5 * b.conductance_by_pressure(m),          0.0,
+          0.5 * a.conductance_by_thickness(j),         0.5 * b.conductance_by_thickness(m)};
+}
+
+/// A flow with its derivatives by P and H of the nodes W, 0 and 1.
+struct FaceFlow {
+  double value, by_p_w, by_p_0, by_p_1, by_h_w, by_h_0, by_h_1;
+};
+
+/// Through the faces between a line and the next one, over h_x.
+template <FilmDiscretisation discretisation>
+class FlowAlongX {
+public:
+  /// Through the faces behind line i.
+  FlowAlongX(const ReynoldsEquation& equation, const FilmState& state, int i)
+      : w_(state, std::max(i - 1, 0)),
+        here_(state, i),
+        next_(state, i + 1),
+        film_(i == 0 ? FaceWeights{0.0, 0.5, 0.5} : FaceWeights{-0.125, 0.75, 0.375}),
+        upwind_(i == 0 ? FaceWeights{0.0, 0.5, 0.5} : FaceWeights{-0.5, 1.5, 0.0}),
+        bend_(i == 0 ? 0.0 : 0.375),
+        inverse_h_x_(equation.inverse_h_x),
+        inverse_h_x2_(equation.inverse_h_x2),
+        carrying_(equation.carrying) {}
+
+  FaceFlow at(int j) const {
+    const double m_w = w_.carried(j), m_0 = here_.carried(j), m_1 = next_.carried(j);
+    const FaceConductance xi = conductance(j);
+    const double bend = bend_ * (m_1 - 2.0 * m_0 + m_w), slope = inverse_h_x2_ * (next_.p[j] - here_.p[j]);
+    constexpr double smallest = 1e-100;  // of a divisor
+    double theta = 0.0, by_xi = -slope;
+    if constexpr (discretisation == FilmDiscretisation::fitted) {
+      const double inverse = 1.0 / (xi.value + carrying_ * std::abs(here_.entrained[j]) + smallest);
+      theta = xi.value * inverse;
+      by_xi += inverse_h_x_ * bend * (1.0 - theta) * inverse;
+    }
+    const double share = theta * bend_;
+    const double c_w = inverse_h_x_ * (upwind_.w + share), c_0 = inverse_h_x_ * (upwind_.node_0 - 2.0 * share),
+                 c_1 = inverse_h_x_ * (upwind_.node_1 + share);
+    const double conducted = inverse_h_x2_ * xi.value;
+    return {c_w * m_w + c_0 * m_0 + c_1 * m_1 - slope * xi.value,
+            c_w * w_.carried_by_pressure(j),
+            c_0 * here_.carried_by_pressure(j) + by_xi * xi.by_p_0 + conducted,
+            c_1 * next_.carried_by_pressure(j) + by_xi * xi.by_p_1 - conducted,
+            c_w * w_.carried_by_thickness(j) + by_xi * xi.by_h_w,
+            c_0 * here_.carried_by_thickness(j) + by_xi * xi.by_h_0,
+            c_1 * next_.carried_by_thickness(j) + by_xi * xi.by_h_1};
+  }
+
+  /// The flow of volume that pressure drives, -(xi_f/rho_f) dP/dX.
+  double driven(int j) const {
+    return -inverse_h_x_ * conductance(j).value * (next_.p[j] - here_.p[j]) / (0.5 * (here_.rho[j] + next_.rho[j]));
+  }
+
+private:
+  FaceConductance conductance(int j) const {
+    if constexpr (discretisation == FilmDiscretisation::central) return central_conductance(here_, j, next_, j);
+    const double film = film_.w * w_.h[j] + film_.node_0 * here_.h[j] + film_.node_1 * next_.h[j];
+    return fitted_conductance(here_, j, next_, j, film, film_);
+  }
+
+  StateLine w_, here_, next_;
+  FaceWeights film_, upwind_;
+  double bend_, inverse_h_x_, inverse_h_x2_, carrying_;
+};
+
+/// Between node j of a line and node j + 1, without the distances of the rows; W is none.
+template <FilmDiscretisation discretisation>
+FaceFlow flow_along_y(const StateLine& line, int j) {
+  const int m = j + 1;
+  const auto flow = [&](const FaceConductance& xi, double A_0, double A_1) -> FaceFlow {
+    const double difference = line.p[m] - line.p[j];
+    return {-difference * xi.value,
+            0.0,
+            xi.value - difference * A_0 * xi.by_p_0,
+            -xi.value - difference * A_1 * xi.by_p_1,
+            0.0,
+            -difference * A_0 * xi.by_h_0,
+            -difference * A_1 * xi.by_h_1};
+  };
+  const double A_0 = line.across[j], A_1 = line.across[m];
+  if constexpr (discretisation == FilmDiscretisation::central) {
+    FaceConductance xi = central_conductance(line, j, line, m);
+    xi.value = 0.5 * (A_0 * line.conductance(j) + A_1 * line.conductance(m));
+    return flow(xi, A_0, A_1);
+  } else {
+    const double A = 0.5 * (A_0 + A_1);
+    FaceConductance xi = fitted_conductance(line, j, line, m, 0.5 * (line.h[j] + line.h[m]), {0.0, 0.5, 0.5});
+    xi.value *= A;
+    return flow(xi, A, A);
+  }
+}
+
+}  // namespace gearfilm
