@@ -1,9 +1,21 @@
-// The ways in which a command ends early, each with its exit status (docs/user-guide.md).
+// The ways in which a command ends early, each with its exit status (docs/user-guide.md), and how messages are worded.
 #pragma once
 
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace gearfilm {
+
+/// What a stream makes of all parts, one after the other: messages of words and numbers. A manipulator acts on what
+/// follows it.
+template <class... Parts>
+std::string worded(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
 
 /// The input is wrong: the message says what, the value, and what to do. Raised on all processes
 /// alike, before anything is written. Exit status 1.

@@ -43,10 +43,8 @@ const char* name_of(BranchEnd end) {
 }
 
 std::string place(const BranchState& state, const std::string& unit) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << state.parameter << " " << unit << ", H0 " << std::setprecision(5)
-       << state.motion.H0 << ", V0 " << state.motion.V0;
-  return text.str();
+  return worded(std::setprecision(digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5), state.motion.H0,
+                ", V0 ", state.motion.V0);
 }
 
 }  // namespace
@@ -55,11 +53,9 @@ void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& 
   if (every_point_ || kind != PointKind::regular) {
     print(branch, kind, point);
   } else {
-    std::ostringstream text;
-    text << name_of(branch) << ": " << branch.points << " points, at " << std::setprecision(digits)
-         << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
-         << point.value.largest_force;
-    progress_.report(text.str());
+    progress_.report(worded(name_of(branch), ": ", branch.points, " points, at ", std::setprecision(digits),
+                            point.state.parameter, " ", unit_, ", force ratio ", std::setprecision(4),
+                            point.value.largest_force));
   }
   if (kind == PointKind::regular) return extend(branch, point);
   Summary found = {{"branch", branch.number}, {"order", branch.order}, {"kind", gearfilm::name_of(kind)}};
@@ -87,17 +83,13 @@ void BranchReport::extend(const Branch& branch, const BranchPoint& point) {
 }
 
 void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) {
-  std::ostringstream text;
-  text << name_of(branch) << ": ";
-  if (kind != PointKind::regular) text << gearfilm::name_of(kind) << " at ";
-  text << std::setprecision(digits) << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
-       << point.value.largest_force << "; ";
-  if (kind == PointKind::regular) {
-    text << (point.stable() ? "stable" : "unstable") << ", largest multiplier " << largest_modulus(point.multipliers());
-  } else {
-    text << meaning(kind);
-  }
-  progress_.note(text.str());
+  const bool regular = kind == PointKind::regular;
+  const std::string what = regular ? worded(std::setprecision(4), point.stable() ? "stable" : "unstable",
+                                            ", largest multiplier ", largest_modulus(point.multipliers()))
+                                   : meaning(kind);
+  progress_.note(worded(name_of(branch), ": ", regular ? "" : gearfilm::name_of(kind), regular ? "" : " at ",
+                        std::setprecision(digits), point.state.parameter, " ", unit_, ", force ratio ",
+                        std::setprecision(4), point.value.largest_force, "; ", what));
 }
 
 void BranchReport::finish(const std::vector<Branch>& branches) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/grid/domain.hpp"
@@ -204,10 +203,8 @@ OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films,
 
 /// The failure of the case's own grid, and that the coarser one may serve.
 SolveError with_remedy(const SolveError& failure, const NumericsCase& coarse) {
-  std::ostringstream message;
-  message << failure.what() << "; on " << coarse.nx << " x " << coarse.ny
-          << " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid";
-  return SolveError(message.str());
+  return SolveError(worded(failure.what(), "; on ", coarse.nx, " x ", coarse.ny,
+                           " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid"));
 }
 
 /// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is

@@ -1,7 +1,6 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/dry_run.hpp"
@@ -63,7 +62,7 @@ Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, c
       found.push_back({rate.real(), rate.imag()});
     }
   } catch (const SolveError& error) {
-    warn(pair.system().comm(), std::string("film_eigenvalues are null: ") + error.what());
+    warn(pair.system().comm(), "film_eigenvalues are null: ", error.what());
     return nullptr;
   }
   return found;
@@ -96,9 +95,7 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
   LongWork work(films->grid().comm());
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
     const double period = record.T / mesh.path.mesh_period();
-    std::ostringstream text;
-    text << "periodic state and its multipliers: mesh period " << std::fixed << std::setprecision(2) << period;
-    work.report(text.str());
+    work.report(worded("periodic state and its multipliers: mesh period ", std::fixed, std::setprecision(2), period));
     if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), period);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
@@ -123,15 +120,13 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("natural frequency on its films", "film_frequency", 1.0, "Hz")
       .add("damping ratio on its films", "film_damping_ratio");
   if (summary.contains("orbit")) {
-    std::ostringstream text;
-    const Summary& orbit = summary["orbit"];
-    text << std::setprecision(5) << orbit["floquet"][0][0].get<double>() << " " << std::showpos
-         << orbit["floquet"][0][1].get<double>() << "i" << std::noshowpos << " of modulus "
-         << orbit["floquet_modulus"].get<double>();
+    const Summary &orbit = summary["orbit"], &first = orbit["floquet"][0];
+    std::string text = worded(std::setprecision(5), first[0].get<double>(), " ", std::showpos, first[1].get<double>(),
+                              "i", std::noshowpos, " of modulus ", orbit["floquet_modulus"].get<double>());
     if (orbit.contains("film_multiplier_bound")) {
-      text << ", those of the films below " << std::setprecision(2) << orbit["film_multiplier_bound"].get<double>();
+      text += worded(", those of the films below ", std::setprecision(2), orbit["film_multiplier_bound"].get<double>());
     }
-    table.text("multipliers of the periodic state", text.str());
+    table.text("multipliers of the periodic state", text);
   }
   table.print(comm, folder);
 }
@@ -176,7 +171,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   run.complete();
   print_result(comm, run.directory().path(), summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
-  for (const std::string& remark : remarks) petsc_check(PetscPrintf(comm, "%s\n", remark.c_str()));
+  for (const std::string& remark : remarks) say(comm, remark);
 }
 
 }  // namespace gearfilm

@@ -7,6 +7,7 @@
 
 #include "app/derived.hpp"
 #include "app/friction_summary.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -67,11 +68,9 @@ void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<Live
 }
 
 std::string text_of(const SearchPeriod& period) {
-  std::ostringstream text;
-  text << "mesh period " << period.number << " repeats within " << std::scientific << std::setprecision(1)
-       << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
-  if (period.halved_steps > 0) text << " (" << period.halved_steps << " time steps had to be halved)";
-  return text.str();
+  return worded("mesh period ", period.number, " repeats within ", std::scientific, std::setprecision(1), period.defect,
+                " in (H0, V0), ", period.film_defect, " in the films",
+                period.halved_steps > 0 ? worded(" (", period.halved_steps, " time steps had to be halved)") : "");
 }
 
 void MarchOutput::end_search_period(const SearchPeriod& period) {

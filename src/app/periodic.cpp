@@ -1,6 +1,5 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
 #include <iomanip>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/dry_run.hpp"
@@ -71,11 +70,9 @@ std::string advice(const Case& problem, const OrbitRun& run) {
 
 std::string stability(const Summary& summary) {
   if (!summary.contains("stable")) return "not asked for (periodic.multipliers no)";
-  std::ostringstream text;
-  text << (summary["stable"].get<bool>() ? "stable" : "unstable") << ", a disturbance is multiplied by "
-       << std::setprecision(4) << summary["floquet_modulus"].get<double>() << " +- " << std::setprecision(1)
-       << summary["floquet_modulus_error"].get<double>() << " in a period";
-  return text.str();
+  return worded(summary["stable"].get<bool>() ? "stable" : "unstable", ", a disturbance is multiplied by ",
+                std::setprecision(4), summary["floquet_modulus"].get<double>(), " +- ", std::setprecision(1),
+                summary["floquet_modulus_error"].get<double>(), " in a period");
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem, const Summary& summary,
@@ -96,15 +93,12 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
   note_spike(comm, summary);
-  if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
+  if (!advice.empty()) say(comm, advice.substr(1));
   if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
-  std::ostringstream warning;
-  if (error) {
-    warning << error->text() << ", the largest of all (each figure's _error is in summary.json)";
-  } else {
-    warning << "the errors of the figures are not known, since no coarser grid has this state";
-  }
-  warn(comm, warning.str() + "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
+  warn(comm,
+       error ? error->text() + ", the largest of all (each figure's _error is in summary.json)"
+             : "the errors of the figures are not known, since no coarser grid has this state",
+       "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
 }  // namespace

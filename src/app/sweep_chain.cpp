@@ -8,6 +8,7 @@
 #include "app/coarse_orbit.hpp"
 #include "app/dry_point.hpp"
 #include "app/marched_point.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "output/file_ownership.hpp"
@@ -313,7 +314,7 @@ void print_point(MPI_Comm group, const Case& problem, const Summary& point) {
     if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
     if (point["contact_lost"].get<bool>()) text << ", contact is lost";
   }
-  petsc_check(PetscPrintf(group, "%s\n", text.str().c_str()));
+  say(group, text.str());
 }
 
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,

@@ -7,6 +7,7 @@
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -58,7 +59,7 @@ void print_recurrence(MPI_Comm comm, const Summary& summary) {
     text << "; in " << (periods == 1 ? "one" : std::to_string(periods)) << " a disturbance is multiplied by "
          << settling["modulus"].get<double>() << " +- " << settling["modulus_error"].get<double>();
   }
-  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  say(comm, text.str());
 }
 
 void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary) {

@@ -286,10 +286,9 @@ std::string SegmentStepper::describe_end() const {
   petsc_check(KSPGetConvergedReason(ksp, &reason));
   petsc_check(KSPGetConvergedReasonString(ksp, &krylov));
   petsc_check(KSPGetIterationNumber(ksp, &iterations));
-  std::ostringstream text;
-  text << "Newton's method ended with " << newton;
-  if (reason < 0) text << ", its last linear solve with " << krylov << " after " << iterations << " iterations";
-  return text.str();
+  return worded(
+      "Newton's method ended with ", newton,
+      reason < 0 ? worded(", its last linear solve with ", krylov, " after ", iterations, " iterations") : "");
 }
 
 double SegmentStepper::run(Vec state, double T0, double T1) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 #include "gearfilm/error.hpp"
@@ -109,11 +108,9 @@ void ToothProfile::end_fillet_on_involute(double last) {
 ToothLoad ToothProfile::load_at(double rho) const {
   const double radius = std::hypot(base_radius_, rho);
   if (radius < form_radius_ * (1.0 - 1e-9)) {
-    std::ostringstream message;
-    message << name_ << "_root_radius: the flank is used down to the radius " << radius << " m, but ends at "
-            << form_radius_ << " m, where the fillet begins: reduce " << name_ << "_root_radius or " << name_
-            << "_hob_tip_radius";
-    throw InputError(message.str());
+    throw InputError(worded(name_, "_root_radius: the flank is used down to the radius ", radius, " m, but ends at ",
+                            form_radius_, " m, where the fillet begins: reduce ", name_, "_root_radius or ", name_,
+                            "_hob_tip_radius"));
   }
   const double gamma = half_angle(radius);
   const double angle = std::acos(base_radius_ / radius) - gamma;

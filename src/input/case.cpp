@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "gearfilm/error.hpp"
 #include "gearfilm/mesh/natural_frequency.hpp"
 
 namespace gearfilm {
@@ -92,12 +92,10 @@ std::string thin_film_remark(const Case& problem) {
   const ParameterValues& values = problem.parameters;
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
   if (expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
-  std::ostringstream text;
-  text.precision(2);
-  text << "the film to be expected is " << 1e9 * expected << " nm; films between smooth surfaces below "
-       << 1e9 * thinnest_film << " nm are no films: the grid is chosen for " << 1e9 * thinnest_film
-       << " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another";
-  return text.str();
+  return worded(std::setprecision(2), "the film to be expected is ", 1e9 * expected,
+                " nm; films between smooth surfaces below ", 1e9 * thinnest_film,
+                " nm are no films: the grid is chosen for ", 1e9 * thinnest_film,
+                " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another");
 }
 
 Steps steps_of(const NumericsCase& numerics) {

@@ -1,7 +1,6 @@
 #include "gearfilm/input/case_setup.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/validity.hpp"
@@ -21,12 +20,10 @@ SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
 void require_tooth_force(const Case& problem, const std::string& what) {
   const std::string name = "gear.load_model";
   if (!problem.pair.line || problem.parameters.text(name) == "point") return;
-  std::ostringstream message;
-  message.precision(4);
-  message << problem.parameters.origin(name) << ": '" << name << "' is line_equivalent, with which the contact carries "
-          << problem.scales.operation.load << " N in the place of the tooth's " << problem.pair.tooth_force
-          << " N, but " << what << " needs the whole force; set it to point";
-  throw InputError(message.str());
+  throw InputError(worded(std::setprecision(4), problem.parameters.origin(name), ": '", name,
+                          "' is line_equivalent, with which the contact carries ", problem.scales.operation.load,
+                          " N in the place of the tooth's ", problem.pair.tooth_force, " N, but ", what,
+                          " needs the whole force; set it to point"));
 }
 
 void require_inertia(const Case& problem) {
