@@ -94,10 +94,9 @@ void check(const Case& problem) {
   require_inertia(problem);
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {
-    throw InputError(
-        problem.parameters.origin("periodic.multipliers") +
-        ": 'periodic.multipliers' is no, but continuation tells stability and bifurcations by them; set it "
-        "to yes");
+    problem.parameters.refuse("periodic.multipliers",
+                              "is no, but continuation tells stability and bifurcations by them; set it "
+                              "to yes");
   }
   require_one_pattern(problem, "continuation");
   const ContinuationCase& given = problem.continuation;
@@ -106,8 +105,8 @@ void check(const Case& problem) {
                      "' says nothing about its continuation; give continuation.from and continuation.to");
   }
   if (given.parameter == "lubricant.viscosity" && problem.dry()) {
-    throw InputError(problem.parameters.origin("model") +
-                     ": 'model' is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
+    problem.parameters.refuse("model",
+                              "is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
   }
   if (given.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a continuation in mass needs gear.equivalent_mass in the place of both inertias");

@@ -135,14 +135,12 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
 
 void run_eigen(MPI_Comm comm, const Case& given) {
   if (given.traction && given.traction->heats_film()) {
-    throw InputError(
-        given.parameters.origin("thermal.model") +
-        ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
+    given.parameters.refuse("thermal.model",
+                            "is film, but natural modes are those of isothermal films; use thermal.model none");
   }
   if (given.traction && given.traction->shear_couples_film) {
-    throw InputError(
-        given.parameters.origin("friction.in_film") +
-        ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");
+    given.parameters.refuse("friction.in_film",
+                            "is yes, but natural modes are those of Newtonian films; use friction.in_film no");
   }
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);

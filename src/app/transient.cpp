@@ -24,9 +24,9 @@ double end_of(const Case& problem, const MeshModel& mesh) {
 void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mesh) {
   const double kept = run.checkpoint().kept_until();
   if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
-  throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
-                   format_value(problem.march.mesh_periods) + ", but the march in '" + problem.run.directory.string() +
-                   "' has come to " + format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
+  problem.parameters.refuse("mesh_periods", "is " + format_value(problem.march.mesh_periods) + ", but the march in '" +
+                                                problem.run.directory.string() + "' has come to " +
+                                                format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
 }
 
 template <class March>

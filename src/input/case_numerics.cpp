@@ -14,9 +14,9 @@ Domain read_domain(const ParameterValues& values, const Scales& scales) {
   Domain domain = values.text("grid.domain") == "paper"
                       ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
                       : domain_of(ExpectedFilm(scales));
-  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
-  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
-  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
+  domain.x_min = values.real_if_given("grid.x_min").value_or(domain.x_min);
+  domain.x_max = values.real_if_given("grid.x_max").value_or(domain.x_max);
+  domain.y_half = values.real_if_given("grid.y_half").value_or(domain.y_half);
   return domain;
 }
 
@@ -59,9 +59,8 @@ double step_tolerance(const Scales& scales) {
 }
 
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
-  const bool given = values.has("time.newton_tolerance");
-  NewtonOptions options =
-      read_newton_options(values, "time", given ? values.real("time.newton_tolerance") : step_tolerance(scales));
+  NewtonOptions options = read_newton_options(
+      values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)));
   options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
   options.limit_changes = true;
   return options;

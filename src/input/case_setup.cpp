@@ -37,8 +37,8 @@ void require_inertia(const Case& problem) {
 
 void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
-    throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
-                     ", but " + command + " is for all contacts of the pair, which travel; set it to " + needed);
+    problem.parameters.refuse(name, "is " + problem.parameters.text(name) + ", but " + command +
+                                        " is for all contacts of the pair, which travel; set it to " + needed);
   };
   const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
   if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
@@ -69,7 +69,7 @@ GearInertias inertias_of(const Case& problem) {
 namespace {
 
 std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
-  if (problem.parameters.text("friction.in_motion") == "no") return {};
+  if (!problem.parameters.yes("friction.in_motion")) return {};
   const LineOfAction& line = *problem.pair.line;
   const auto [pinion, wheel] = inertias_of(problem);
   const double m_ge = *problem.pair.equivalent_mass;
