@@ -71,10 +71,7 @@ public:
     summary["V0_after_leaving"] = point.state.motion.V0;
     summary["force_ratio_max"] = point.value.largest_force;
     summary["total_force_ratio_min"] = point.value.smallest_force;
-    summary["floquet"] = Summary::array();
-    for (const std::complex<double>& multiplier : mu) {
-      summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
-    }
+    summary["floquet"] = mu;
     return summary;
   }
 

@@ -58,8 +58,7 @@ Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, c
   Summary found = Summary::array();
   try {
     for (const FilmMode& mode : film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher})) {
-      const std::complex<double> rate = mode.eigenvalue / problem.scales.time;
-      found.push_back({rate.real(), rate.imag()});
+      found.push_back(mode.eigenvalue / problem.scales.time);
     }
   } catch (const SolveError& error) {
     warn(pair.system().comm(), "film_eigenvalues are null: ", error.what());

@@ -136,7 +136,7 @@ void MarchOutput::describe_recurrence(Summary& summary) {
   if (!settling) return;
   summary["settles_on"] = settling->contracts() ? Summary(settling->period) : Summary();
   summary["settling"] = {{"mesh_periods", settling->period},
-                         {"multiplier", {settling->multiplier.real(), settling->multiplier.imag()}},
+                         {"multiplier", settling->multiplier},
                          {"modulus", std::abs(settling->multiplier)},
                          {"modulus_error", settling->modulus_error}};
 }

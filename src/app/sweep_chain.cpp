@@ -33,25 +33,17 @@ struct Neighbour {
   std::optional<DryOrbit> dry;  ///< the damped dry pair's orbit beside it
 };
 
-Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
-
 /// Row by row.
 Summary monodromy_json(const Monodromy& map) { return {{map(0, 0), map(0, 1)}, {map(1, 0), map(1, 1)}}; }
-
-Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
 /// The same from a point on disk, but for its films.
 Neighbour read_neighbour(const Summary& point) {
   Neighbour neighbour{point["value"].get<double>(), {}, {}};
   neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
   if (!point.contains("monodromy")) return neighbour;  // of a march
-  const Summary& map = point["monodromy"];
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 2; ++column) {
-      neighbour.guess.monodromy(row, column) = map[row][column].get<double>();
-    }
-  }
-  if (point.contains("dry_motion")) neighbour.dry.emplace().start = motion_of(point["dry_motion"]);
+  const auto entry = [&](int row, int column) { return point["monodromy"][row][column].get<double>(); };
+  neighbour.guess.monodromy << entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1);
+  if (point.contains("dry_motion")) neighbour.dry.emplace().start = point["dry_motion"].get<Motion>();
   return neighbour;
 }
 
@@ -206,7 +198,7 @@ private:
     result.update(orbit_summary(mesh, run));
     result["monodromy"] = monodromy_json(run.orbit.monodromy);
     if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
-    if (dry) result["dry_motion"] = motion_json(dry->start);
+    if (dry) result["dry_motion"] = dry->start;
     keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
   }
 
