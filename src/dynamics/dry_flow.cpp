@@ -43,46 +43,48 @@ struct Cubic {
 
 }  // namespace
 
-/// One way through some mesh periods.
+/// One way through some mesh periods, or a short one.
 class DryFlowRun {
 public:
-  /// Derivatives: all but the motion is left out without.
-  DryFlowRun(const DryFlow& flow, const Motion& start, bool derivatives)
-      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, derivatives_(derivatives) {
+  /// With derivatives; without them, the extremes on the way known; the end alone.
+  enum class Kind { map, march, step };
+
+  /// From s on.
+  DryFlowRun(const DryFlow& flow, const Motion& start, Kind kind, double s = 0.0)
+      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, kind_(kind), s_(s) {
     forget_extremes();
-    const int size = derivatives ? whole_size : motion_size;
+    const int size = kind == Kind::map ? whole_size : motion_size;
     petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, values_.data(), state_.put()));
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
-    petsc_check(TSRKSetType(ts_, TSRK8VR));
+    petsc_check(TSRKSetType(ts_, kind == Kind::step ? TSRK5DP : TSRK8VR));
     petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
-    const double tolerance = derivatives ? map_tolerance : integration_tolerance;
+    const double tolerance = kind == Kind::map ? map_tolerance : integration_tolerance;
     petsc_check(TSSetTolerances(ts_, tolerance, nullptr, tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
-    petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));
+    if (kind != Kind::step) petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));
     petsc_check(TSSetFromOptions(ts_));
   }
 
-  /// To the end of a mesh period.
-  void run(int period) {
+  void run(double s_end) {
     const ContactPath& path = flow_.here_.mesh.path;
     const double T_m = flow_.here_.period;
-    while (s_ < period - 1e-9) {
+    while (s_ < s_end - 1e-9) {
       contacts_ = path.contacts_after(s_ * T_m);
-      const double end = std::min<double>(period, path.next_event(s_ * T_m) / T_m);
+      const double end = std::min(s_end, path.next_event(s_ * T_m) / T_m);
       begins_ = true;
       petsc_check(TSSetTime(ts_, s_));
       petsc_check(TSSetMaxTime(ts_, end));
-      if (step_ == 0.0) step_ = 0.05 * (end - s_);
+      if (step_ == 0.0) step_ = (kind_ == Kind::step ? 1.0 : 0.05) * (end - s_);
       petsc_check(TSSetTimeStep(ts_, std::min(step_, end - s_)));
       petsc_check(TSRestartStep(ts_));
       petsc_check(TSSolve(ts_, state_));
       s_ = end;
     }
     if (!std::ranges::all_of(values_, [](double value) { return std::isfinite(value); })) {
-      throw SolveError("the dry pair's motion is not finite after " + std::to_string(period) + " mesh period(s)");
+      throw SolveError(worded("the dry pair's motion is not finite after ", s_end, " mesh period(s)"));
     }
   }
 
@@ -116,8 +118,8 @@ private:
       const Motion motion{x[0], x[1]};
       double slope = 0.0;
       rate[0] = here.period * motion.V0;
-      rate[1] = self.acceleration(here, s, motion, self.derivatives_ ? &slope : nullptr);
-      if (!self.derivatives_) return;
+      rate[1] = self.acceleration(here, s, motion, self.kind_ == Kind::map ? &slope : nullptr);
+      if (self.kind_ != Kind::map) return;
       // Columns of Phi, then w.
       for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
         rate[first] = here.period * x[second];
@@ -159,11 +161,11 @@ private:
 
   const DryFlow& flow_;
   std::array<double, whole_size> values_;
-  bool derivatives_;
+  Kind kind_;
   OwnedVec state_;
   PetscHandle<TS, TSDestroy> ts_;
   std::vector<int> contacts_;
-  double s_ = 0.0;
+  double s_;
   double step_ = 0.0;  ///< the last one: a good beginning behind an event
   bool begins_ = true;
   double seen_s_ = 0.0;
@@ -171,19 +173,21 @@ private:
   DryExtremes extremes_;
 };
 
-DryFlow::Pair DryFlow::pair_of(const MeshModel& mesh, double damping_ratio) {
-  const DryForce force(mesh);
-  const double damping = dry_damping(mesh, damping_ratio), period = mesh.path.mesh_period();
-  return {mesh, force, damping, period};
-}
-
 DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
-    : here_(pair_of(mesh, damping_ratio)), beside_(pair_of(beside, damping_ratio)), part_(part) {}
+    : here_(mesh, dry_damping(mesh, damping_ratio)), beside_(beside, dry_damping(beside, damping_ratio)), part_(part) {}
+
+DryFlow::DryFlow(const MeshModel& mesh, double damping) : here_(mesh, damping), beside_(here_), part_(1.0) {}
+
+Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const {
+  DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin / here_.period);
+  run.run(T_end / here_.period);
+  return run.motion();
+}
 
 void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
                     const std::function<void(const DryPeriod&)>& observer) {
-  const DryFlow flow(mesh, mesh, 1.0, damping_ratio);
-  DryFlowRun run(flow, start, false);
+  const DryFlow flow(mesh, dry_damping(mesh, damping_ratio));
+  DryFlowRun run(flow, start, DryFlowRun::Kind::march);
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);
     observer({run.motion(), run.extremes()});
@@ -192,7 +196,7 @@ void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& s
 }
 
 DryFlowEnd DryFlow::operator()(const Motion& start, int mesh_periods) const {
-  DryFlowRun run(*this, start, true);
+  DryFlowRun run(*this, start, DryFlowRun::Kind::map);
   DryFlowEnd end;
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);

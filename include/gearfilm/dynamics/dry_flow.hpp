@@ -47,7 +47,12 @@ public:
   /// is c.
   DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio);
 
-  /// From T = 0 on. Throws SolveError where the motion is not finite.
+  /// A pair without derivatives; damping: c.
+  DryFlow(const MeshModel& mesh, double damping);
+  /// The motion at a time from that at another. Nothing is kept from call to call. Throws SolveError where it is not
+  /// finite, as do the others.
+  Motion between(const Motion& start, double T_begin, double T_end) const;
+  /// From T = 0 on.
   DryFlowEnd operator()(const Motion& start, int mesh_periods) const;
 
   /// The same motion without derivatives, which for long would grow beyond bounds. The observer may throw.
@@ -58,12 +63,13 @@ private:
   friend class DryFlowRun;
 
   struct Pair {
+    Pair(const MeshModel& of, double c) : mesh(of), force(of), damping(c), period(of.path.mesh_period()) {}
+
     MeshModel mesh;
     DryForce force;
-    double damping = 0.0;  ///< c
-    double period = 0.0;   ///< T_m
+    double damping;  ///< c
+    double period;   ///< T_m
   };
-  static Pair pair_of(const MeshModel& mesh, double damping_ratio);
 
   Pair here_, beside_;
   double part_;

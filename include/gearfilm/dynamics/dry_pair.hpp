@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
 #include "gearfilm/mesh/dry_force.hpp"
 
@@ -40,13 +41,11 @@ public:
   const Motion& motion() const { return motion_; }
 
 private:
-  double total_force(const std::vector<int>& contacts, double T, double H0) const;
-  void integrate(const std::vector<int>& contacts, double T_end);
   void observe(double dT, double wall_seconds) const;
 
   MeshModel mesh_;
   DryForce force_;
-  double damping_;  ///< c
+  DryFlow flow_;
   double dT_;
   StepObserver observer_;
   MarchKeeper* keeper_;
