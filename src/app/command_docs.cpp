@@ -18,7 +18,7 @@ constexpr const char* description =
     "Results are written into a folder, that of -output_dir.";
 
 constexpr const char* behind_parameters =
-    "\n\nOther options\n"
+    "\nOther options\n"
     "  -help  print commands and parameters\n"
     "  -version  print the version\n"
     "\nThose of PETSc and SLEPc are passed on to them.\n"

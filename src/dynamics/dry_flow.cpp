@@ -59,12 +59,12 @@ public:
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
     petsc_check(TSRKSetType(ts_, kind == Kind::step ? TSRK5DP : TSRK8VR));
-    petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
+    petsc_check(TSSetRHSFunction(ts_, nullptr, Callback<&DryFlowRun::rates>::call, this));
     const double tolerance = kind == Kind::map ? map_tolerance : integration_tolerance;
     petsc_check(TSSetTolerances(ts_, tolerance, nullptr, tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
-    if (kind != Kind::step) petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));
+    if (kind != Kind::step) petsc_check(TSMonitorSet(ts_, Callback<&DryFlowRun::step_done>::call, this, nullptr));
     petsc_check(TSSetFromOptions(ts_));
   }
 
@@ -109,39 +109,33 @@ private:
     return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * motion.V0);
   }
 
-  static PetscErrorCode rates(TS, PetscReal s, Vec in, Vec out, void* untyped) {
-    return petsc_callback([&] {
-      const DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
-      const DryFlow::Pair &here = self.flow_.here_, &beside = self.flow_.beside_;
-      const VecReading x(in);
-      const VecWriting rate(out);
-      const Motion motion{x[0], x[1]};
-      double slope = 0.0;
-      rate[0] = here.period * motion.V0;
-      rate[1] = self.acceleration(here, s, motion, self.kind_ == Kind::map ? &slope : nullptr);
-      if (self.kind_ != Kind::map) return;
-      // Columns of Phi, then w.
-      for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
-        rate[first] = here.period * x[second];
-        rate[second] = slope * x[first] - here.period * here.damping * x[second];
-      }
-      rate[6] += (beside.period - here.period) * motion.V0 / self.flow_.part_;
-      rate[7] += (self.acceleration(beside, s, motion, nullptr) - rate[1]) / self.flow_.part_;
-    });
+  void rates(TS, PetscReal s, Vec in, Vec out) {
+    const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
+    const VecReading x(in);
+    const VecWriting rate(out);
+    const Motion motion{x[0], x[1]};
+    double slope = 0.0;
+    rate[0] = here.period * motion.V0;
+    rate[1] = acceleration(here, s, motion, kind_ == Kind::map ? &slope : nullptr);
+    if (kind_ != Kind::map) return;
+    // Columns of Phi, then w.
+    for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
+      rate[first] = here.period * x[second];
+      rate[second] = slope * x[first] - here.period * here.damping * x[second];
+    }
+    rate[6] += (beside.period - here.period) * motion.V0 / flow_.part_;
+    rate[7] += (acceleration(beside, s, motion, nullptr) - rate[1]) / flow_.part_;
   }
 
-  static PetscErrorCode step_done(TS, PetscInt, PetscReal s, Vec state, void* untyped) {
-    return petsc_callback([&] {
-      DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
-      const VecReading x(state);
-      const Motion motion{x[0], x[1]};
-      if (!self.begins_) self.look_between(s, motion);
-      self.look_at(s, motion.H0);
-      if (s > self.seen_s_ && !self.begins_) self.step_ = s - self.seen_s_;
-      self.begins_ = false;
-      self.seen_s_ = s;
-      self.seen_ = motion;
-    });
+  void step_done(TS, PetscInt, PetscReal s, Vec state) {
+    const VecReading x(state);
+    const Motion motion{x[0], x[1]};
+    if (!begins_) look_between(s, motion);
+    look_at(s, motion.H0);
+    if (s > seen_s_ && !begins_) step_ = s - seen_s_;
+    begins_ = false;
+    seen_s_ = s;
+    seen_ = motion;
   }
 
   /// H_0 has its extremes between steps.
