@@ -15,6 +15,7 @@
 #include "gearfilm/solver/grid_error.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
 #include "input/case_numerics.hpp"
+#include "output/film_snapshot.hpp"
 #include "output/output_directory.hpp"
 #include "output/progress.hpp"
 #include "output/results_file.hpp"
@@ -131,13 +132,10 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.field(group, "P", "Pa", domain, film.total_pressure(), scales.pressure, group);
   file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
   std::vector<std::string> datasets = {"P", "H"};
-  for (const field::OfTraction& kind : field::traction) {
-    const std::vector<double>& values = friction.*kind.values;
-    if (values.empty()) continue;
-    Field<double> whole(film.grid());
-    whole.load(values);
-    datasets.emplace_back(kind.field.dataset);
-    file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0, group);
+  for (const auto& [name, values] : traction_fields(film.grid(), friction)) {
+    const ContactField kind = field_named(name);
+    datasets.emplace_back(kind.dataset);
+    file.field(group, datasets.back(), std::string(kind.unit.name), domain, values, 1.0, group);
   }
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
