@@ -60,12 +60,11 @@ Case searched_briefly(Case problem, const MeshModel& mesh) {
 
 /// What watches marches that only lead to the orbit.
 OrbitObservers on_the_way(const OrbitObservers& observers, Checkpoint& checkpoint) {
-  return {[](const StepRecord&, const std::vector<LiveContact>&) {},
-          observers.on_coarse_period,
-          observers.on_coarse_period,
-          observers.on_trouble,
-          checkpoint,
-          observers.stop};
+  return {.on_period = observers.on_coarse_period,
+          .on_coarse_period = observers.on_coarse_period,
+          .on_trouble = observers.on_trouble,
+          .checkpoint = checkpoint,
+          .stop = observers.stop};
 }
 
 OrbitGuess guess_from(const OrbitRun& run) {

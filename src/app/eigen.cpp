@@ -46,8 +46,7 @@ Summary damper_summary(const Case& problem, double f_n) {
 /// Multipliers of the dry pair's periodic motion.
 Summary dry_orbit_multipliers(const Case& problem) {
   const MeshModel mesh = mesh_after_leaving(problem);
-  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion,
-                                     [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion, unseen);
   Summary summary;
   add_multipliers(mesh, multipliers(run.orbit.monodromy), summary);
   return summary;

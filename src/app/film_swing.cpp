@@ -58,8 +58,7 @@ std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDi
 
 RestingPair::RestingPair(const Case& problem, const SharedDiscretisation& discretisation)
     : mesh_(mesh_model(problem, problem.steady.position, MeshGeometry::held)) {
-  MeshMarch march =
-      make_march(problem, discretisation, mesh_, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  MeshMarch march = make_march(problem, discretisation, mesh_, unseen);
   march.start({});
   discretisation_ = march.discretisation();
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.

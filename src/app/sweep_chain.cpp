@@ -97,7 +97,7 @@ private:
   }
 
   void read_films(const SweepPoint& point) {
-    const std::optional<StateFile> found = read_state(group_, points_.films(point));
+    const std::optional<StateFile> found = read_state(group_, points_.file(point, ".films"));
     if (!found) return;
     const Summary& description = found->description;
     last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
@@ -106,15 +106,15 @@ private:
   }
 
   void write_films(const SweepPoint& point, const PairState& state) const {
-    write_state(Grid(group_, state.shape), points_.films(point),
+    write_state(Grid(group_, state.shape), points_.file(point, ".films"),
                 {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", field_names(state)}}, fields_of(state));
   }
 
   /// What only a point that is still to be computed needs.
   void remove_outdated(const SweepPoint& done) const {
     if (rank_in(group_) != 0) return;
-    remove_all_written_here(points_.checkpoint(done));
-    if (before_point_) remove_if_written_here(points_.films(*before_point_));
+    remove_all_written_here(points_.file(done, ".checkpoint"));
+    if (before_point_) remove_if_written_here(points_.file(*before_point_, ".films"));
   }
 
   Case case_of(double value) const {
@@ -164,7 +164,7 @@ private:
     std::optional<Checkpoint> checkpoint;
     if (!here.dry()) {
       films = discretise(group_, here);
-      checkpoint.emplace(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+      checkpoint.emplace(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
     }
     const auto watch = [&](double T, bool is_new) {
       if (is_new) stop_.check(group_, mesh.path.mesh_periods(T));
@@ -191,7 +191,7 @@ private:
   void find_lubricated(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point,
                        Summary& result) {
     const SharedDiscretisation films = discretise(group_, here);
-    Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+    Checkpoint checkpoint(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
     std::optional<DryOrbit> dry;
     const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
     write_films(point, run.orbit.end);
@@ -213,16 +213,16 @@ private:
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
   OrbitRun search(const Point& at, Checkpoint& checkpoint, std::optional<DryOrbit>& dry, Summary& result) const {
     result["search"] = Summary::array();
-    const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                      [&](const SearchPeriod& period) {
-                                        result["search"].push_back({period.defect, period.film_defect});
-                                      },
-                                      [&](const SearchPeriod& period) {
-                                        result["coarse_search"].push_back({period.defect, period.film_defect});
-                                      },
-                                      [&](const std::string& trouble) { result["coarse_error"] = trouble; },
-                                      checkpoint,
-                                      stop_};
+    const auto list = [&](const char* name) {
+      return [&result, name](const SearchPeriod& period) {
+        result[name].push_back({period.defect, period.film_defect});
+      };
+    };
+    const OrbitObservers observers{.on_period = list("search"),
+                                   .on_coarse_period = list("coarse_search"),
+                                   .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
+                                   .checkpoint = checkpoint,
+                                   .stop = stop_};
     if (last_) {
       result["start"] = "neighbour";
       Case brief = at.problem;
@@ -280,7 +280,6 @@ private:
 }  // namespace
 
 void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result) {
-  const auto unseen = [](const StepRecord&, const std::vector<LiveContact>&) {};
   const OrbitRun run = describe_dry_orbit(here, mesh, found.orbit, unseen);
   result["start"] = found.start;
   result.update(orbit_summary(mesh, run));
