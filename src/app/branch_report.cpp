@@ -1,5 +1,6 @@
 #include "app/branch_report.hpp"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -15,31 +16,16 @@ std::string name_of(const Branch& branch) {
 }
 
 const char* meaning(PointKind kind) {
-  switch (kind) {
-    case PointKind::fold:
-      return "a multiplier is 1: the branch turns round";
-    case PointKind::flip:
-      return "a multiplier is -1: the period doubles";
-    case PointKind::neimark_sacker:
-      return "a pair of multipliers on the unit circle: a second frequency is born";
-    default:
-      return "the total force just reaches zero";
-  }
+  constexpr std::array meanings = {
+      "", "a multiplier is 1: the branch turns round", "a multiplier is -1: the period doubles",
+      "a pair of multipliers on the unit circle: a second frequency is born", "the total force just reaches zero"};
+  return meanings[static_cast<std::size_t>(kind)];
 }
 
 const char* name_of(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::at_bound:
-      return "at an end of the range";
-    case BranchEnd::closed:
-      return "closed";
-    case BranchEnd::at_flip:
-      return "at a flip of a branch of half its order";
-    case BranchEnd::most_points:
-      return "after continuation.points points";
-    default:
-      return "lost";
-  }
+  constexpr std::array names = {"at an end of the range", "closed", "at a flip of a branch of half its order",
+                                "after continuation.points points", "lost"};
+  return names[static_cast<std::size_t>(end)];
 }
 
 std::string place(const BranchState& state, const std::string& unit) {

@@ -33,28 +33,16 @@ double hertz_pressure_of(const ContactMoment& at);
 
 namespace figure {
 
-/// One record. What reduces it comes last.
-template <class... Reductions>
-constexpr Figure<ContactMoment> of_contact(std::string_view name, std::string_view symbol, const Unit& unit,
-                                           double (*value)(const ContactMoment&), std::string_view meaning, Needs needs,
-                                           const Reductions&... reduced) {
-  return {name, symbol, unit, value, meaning, needs, {reduced...}};
-}
-
 /// One that is among the figures of films.
 template <double FilmFigures::*value, class... Rest>
-constexpr Figure<ContactMoment> of_film(std::string_view name, std::string_view symbol, const Unit& unit,
-                                        const Rest&... rest) {
-  return of_contact(
-      name, symbol, unit, [](const ContactMoment& at) { return at.film.*value; }, rest...);
+constexpr Figure<ContactMoment> of_film(const Rest&... rest) {
+  return of<ContactMoment>([](const ContactMoment& at) { return at.film.*value; }, rest...);
 }
 
 /// The same of friction and heat.
 template <double TractionFigures::*value, class... Rest>
-constexpr Figure<ContactMoment> of_traction(std::string_view name, std::string_view symbol, const Unit& unit,
-                                            const Rest&... rest) {
-  return of_contact(
-      name, symbol, unit, [](const ContactMoment& at) { return at.traction.*value; }, rest...);
+constexpr Figure<ContactMoment> of_traction(const Rest&... rest) {
+  return of<ContactMoment>([](const ContactMoment& at) { return at.traction.*value; }, rest...);
 }
 
 }  // namespace figure
@@ -87,13 +75,13 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>(
                  "smallest film at the step nearest to the pitch point"},
          Reduced{"entry_h_min", Reduction::at_entry, units::metre,
                  "smallest film at the first step after a contact entered"}),
-     figure::of_contact("p_hertz", "p_h", units::pascal, hertz_pressure_of,
-                        "Hertz pressure under the present force, zero without force", Needs::nothing,
-                        Reduced{"p_hertz_max", Reduction::largest, units::pascal,
-                                "largest Hertz pressure under the present force", Shown::everywhere}),
-     figure::of_contact(
-         "sliding_velocity", "u_1 - u_2", units::velocity,
-         [](const ContactMoment& at) { return at.contact.conditions.sliding; },
+     figure::of<ContactMoment>(hertz_pressure_of, "p_hertz", "p_h", units::pascal,
+                               "Hertz pressure under the present force, zero without force", Needs::nothing,
+                               Reduced{"p_hertz_max", Reduction::largest, units::pascal,
+                                       "largest Hertz pressure under the present force", Shown::everywhere}),
+     figure::of<ContactMoment>(
+         [](const ContactMoment& at) { return at.contact.conditions.sliding; }, "sliding_velocity", "u_1 - u_2",
+         units::velocity,
          "surface velocity of the pinion less that of the wheel: negative before the pitch point, positive "
          "behind it",
          Needs::nothing,
@@ -101,10 +89,10 @@ inline constexpr auto contact_figures = std::to_array<Figure<ContactMoment>>(
                  "largest sliding velocity, of a contact behind the pitch point", Shown::everywhere},
          Reduced{"sliding_velocity_min", Reduction::smallest, units::velocity,
                  "smallest sliding velocity, negative where a contact is before the pitch point", Shown::everywhere}),
-     figure::of_contact("lambda", "h_min/Rq", units::number, film_ratio,
-                        "smallest film over the roughness of both flanks together", Needs::roughness,
-                        Reduced{"lambda_min", Reduction::smallest, units::number, "smallest film over the roughness",
-                                Shown::everywhere}),
+     figure::of<ContactMoment>(film_ratio, "lambda", "h_min/Rq", units::number,
+                               "smallest film over the roughness of both flanks together", Needs::roughness,
+                               Reduced{"lambda_min", Reduction::smallest, units::number,
+                                       "smallest film over the roughness", Shown::everywhere}),
      figure::of_traction<&TractionFigures::sliding_force>(
          "friction_force", "F_s", units::si_newton, "force of sliding friction, with the sign of the sliding velocity",
          Needs::friction),
