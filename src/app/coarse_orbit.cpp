@@ -202,8 +202,8 @@ OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films,
 
 /// The failure of the case's own grid, and that the coarser one may serve.
 SolveError with_remedy(const SolveError& failure, const NumericsCase& coarse) {
-  return SolveError(worded(failure.what(), "; on ", coarse.nx, " x ", coarse.ny,
-                           " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid"));
+  return SolveError(failure.what(), "; on ", coarse.nx, " x ", coarse.ny,
+                    " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid");
 }
 
 /// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is

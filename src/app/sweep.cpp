@@ -52,8 +52,8 @@ int group_count(MPI_Comm comm, const Case& problem) {
   const int largest = (size + groups - 1) / groups;
   const int rows = case_grid(problem).rows();
   if (largest > rows) {
-    throw InputError("a group of the sweep would have " + std::to_string(largest) + " processes for a grid of ny = " +
-                     std::to_string(problem.numerics.ny) + " (" + std::to_string(rows) +
+    throw InputError("a group of the sweep would have ", largest, " processes for a grid of ny = ", problem.numerics.ny,
+                     " (", rows,
                      " rows with Y >= 0); use fewer processes, or shorter chains (sweep_chain_points) for more groups");
   }
   return groups;

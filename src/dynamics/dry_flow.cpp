@@ -84,7 +84,7 @@ public:
       s_ = end;
     }
     if (!std::ranges::all_of(values_, [](double value) { return std::isfinite(value); })) {
-      throw SolveError(worded("the dry pair's motion is not finite after ", s_end, " mesh period(s)"));
+      throw SolveError("the dry pair's motion is not finite after ", s_end, " mesh period(s)");
     }
   }
 

@@ -298,7 +298,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
       step *= 0.5;
     } else {
       const double largest = *std::ranges::max_element(held_back, {}, [](double jump) { return std::abs(jump); });
-      throw SolveError(label(contacts_.front().number) + ": the films do not follow a jump of H by " +
+      throw SolveError(label(contacts_.front().number), ": the films do not follow a jump of H by ",
                        std::to_string(-largest));
     }
   }

@@ -44,8 +44,8 @@ LoadSharing LoadSharing::trapezoid(const LineOfAction& line, double at_end, doub
   const double alone_from = line.exit() - line.base_pitch(), alone_to = line.entry() + line.base_pitch();
   if (!(line.entry() < alone_from && alone_from < alone_to)) {
     throw InputError(
-        worded("the contact ratio is ", line.contact_ratio(),
-               ", but a trapezoidal load sharing is for one or two contacts; choose load_sharing_kind step or table"));
+        "the contact ratio is ", line.contact_ratio(),
+        ", but a trapezoidal load sharing is for one or two contacts; choose load_sharing_kind step or table");
   }
   return LoadSharing({{line.entry(), alone_from, at_end, at_inner_edge},
                       {alone_from, alone_to, 1.0, 1.0},
@@ -82,8 +82,8 @@ LoadSharing LoadSharing::with_jumps_over(double length) const {
     const double before = pieces_[n - 1].at_end, landing = piece.begin + length;
     if (std::abs(piece.at_begin - before) > 1e-6) {
       if (landing >= piece.end) {
-        throw InputError(worded("the load sharing jumps at xi = ", piece.begin, " m and again within the ", length,
-                                " m that a jump takes; lower load_sharing_jump_time"));
+        throw InputError("the load sharing jumps at xi = ", piece.begin, " m and again within the ", length,
+                         " m that a jump takes; lower load_sharing_jump_time");
       }
       const double after = piece(landing);
       pieces.push_back({piece.begin, landing, before, after, true});

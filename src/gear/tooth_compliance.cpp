@@ -46,15 +46,14 @@ GearCompliance::GearCompliance(const SpurGear& gear, const SpurGearPair& pair, T
     }
     const double h = root / bore_radius_, theta = profile_.root_half_angle();
     if (h < 1.4 || h > 7.0 || theta < 0.01 || theta > 0.12) {
-      throw InputError(worded(name, "_bore_radius = ", bore_radius_, " m: the root circle is ", h,
-                              " times as large, and half a tooth's angle at the root is ", theta,
-                              "; gear_tooth_compliance sainsot is for 1.4 to 7 and 0.01 to 0.12: use weber"));
+      throw InputError(name, "_bore_radius = ", bore_radius_, " m: the root circle is ", h,
+                       " times as large, and half a tooth's angle at the root is ", theta,
+                       "; gear_tooth_compliance sainsot is for 1.4 to 7 and 0.01 to 0.12: use weber");
     }
   }
   if (bore_radius_ <= 0.0) return;
   if (bore_radius_ >= root) {
-    throw InputError(
-        worded(name, "_bore_radius = ", bore_radius_, " m is not below the root radius ", root, " m: reduce it"));
+    throw InputError(name, "_bore_radius = ", bore_radius_, " m is not below the root radius ", root, " m: reduce it");
   }
   const double E_b = modulus_ * face_width_;
   body_.torsion = (1.0 + poisson_ratio_) * square(profile_.base_radius()) / (2.0 * pi * E_b) *

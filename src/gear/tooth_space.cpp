@@ -19,7 +19,7 @@ double root_radius(const SpurGear& gear, const SpurGearPair& pair, double profil
 
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
-  throw InputError(worded(parts...));
+  throw InputError(parts...);
 }
 
 /// Without a profile shift of its own a tooth is as thick as the assumed one makes it: only what the backlash takes of

@@ -20,10 +20,10 @@ SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
 void require_tooth_force(const Case& problem, const std::string& what) {
   const std::string name = "gear.load_model";
   if (!problem.pair.line || problem.parameters.text(name) == "point") return;
-  throw InputError(worded(std::setprecision(4), problem.parameters.origin(name), ": '", name,
-                          "' is line_equivalent, with which the contact carries ", problem.scales.operation.load,
-                          " N in the place of the tooth's ", problem.pair.tooth_force, " N, but ", what,
-                          " needs the whole force; set it to point"));
+  throw InputError(std::setprecision(4), problem.parameters.origin(name), ": '", name,
+                   "' is line_equivalent, with which the contact carries ", problem.scales.operation.load,
+                   " N in the place of the tooth's ", problem.pair.tooth_force, " N, but ", what,
+                   " needs the whole force; set it to point");
 }
 
 void require_inertia(const Case& problem) {
@@ -53,11 +53,10 @@ void require_one_pattern(const Case& problem, const std::string& command) {
        {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {
     if (problem.parameters.has(key)) name = key;
   }
-  throw InputError(problem.parameters.origin(name) + ": with '" + name + "' the same teeth meet again after " +
-                   std::to_string(pattern) + " mesh periods, and " + command +
-                   " looks for states that repeat after at most periodic.max_pattern = " +
-                   std::to_string(problem.search.max_pattern) + "; raise that, delete '" + name +
-                   "', or march that long (transient)");
+  throw InputError(problem.parameters.origin(name), ": with '", name, "' the same teeth meet again after ", pattern,
+                   " mesh periods, and ", command,
+                   " looks for states that repeat after at most periodic.max_pattern = ", problem.search.max_pattern,
+                   "; raise that, delete '", name, "', or march that long (transient)");
 }
 
 GearInertias inertias_of(const Case& problem) {

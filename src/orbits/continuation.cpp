@@ -194,10 +194,10 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
   std::optional<BranchPoint> start = BranchRun(map, options, observer, trunk).at_parameter(guess);
   if (!start) {
     throw SolveError(
-        worded("no periodic motion of order ", order, " found next to the start of the branch: H0 = ", guess.motion.H0,
-               ", V0 = ", guess.motion.V0, " where the parameter is ", guess.parameter,
-               "; begin at another value (continuation.from), or at a motion that `gearfilm periodic` finds there "
-               "(start.H0, start.V0)"));
+        "no periodic motion of order ", order, " found next to the start of the branch: H0 = ", guess.motion.H0,
+        ", V0 = ", guess.motion.V0, " where the parameter is ", guess.parameter,
+        "; begin at another value (continuation.from), or at a motion that `gearfilm periodic` finds there "
+        "(start.H0, start.V0)");
   }
   if (!upwards) start->tangent = -start->tangent;
   follow(trunk, *start);

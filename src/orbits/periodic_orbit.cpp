@@ -258,8 +258,8 @@ private:
     }
     if (!trouble_.empty()) left += " (on the way: " + trouble_ + ")";
     throw NoPeriodicState(
-        worded("no periodic state after ", options_.max_periods, " mesh periods", left,
-               "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)"));
+        "no periodic state after ", options_.max_periods, " mesh periods", left,
+        "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)");
   }
 
   MeshMarch& march_;

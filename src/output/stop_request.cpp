@@ -44,8 +44,8 @@ void StopRequest::check(MPI_Comm comm, double mesh_period) const {
   for (const StopSignal& signal : stop_signals) {
     if (wishes[0] == signal.number) why += signal.name;
   }
-  throw Stopped(worded("at mesh period ", mesh_period, ", ", why,
-                       "; everything up to there is written; go on with the same command and -restart"));
+  throw Stopped("at mesh period ", mesh_period, ", ", why,
+                "; everything up to there is written; go on with the same command and -restart");
 }
 
 }  // namespace gearfilm
