@@ -8,12 +8,16 @@
 #include <limits>
 #include <numeric>
 
-#include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {
+
+// Absolute and relative. Where a gap closes, the force has a kink and steps are cut elsewhere for every start: the map
+// jumps by some ten times its tolerance, which must lie below what Newton's methods on it ask for.
+constexpr double integration_tolerance = 1e-10;  // of the motion
+constexpr double map_tolerance = 1e-12;          // of the motion with its derivatives
 
 constexpr int motion_size = 2;  // H_0, V_0
 constexpr int whole_size = 8;   // these, Phi row by row, w
@@ -84,7 +88,9 @@ public:
       s_ = end;
     }
     if (!std::ranges::all_of(values_, [](double value) { return std::isfinite(value); })) {
-      throw SolveError("the dry pair's motion is not finite after ", s_end, " mesh period(s)");
+      const bool step = kind_ == Kind::step;
+      throw SolveError("the dry pair's motion is not finite ", step ? "at T = " : "after ", s_end,
+                       step ? "" : " mesh period(s)");
     }
   }
 
@@ -168,19 +174,21 @@ private:
 };
 
 DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
-    : here_(mesh, dry_damping(mesh, damping_ratio)), beside_(beside, dry_damping(beside, damping_ratio)), part_(part) {}
+    : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()),
+      beside_(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period()),
+      part_(part) {}
 
-DryFlow::DryFlow(const MeshModel& mesh, double damping) : here_(mesh, damping), beside_(here_), part_(1.0) {}
+DryFlow::DryFlow(const MeshModel& mesh, double damping) : here_(mesh, damping, 1.0), beside_(here_), part_(1.0) {}
 
 Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const {
-  DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin / here_.period);
-  run.run(T_end / here_.period);
+  DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin);
+  run.run(T_end);
   return run.motion();
 }
 
 void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
                     const std::function<void(const DryPeriod&)>& observer) {
-  const DryFlow flow(mesh, dry_damping(mesh, damping_ratio));
+  const DryFlow flow(mesh, mesh, 1.0, damping_ratio);
   DryFlowRun run(flow, start, DryFlowRun::Kind::march);
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);

@@ -2,10 +2,9 @@
 //
 //   dH_0/dT = V_0 ,   I_n (dV_0/dT + c V_0) = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k), approach -h_0
 // with c = 4 pi zeta f_n for a damper in the place of films. The start and the check of the lubricated pair; its H_0
-// lies lower than the lubricated one by about the film.
+// lies lower than the lubricated one by about the film. It goes by the flow of dry_flow.hpp.
 #pragma once
 
-#include <numbers>
 #include <optional>
 
 #include "gearfilm/dynamics/dry_flow.hpp"
@@ -13,14 +12,6 @@
 #include "gearfilm/mesh/dry_force.hpp"
 
 namespace gearfilm {
-
-/// Absolute and relative, of the dry pair's motion in time.
-inline constexpr double integration_tolerance = 1e-10;
-
-/// c of a damping ratio zeta, which relates to the linear natural frequency f_n.
-inline double dry_damping(const MeshModel& mesh, double zeta) {
-  return 4.0 * std::numbers::pi * zeta * mesh.frequency();
-}
 
 class DryMarch {
 public:
