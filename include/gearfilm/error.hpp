@@ -1,21 +1,40 @@
-// The ways in which a command ends early, each with its exit status (docs/user-guide.md).
+// The ways in which a command ends early, each with its exit status (docs/user-guide.md), and how messages are worded.
 #pragma once
 
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace gearfilm {
 
+/// What a stream makes of all parts, one after the other: messages of words and numbers. A manipulator acts on what
+/// follows it.
+template <class... Parts>
+std::string worded(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+/// What all of them are: a message, worded from parts.
+class Worded : public std::runtime_error {
+public:
+  template <class... Parts>
+  explicit Worded(const Parts&... parts) : std::runtime_error(worded(parts...)) {}
+};
+
 /// The input is wrong: the message says what, the value, and what to do. Raised on all processes
 /// alike, before anything is written. Exit status 1.
-class InputError : public std::runtime_error {
+class InputError : public Worded {
 public:
-  using std::runtime_error::runtime_error;
+  using Worded::Worded;
 };
 
 /// The computation has come to its end before time; what it computed until then is worth writing.
-class Unfinished : public std::runtime_error {
+class Unfinished : public Worded {
 public:
-  using std::runtime_error::runtime_error;
+  using Worded::Worded;
 };
 
 /// The computation failed: not converged, or outside its model's validity. The message names the
@@ -26,9 +45,9 @@ public:
 };
 
 /// Results cannot be written any more: disk full, folder gone. Raised on all processes alike. Exit status 2.
-class OutputError : public std::runtime_error {
+class OutputError : public Worded {
 public:
-  using std::runtime_error::runtime_error;
+  using Worded::Worded;
 };
 
 /// Stopped on request, by a signal or the time limit; can be continued. Raised on all processes alike. Exit status 3.
@@ -38,9 +57,9 @@ public:
 };
 
 /// A run that is to go on is complete: the message says so. Exit status 0.
-class NothingLeft : public std::runtime_error {
+class NothingLeft : public Worded {
 public:
-  using std::runtime_error::runtime_error;
+  using Worded::Worded;
 };
 
 }  // namespace gearfilm

@@ -68,6 +68,7 @@ steady.load_ratio = 1
 static.load_ratios = 0.25, 0.5, 0.75, 1, 1.25
 static.positions = 400
 model = dynamic
+motion = dynamic
 geometry = moving
 mesh_periods = 2
 restart = no

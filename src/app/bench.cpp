@@ -46,7 +46,9 @@ public:
   }
 
 private:
-  void report(const std::string& name, double seconds) {
+  template <class Work>
+  void time(const std::string& name, int runs, Work work) {
+    double seconds = median_time(work, 0.0, 0, runs);
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
     const double per_node = 1e9 * seconds / (static_cast<double>(film_.grid().nx()) * film_.grid().ny());
     petsc_check(
@@ -55,14 +57,14 @@ private:
         {{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node}, {"convolutions", seconds / unit_}});
   }
 
+  template <class Work>
+  void time(const std::string& name, Work work) {
+    time(name, kernel_runs, work);
+  }
+
   void solve() {
-    report("stationary film", median_time(
-                                  [&] {
-                                    result_ =
-                                        solve_stationary(film_, LoadCondition::force(problem_.scales.static_force),
-                                                         problem_.numerics.solver);
-                                  },
-                                  0.0, 0, solve_runs));
+    const LoadCondition load = LoadCondition::force(problem_.scales.static_force);
+    time("stationary film", solve_runs, [&] { result_ = solve_stationary(film_, load, problem_.numerics.solver); });
   }
 
   template <class Real>
@@ -70,23 +72,18 @@ private:
     MultigridLevel<Real> level(*discretisation_);
     const Deformation<Real>& deformation = discretisation_->prepare_deformation<Real>();
     Field<Real> pressure(film_.grid()), deformed(film_.grid());
-    report("deformation, " + precision,
-           median_time([&] { deformation.apply(pressure, deformed); }, 0.0, 0, kernel_runs));
-    report("smoother factors, " + precision,
-           median_time([&] { level.update(film_.state(), 0.0); }, 0.0, 0, kernel_runs));
-    report("smoother sweep, " + precision,
-           median_time([&] { level.smooth(rows_, change_, 1, true); }, 0.0, 0, kernel_runs));
+    time("deformation, " + precision, [&] { deformation.apply(pressure, deformed); });
+    time("smoother factors, " + precision, [&] { level.update(film_.state(), 0.0); });
+    time("smoother sweep, " + precision, [&] { level.smooth(rows_, change_, 1, true); });
   }
 
   void film_kernels() {
     FilmSolution& solution = result_.solution;
-    report("film and residual",
-           median_time([&] { film_.residual(solution.pressure, solution.H0, {}, rows_); }, 0.0, 0, kernel_runs));
+    time("film and residual", [&] { film_.residual(solution.pressure, solution.H0, {}, rows_); });
     constexpr StateVersion same = ~StateVersion(0);  // the film is evaluated once
-    report("linearisation, all levels",
-           median_time([&] { film_.linearise(solution.pressure, solution.H0, {}, 0.0, same); }, 0.0, 0, kernel_runs));
-    report("Jacobian application", median_time([&] { film_.multiply(rows_, 0.0, change_); }, 0.0, 0, kernel_runs));
-    report("V-cycle", median_time([&] { film_.precondition(rows_, change_); }, 0.0, 0, kernel_runs));
+    time("linearisation, all levels", [&] { film_.linearise(solution.pressure, solution.H0, {}, 0.0, same); });
+    time("Jacobian application", [&] { film_.multiply(rows_, 0.0, change_); });
+    time("V-cycle", [&] { film_.precondition(rows_, change_); });
   }
 
   /// On a film that slides by a fifth of its entrainment, in the case's own oil or a typical one.
@@ -97,21 +94,18 @@ private:
     move_surfaces(film_, {.sliding = 0.2});
     film_.evaluate(result_.solution.pressure, result_.solution.H0);
     model.heat.reset();
-    report("friction", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
+    time("friction", [&] { traction(model, film_); });
     model.heat = heat;
     model.heat->couple_film = false;
-    report("heat across the film", median_time([&] { traction(model, film_); }, 0.0, 0, kernel_runs));
+    time("heat across the film", [&] { traction(model, film_); });
     model.heat->couple_film = true;
-    FilmHeat warm;
+    FilmHeat warm, again;
     coupled_traction(model, film_, warm);  // the first sweep begins cold
-    FilmHeat again = warm;
-    report("heat of a film that feels it", median_time(
-                                               [&] {
-                                                 again = warm;
-                                                 coupled_traction(model, film_, again, typical_step);
-                                               },
-                                               0.0, 0, kernel_runs));
-    report("flow by the shear law", median_time([&] { sheared_flow(model, film_); }, 0.0, 0, kernel_runs));
+    time("heat of a film that feels it", [&] {
+      again = warm;
+      coupled_traction(model, film_, again, typical_step);
+    });
+    time("flow by the shear law", [&] { sheared_flow(model, film_); });
   }
 
   MPI_Comm comm_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/warning.hpp"
 #include "app/yardstick.hpp"
 #include "gearfilm/dynamics/march_statistics.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -67,11 +68,11 @@ Summary mesh_period_summary(MPI_Comm comm, const Case& problem, GridSize size) {
 double periodic_job(MPI_Comm comm, const Case& problem, double mesh_period_seconds) {
   Case job = problem;
   job.run.directory /= "periodic";
-  petsc_check(PetscPrintf(comm, "\nthe whole periodic job:\n"));
+  say(comm, "\nthe whole periodic job:");
   const double start = MPI_Wtime();
   run_periodic(comm, job);
   const double periods = (MPI_Wtime() - start) / mesh_period_seconds;
-  petsc_check(PetscPrintf(comm, "the job took %.3g of its mesh periods\n", periods));
+  say(comm, std::setprecision(3), "the job took ", periods, " of its mesh periods");
   return periods;
 }
 

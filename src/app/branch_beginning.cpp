@@ -30,12 +30,7 @@ void check_stop(ResumableRun& run, const StepRecord& record, const MeshModel& me
 }
 
 PeriodicOrbit orbit_at(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry, ResumableRun& run) {
-  const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                    [](const SearchPeriod&) {},
-                                    [](const SearchPeriod&) {},
-                                    [](const std::string&) {},
-                                    run.checkpoint(),
-                                    run.stop()};
+  const OrbitObservers observers{.checkpoint = run.checkpoint(), .stop = run.stop()};
   Case without_multipliers = problem;
   without_multipliers.search.with_multipliers = false;
   return find_orbit(without_multipliers, films, mesh_after_leaving(problem), dry, observers).run.orbit;

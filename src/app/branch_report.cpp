@@ -1,5 +1,6 @@
 #include "app/branch_report.hpp"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -15,38 +16,21 @@ std::string name_of(const Branch& branch) {
 }
 
 const char* meaning(PointKind kind) {
-  switch (kind) {
-    case PointKind::fold:
-      return "a multiplier is 1: the branch turns round";
-    case PointKind::flip:
-      return "a multiplier is -1: the period doubles";
-    case PointKind::neimark_sacker:
-      return "a pair of multipliers on the unit circle: a second frequency is born";
-    default:
-      return "the total force just reaches zero";
-  }
+  constexpr std::array meanings = {
+      "", "a multiplier is 1: the branch turns round", "a multiplier is -1: the period doubles",
+      "a pair of multipliers on the unit circle: a second frequency is born", "the total force just reaches zero"};
+  return meanings[static_cast<std::size_t>(kind)];
 }
 
 const char* name_of(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::at_bound:
-      return "at an end of the range";
-    case BranchEnd::closed:
-      return "closed";
-    case BranchEnd::at_flip:
-      return "at a flip of a branch of half its order";
-    case BranchEnd::most_points:
-      return "after continuation.points points";
-    default:
-      return "lost";
-  }
+  constexpr std::array names = {"at an end of the range", "closed", "at a flip of a branch of half its order",
+                                "after continuation.points points", "lost"};
+  return names[static_cast<std::size_t>(end)];
 }
 
 std::string place(const BranchState& state, const std::string& unit) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << state.parameter << " " << unit << ", H0 " << std::setprecision(5)
-       << state.motion.H0 << ", V0 " << state.motion.V0;
-  return text.str();
+  return worded(std::setprecision(digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5), state.motion.H0,
+                ", V0 ", state.motion.V0);
 }
 
 }  // namespace
@@ -55,11 +39,9 @@ void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& 
   if (every_point_ || kind != PointKind::regular) {
     print(branch, kind, point);
   } else {
-    std::ostringstream text;
-    text << name_of(branch) << ": " << branch.points << " points, at " << std::setprecision(digits)
-         << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
-         << point.value.largest_force;
-    progress_.report(text.str());
+    progress_.report(worded(name_of(branch), ": ", branch.points, " points, at ", std::setprecision(digits),
+                            point.state.parameter, " ", unit_, ", force ratio ", std::setprecision(4),
+                            point.value.largest_force));
   }
   if (kind == PointKind::regular) return extend(branch, point);
   Summary found = {{"branch", branch.number}, {"order", branch.order}, {"kind", gearfilm::name_of(kind)}};
@@ -87,17 +69,13 @@ void BranchReport::extend(const Branch& branch, const BranchPoint& point) {
 }
 
 void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) {
-  std::ostringstream text;
-  text << name_of(branch) << ": ";
-  if (kind != PointKind::regular) text << gearfilm::name_of(kind) << " at ";
-  text << std::setprecision(digits) << point.state.parameter << " " << unit_ << ", force ratio " << std::setprecision(4)
-       << point.value.largest_force << "; ";
-  if (kind == PointKind::regular) {
-    text << (point.stable() ? "stable" : "unstable") << ", largest multiplier " << largest_modulus(point.multipliers());
-  } else {
-    text << meaning(kind);
-  }
-  progress_.note(text.str());
+  const bool regular = kind == PointKind::regular;
+  const std::string what = regular ? worded(std::setprecision(4), point.stable() ? "stable" : "unstable",
+                                            ", largest multiplier ", largest_modulus(point.multipliers()))
+                                   : meaning(kind);
+  progress_.note(worded(name_of(branch), ": ", regular ? "" : gearfilm::name_of(kind), regular ? "" : " at ",
+                        std::setprecision(digits), point.state.parameter, " ", unit_, ", force ratio ",
+                        std::setprecision(4), point.value.largest_force, "; ", what));
 }
 
 void BranchReport::finish(const std::vector<Branch>& branches) {

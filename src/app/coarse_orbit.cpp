@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/expected_errors.hpp"
@@ -62,12 +61,11 @@ Case searched_briefly(Case problem, const MeshModel& mesh) {
 
 /// What watches marches that only lead to the orbit.
 OrbitObservers on_the_way(const OrbitObservers& observers, Checkpoint& checkpoint) {
-  return {[](const StepRecord&, const std::vector<LiveContact>&) {},
-          observers.on_coarse_period,
-          observers.on_coarse_period,
-          observers.on_trouble,
-          checkpoint,
-          observers.stop};
+  return {.on_period = observers.on_coarse_period,
+          .on_coarse_period = observers.on_coarse_period,
+          .on_trouble = observers.on_trouble,
+          .checkpoint = checkpoint,
+          .stop = observers.stop};
 }
 
 OrbitGuess guess_from(const OrbitRun& run) {
@@ -208,10 +206,8 @@ OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films,
 
 /// The failure of the case's own grid, and that the coarser one may serve.
 SolveError with_remedy(const SolveError& failure, const NumericsCase& coarse) {
-  std::ostringstream message;
-  message << failure.what() << "; on " << coarse.nx << " x " << coarse.ny
-          << " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid";
-  return SolveError(message.str());
+  return SolveError(failure.what(), "; on ", coarse.nx, " x ", coarse.ny,
+                    " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid");
 }
 
 /// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is

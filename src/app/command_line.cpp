@@ -44,15 +44,15 @@ bool asks_for(const std::string& word, const std::string& what, bool as_command)
 
 /// Reads the case and runs the command on it, with what is to be said before and behind.
 void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& command_line) {
-  if (command_line.case_file().empty()) {
-    throw InputError("no case file given; run 'gearfilm " + command_line.command() + " CASE.yaml'");
+  if (command_line.case_file.empty()) {
+    throw InputError("no case file given; run 'gearfilm " + command_line.command + " CASE.yaml'");
   }
-  if (!command_line.surplus().empty()) {
-    throw InputError("cannot use '" + command_line.surplus() + "'; one command takes one case file");
+  if (!command_line.surplus.empty()) {
+    throw InputError("cannot use '" + command_line.surplus + "'; one command takes one case file");
   }
-  require_known_options(command_line.petsc_arguments());
-  require_single_options(command_line.petsc_arguments());
-  const Case problem = read_case(comm, command_line.case_file());
+  require_known_options(command_line.petsc_arguments);
+  require_single_options(command_line.petsc_arguments);
+  const Case problem = read_case(comm, command_line.case_file);
   require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1,
                  heated_points(problem));
   if (problem.run.restart && !command.resumable) {
@@ -71,58 +71,58 @@ void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& comma
 // The command and the case are ours; PETSc gets the rest. A case file behind an option is still the case: PETSc's
 // options of either kind, with and without a value ("-log_view"), cannot be told apart here.
 CommandLine::CommandLine(int argc, char** argv) {
-  petsc_arguments_.emplace_back(argc > 0 ? argv[0] : "gearfilm");
+  petsc_arguments.emplace_back(argc > 0 ? argv[0] : "gearfilm");
   bool after_option = false;
   for (int n = 1; n < argc; ++n) {
     const std::string word = argv[n];
     const bool option = starts_option(word);
     if (asks_for(word, "help", n == 1) || word == "-h") {
-      help_ = true;
+      wants_help = true;
     } else if (asks_for(word, "version", n == 1)) {
-      version_ = true;
-    } else if (option || (after_option && !(is_case_file(word) && case_file_.empty()))) {
-      petsc_arguments_.push_back(word);
+      wants_version = true;
+    } else if (option || (after_option && !(is_case_file(word) && case_file.empty()))) {
+      petsc_arguments.push_back(word);
     } else {
-      std::string& place = command_.empty() ? command_ : case_file_.empty() ? case_file_ : surplus_;
+      std::string& place = command.empty() ? command : case_file.empty() ? case_file : surplus;
       if (place.empty()) place = word;
     }
     after_option = option;
   }
-  if (help_ || version_ || argc < 2 || !starts_option(argv[1])) return;
+  if (wants_help || wants_version || argc < 2 || !starts_option(argv[1])) return;
   // PETSc would take the command for the option's value.
-  misplaced_ = argv[1];
-  petsc_arguments_.resize(1);
+  misplaced = argv[1];
+  petsc_arguments.resize(1);
 }
 
 void run(MPI_Comm comm, const CommandLine& command_line) {
-  if (command_line.wants_version()) {
+  if (command_line.wants_version) {
     petsc_check(PetscPrintf(comm, "gearfilm %s\n%s", version, libraries_text(comm).c_str()));
     return;
   }
-  if (!command_line.misplaced().empty()) {
-    throw InputError("the option " + command_line.misplaced() +
+  if (!command_line.misplaced.empty()) {
+    throw InputError("the option " + command_line.misplaced +
                      " stands before the command; options come last: gearfilm COMMAND CASE.yaml [-option value ...]");
   }
-  if (command_line.wants_help()) {
+  if (command_line.wants_help) {
     petsc_check(PetscPrintf(comm, "%s", help_text().c_str()));
     return;
   }
   for (const TextCommand& command : text_commands()) {
-    if (command_line.command() != command.name) continue;
-    if (!command_line.case_file().empty()) {
-      throw InputError("cannot use '" + command_line.case_file() + "'; the command " + command.name + " takes nothing");
+    if (command_line.command != command.name) continue;
+    if (!command_line.case_file.empty()) {
+      throw InputError("cannot use '" + command_line.case_file + "'; the command " + command.name + " takes nothing");
     }
-    require_known_options(command_line.petsc_arguments());
+    require_known_options(command_line.petsc_arguments);
     petsc_check(PetscPrintf(comm, "%s", command.text().c_str()));
     return;
   }
   for (const Command& command : commands()) {
-    if (command_line.command() != command.name) continue;
+    if (command_line.command != command.name) continue;
     run_on_case(comm, command, command_line);
     return;
   }
   throw InputError(
-      (command_line.command().empty() ? "no command given" : "unknown command '" + command_line.command() + "'") +
+      (command_line.command.empty() ? "no command given" : "unknown command '" + command_line.command + "'") +
       "; use one of " + command_names() + ", or -help");
 }
 

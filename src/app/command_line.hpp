@@ -8,29 +8,18 @@
 
 namespace gearfilm {
 
-class CommandLine {
-public:
+struct CommandLine {
   CommandLine(int argc, char** argv);
 
-  const std::string& command() const { return command_; }      ///< empty where none is given
-  const std::string& case_file() const { return case_file_; }  ///< empty where none is given
-  bool wants_help() const { return help_; }
-  bool wants_version() const { return version_; }
+  std::string command;    ///< empty where none is given
+  std::string case_file;  ///< empty where none is given
   /// First word that is neither the command, the case, an option nor an option's value; empty where there is none.
-  const std::string& surplus() const { return surplus_; }
-  /// An option that stands before the command; empty where there is none.
-  const std::string& misplaced() const { return misplaced_; }
+  std::string surplus;
+  std::string misplaced;  ///< an option that stands before the command; empty where there is none
+  bool wants_help = false;
+  bool wants_version = false;
   /// What PETSc's options database is to read: everything but requests for help and version.
-  std::vector<std::string> petsc_arguments() const { return petsc_arguments_; }
-
-private:
-  std::string command_;
-  std::string case_file_;
-  std::string surplus_;
-  std::string misplaced_;
-  bool help_ = false;
-  bool version_ = false;
-  std::vector<std::string> petsc_arguments_;
+  std::vector<std::string> petsc_arguments;
 };
 
 /// Runs the command. Throws InputError for an unknown command or a missing case.

@@ -4,7 +4,6 @@
 #include "app/case_at.hpp"
 #include "app/commands.hpp"
 #include "app/derived.hpp"
-#include "app/pair_motion.hpp"
 #include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
@@ -72,10 +71,7 @@ public:
     summary["V0_after_leaving"] = point.state.motion.V0;
     summary["force_ratio_max"] = point.value.largest_force;
     summary["total_force_ratio_min"] = point.value.smallest_force;
-    summary["floquet"] = Summary::array();
-    for (const std::complex<double>& multiplier : mu) {
-      summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
-    }
+    summary["floquet"] = mu;
     return summary;
   }
 
@@ -92,14 +88,12 @@ private:
 };
 
 void check(const Case& problem) {
-  require_dynamic(problem, "continuation");
   require_inertia(problem);
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {
-    throw InputError(
-        problem.parameters.origin("periodic.multipliers") +
-        ": 'periodic.multipliers' is no, but continuation tells stability and bifurcations by them; set it "
-        "to yes");
+    problem.parameters.refuse("periodic.multipliers",
+                              "is no, but continuation tells stability and bifurcations by them; set it "
+                              "to yes");
   }
   require_one_pattern(problem, "continuation");
   const ContinuationCase& given = problem.continuation;
@@ -108,8 +102,8 @@ void check(const Case& problem) {
                      "' says nothing about its continuation; give continuation.from and continuation.to");
   }
   if (given.parameter == "lubricant.viscosity" && problem.dry()) {
-    throw InputError(problem.parameters.origin("model") +
-                     ": 'model' is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
+    problem.parameters.refuse("model",
+                              "is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
   }
   if (given.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a continuation in mass needs gear.equivalent_mass in the place of both inertias");

@@ -1,14 +1,12 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/dry_run.hpp"
 #include "app/film_swing.hpp"
 #include "app/friction_summary.hpp"
 #include "app/orbit_run.hpp"
-#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
@@ -48,8 +46,7 @@ Summary damper_summary(const Case& problem, double f_n) {
 /// Multipliers of the dry pair's periodic motion.
 Summary dry_orbit_multipliers(const Case& problem) {
   const MeshModel mesh = mesh_after_leaving(problem);
-  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion,
-                                     [](const StepRecord&, const std::vector<LiveContact>&) {});
+  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion, unseen);
   Summary summary;
   add_multipliers(mesh, multipliers(run.orbit.monodromy), summary);
   return summary;
@@ -60,11 +57,10 @@ Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, c
   Summary found = Summary::array();
   try {
     for (const FilmMode& mode : film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher})) {
-      const std::complex<double> rate = mode.eigenvalue / problem.scales.time;
-      found.push_back({rate.real(), rate.imag()});
+      found.push_back(mode.eigenvalue / problem.scales.time);
     }
   } catch (const SolveError& error) {
-    warn(pair.system().comm(), std::string("film_eigenvalues are null: ") + error.what());
+    warn(pair.system().comm(), "film_eigenvalues are null: ", error.what());
     return nullptr;
   }
   return found;
@@ -97,9 +93,7 @@ Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films
   LongWork work(films->grid().comm());
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
     const double period = record.T / mesh.path.mesh_period();
-    std::ostringstream text;
-    text << "periodic state and its multipliers: mesh period " << std::fixed << std::setprecision(2) << period;
-    work.report(text.str());
+    work.report(worded("periodic state and its multipliers: mesh period ", std::fixed, std::setprecision(2), period));
     if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), period);
   };
   MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
@@ -124,15 +118,13 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
       .add("natural frequency on its films", "film_frequency", 1.0, "Hz")
       .add("damping ratio on its films", "film_damping_ratio");
   if (summary.contains("orbit")) {
-    std::ostringstream text;
-    const Summary& orbit = summary["orbit"];
-    text << std::setprecision(5) << orbit["floquet"][0][0].get<double>() << " " << std::showpos
-         << orbit["floquet"][0][1].get<double>() << "i" << std::noshowpos << " of modulus "
-         << orbit["floquet_modulus"].get<double>();
+    const Summary &orbit = summary["orbit"], &first = orbit["floquet"][0];
+    std::string text = worded(std::setprecision(5), first[0].get<double>(), " ", std::showpos, first[1].get<double>(),
+                              "i", std::noshowpos, " of modulus ", orbit["floquet_modulus"].get<double>());
     if (orbit.contains("film_multiplier_bound")) {
-      text << ", those of the films below " << std::setprecision(2) << orbit["film_multiplier_bound"].get<double>();
+      text += worded(", those of the films below ", std::setprecision(2), orbit["film_multiplier_bound"].get<double>());
     }
-    table.text("multipliers of the periodic state", text.str());
+    table.text("multipliers of the periodic state", text);
   }
   table.print(comm, folder);
 }
@@ -141,16 +133,13 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
 
 void run_eigen(MPI_Comm comm, const Case& given) {
   if (given.traction && given.traction->heats_film()) {
-    throw InputError(
-        given.parameters.origin("thermal.model") +
-        ": 'thermal.model' is film, but natural modes are those of isothermal films; use thermal.model none");
+    given.parameters.refuse("thermal.model",
+                            "is film, but natural modes are those of isothermal films; use thermal.model none");
   }
   if (given.traction && given.traction->shear_couples_film) {
-    throw InputError(
-        given.parameters.origin("friction.in_film") +
-        ": 'friction.in_film' is yes, but natural modes are those of Newtonian films; use friction.in_film no");
+    given.parameters.refuse("friction.in_film",
+                            "is yes, but natural modes are those of Newtonian films; use friction.in_film no");
   }
-  require_dynamic(given, "eigen");
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");
@@ -178,7 +167,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   run.complete();
   print_result(comm, run.directory().path(), summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
-  for (const std::string& remark : remarks) petsc_check(PetscPrintf(comm, "%s\n", remark.c_str()));
+  for (const std::string& remark : remarks) say(comm, remark);
 }
 
 }  // namespace gearfilm

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "app/warning.hpp"
 #include "gearfilm/input/case.hpp"
 #include "gearfilm/numerics/estimate.hpp"
-#include "gearfilm/parallel/petsc.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {
@@ -31,9 +31,9 @@ inline double tolerable_error(const Case& problem) {
 inline void note_spike(MPI_Comm comm, const Summary& summary) {
   if (!summary.contains("p_max_error") || summary["p_max_error"].is_null()) return;
   if (!summary["p_max_extrapolated"].is_null()) return;
-  petsc_check(PetscPrintf(comm,
-                          "the largest pressure is, or may become on finer grids, that of the outlet's spike, whose "
-                          "limit is not known: its error is what doubling the nodes twice may add\n"));
+  say(comm,
+      "the largest pressure is, or may become on finer grids, that of the outlet's spike, whose limit is not known: "
+      "its error is what doubling the nodes twice may add");
 }
 
 }  // namespace gearfilm

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/discretisation.hpp"
@@ -59,8 +58,7 @@ std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDi
 
 RestingPair::RestingPair(const Case& problem, const SharedDiscretisation& discretisation)
     : mesh_(mesh_model(problem, problem.steady.position, MeshGeometry::held)) {
-  MeshMarch march =
-      make_march(problem, discretisation, mesh_, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  MeshMarch march = make_march(problem, discretisation, mesh_, unseen);
   march.start({});
   discretisation_ = march.discretisation();
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
@@ -118,22 +116,16 @@ std::string swing_remark(const FilmSwing& swing, const Summary& summary) {
   if (!swing.on_stiff_films()) {
     return swing.coarser ? "" : "the errors of the mode on films are not known, since no coarser grid has a mode";
   }
-  std::ostringstream text;
-  text.precision(2);
-  text << "while oil crosses half a contact the pair swings through " << swing.mode.swings_in_passage
-       << " radians: films are stiff springs there. Their limit, the dry mode, ";
   const double dry = summary["f_n"].get<double>();
-  text.precision(5);
-  text << "has " << dry << " Hz, from which the mode is ";
-  text.precision(2);
-  text << 100.0 * (summary["film_frequency"].get<double>() / dry - 1.0) << " % away; ";
   const Summary& bound = summary["film_damping_ratio_bound"];
-  if (bound.is_null()) {
-    text << "the damping ratio has no bound, since no coarser grid has a mode";
-  } else {
-    text << "the damping ratio is " << bound.get<double>() << " at most, with the error of the grid";
-  }
-  return text.str();
+  return worded(std::setprecision(2), "while oil crosses half a contact the pair swings through ",
+                swing.mode.swings_in_passage,
+                " radians: films are stiff springs there. Their limit, the dry mode, has ", std::setprecision(5), dry,
+                " Hz, from which the mode is ", std::setprecision(2),
+                100.0 * (summary["film_frequency"].get<double>() / dry - 1.0), " % away; the damping ratio ",
+                bound.is_null()
+                    ? "has no bound, since no coarser grid has a mode"
+                    : worded(std::setprecision(2), "is ", bound.get<double>(), " at most, with the error of the grid"));
 }
 
 }  // namespace gearfilm

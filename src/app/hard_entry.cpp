@@ -1,7 +1,5 @@
 #include "app/hard_entry.hpp"
 
-#include <sstream>
-
 #include "app/warning.hpp"
 #include "gearfilm/mesh/static_mesh.hpp"
 
@@ -10,12 +8,9 @@ namespace gearfilm {
 void warn_of_hard_entry(MPI_Comm comm, const MeshModel& mesh) {
   const std::optional<double> met = entry_penetration(mesh, mesh.scales.static_force);
   if (met.value_or(0.0) <= 0.0) return;
-  std::ostringstream text;
-  text.precision(3);
-  text << "an entering tooth meets its mate with a penetration of " << 1e6 * *met * mesh.scales.thickness
-       << " um: real tips would touch " << 1e3 * corner_distance(mesh, *met)
-       << " mm before the path of contact begins, which is not modelled; tip relief of the wheel unloads the entering";
-  warn(comm, text.str());
+  warn(comm, std::setprecision(3), "an entering tooth meets its mate with a penetration of ",
+       1e6 * *met * mesh.scales.thickness, " um: real tips would touch ", 1e3 * corner_distance(mesh, *met),
+       " mm before the path of contact begins, which is not modelled; tip relief of the wheel unloads the entering");
 }
 
 }  // namespace gearfilm

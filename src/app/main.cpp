@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   const gearfilm::CommandLine command_line(argc, argv);
   Session session;  // outlives the messages, which only one process gives
   try {
-    session.emplace(command_line.petsc_arguments());
+    session.emplace(command_line.petsc_arguments);
     gearfilm::run(PETSC_COMM_WORLD, command_line);
     gearfilm::require_standard_output(PETSC_COMM_WORLD);
     return done;

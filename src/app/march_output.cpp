@@ -7,7 +7,7 @@
 
 #include "app/derived.hpp"
 #include "app/friction_summary.hpp"
-#include "app/pair_motion.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -68,11 +68,9 @@ void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<Live
 }
 
 std::string text_of(const SearchPeriod& period) {
-  std::ostringstream text;
-  text << "mesh period " << period.number << " repeats within " << std::scientific << std::setprecision(1)
-       << period.defect << " in (H0, V0), " << period.film_defect << " in the films";
-  if (period.halved_steps > 0) text << " (" << period.halved_steps << " time steps had to be halved)";
-  return text.str();
+  return worded("mesh period ", period.number, " repeats within ", std::scientific, std::setprecision(1), period.defect,
+                " in (H0, V0), ", period.film_defect, " in the films",
+                period.halved_steps > 0 ? worded(" (", period.halved_steps, " time steps had to be halved)") : "");
 }
 
 void MarchOutput::end_search_period(const SearchPeriod& period) {
@@ -138,7 +136,7 @@ void MarchOutput::describe_recurrence(Summary& summary) {
   if (!settling) return;
   summary["settles_on"] = settling->contracts() ? Summary(settling->period) : Summary();
   summary["settling"] = {{"mesh_periods", settling->period},
-                         {"multiplier", {settling->multiplier.real(), settling->multiplier.imag()}},
+                         {"multiplier", settling->multiplier},
                          {"modulus", std::abs(settling->multiplier)},
                          {"modulus_error", settling->modulus_error}};
 }
@@ -207,7 +205,7 @@ Summary grid_summary(const Scales& scales, const GridShape& shape) {
 Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
-  if (problem.march.model == MarchModel::dynamic) summary["motion"] = word_of(problem.march.motion);
+  if (problem.march.model == MarchModel::dynamic) summary["motion"] = problem.parameters.text("motion");
   summary["nx"] = problem.numerics.nx;
   summary["ny"] = problem.numerics.ny;
   summary["dT"] = problem.numerics.steps.dT;

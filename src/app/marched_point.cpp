@@ -79,8 +79,7 @@ Summary marched_summary(const Case& problem, const MarchedPoint& point) {
   const std::optional<Settling> settling = recurrence ? settling_of(point.points, *recurrence) : std::nullopt;
   const bool settles = !repeats && settling && settling->contracts();
   summary["settles_on"] = settles ? Summary(settling->period) : summary["repeats_every"];
-  const Motion& limit = settles ? settling->limit : point.end.motion;
-  summary["settles_at"] = {limit.H0, limit.V0};
+  summary["settles_at"] = settles ? settling->limit : point.end.motion;
   return summary;
 }
 

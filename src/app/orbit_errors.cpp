@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
 #include "app/error_bar.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {
@@ -40,10 +40,8 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
 }  // namespace
 
 std::string LargestError::text() const {
-  std::ostringstream text;
-  text << figure << " has an error of about " << std::fixed << std::setprecision(0) << 100.0 * relative << " %"
-       << (of_static_force ? " of the static force" : "");
-  return text.str();
+  return worded(figure, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
+                (of_static_force ? " of the static force" : ""));
 }
 
 std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {

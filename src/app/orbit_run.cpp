@@ -77,10 +77,7 @@ FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, con
 void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
   const std::optional<FreeOscillation> oscillation =
       free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si());
-  summary["floquet"] = Summary::array();
-  for (const std::complex<double>& multiplier : pair) {
-    summary["floquet"].push_back({multiplier.real(), multiplier.imag()});
-  }
+  summary["floquet"] = pair;
   const double modulus = largest_modulus(pair);
   summary["floquet_modulus"] = modulus;
   summary["stable"] = modulus < 1.0;
@@ -96,10 +93,7 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   if (lubricated) summary["final_grid"] = grid_summary(scales, run.orbit.end.shape);
   summary["defect"] = run.orbit.defect;
   if (lubricated) summary["film_defect"] = run.orbit.film_defect;
-  summary["states_after_leaving"] = Summary::array();
-  for (const Motion& motion : run.states_after_leaving) {
-    summary["states_after_leaving"].push_back({motion.H0, motion.V0});
-  }
+  summary["states_after_leaving"] = run.states_after_leaving;
   summary["H0_after_leaving"] = run.orbit.start.motion.H0;
   summary["V0_after_leaving"] = run.orbit.start.motion.V0;
   summary.update(period_summary(scales, run.figures));

@@ -29,10 +29,11 @@ struct OrbitRun {
 /// Watches a search: every accepted step, and every period marched. Nothing is reported once the orbit is found. The
 /// checkpoint keeps all of it, and may know a part.
 struct OrbitObservers {
-  StepObserver on_step;
-  SearchObserver on_period;
-  SearchObserver on_coarse_period;                     ///< of a search on a coarser grid, before
-  std::function<void(const std::string&)> on_trouble;  ///< why there is none on it: the search goes on without
+  StepObserver on_step = unseen;
+  SearchObserver on_period = [](const SearchPeriod&) {};
+  SearchObserver on_coarse_period = on_period;  ///< of a search on a coarser grid, before
+  /// Why there is none on it: the search goes on without.
+  std::function<void(const std::string&)> on_trouble = [](const std::string&) {};
   Checkpoint& checkpoint;
   const StopRequest& stop;
 };

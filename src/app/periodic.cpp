@@ -1,6 +1,5 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
 #include <iomanip>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/dry_run.hpp"
@@ -10,7 +9,6 @@
 #include "app/march_output.hpp"
 #include "app/orbit_errors.hpp"
 #include "app/orbit_run.hpp"
-#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/warning.hpp"
@@ -73,11 +71,9 @@ std::string advice(const Case& problem, const OrbitRun& run) {
 
 std::string stability(const Summary& summary) {
   if (!summary.contains("stable")) return "not asked for (periodic.multipliers no)";
-  std::ostringstream text;
-  text << (summary["stable"].get<bool>() ? "stable" : "unstable") << ", a disturbance is multiplied by "
-       << std::setprecision(4) << summary["floquet_modulus"].get<double>() << " +- " << std::setprecision(1)
-       << summary["floquet_modulus_error"].get<double>() << " in a period";
-  return text.str();
+  return worded(summary["stable"].get<bool>() ? "stable" : "unstable", ", a disturbance is multiplied by ",
+                std::setprecision(4), summary["floquet_modulus"].get<double>(), " +- ", std::setprecision(1),
+                summary["floquet_modulus_error"].get<double>(), " in a period");
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem, const Summary& summary,
@@ -98,22 +94,18 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
   note_spike(comm, summary);
-  if (!advice.empty()) petsc_check(PetscPrintf(comm, "%s\n", advice.c_str() + 1));
+  if (!advice.empty()) say(comm, advice.substr(1));
   if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
-  std::ostringstream warning;
-  if (error) {
-    warning << error->text() << ", the largest of all (each figure's _error is in summary.json)";
-  } else {
-    warning << "the errors of the figures are not known, since no coarser grid has this state";
-  }
-  warn(comm, warning.str() + "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
+  warn(comm,
+       error ? error->text() + ", the largest of all (each figure's _error is in summary.json)"
+             : "the errors of the figures are not known, since no coarser grid has this state",
+       "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
 }  // namespace
 
-void run_periodic(MPI_Comm comm, const Case& given) {
-  require_inertia(given);
-  const Case problem = with_chosen_motion(comm, given);
+void run_periodic(MPI_Comm comm, const Case& problem) {
+  require_inertia(problem);
   require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
@@ -153,7 +145,7 @@ void run_periodic(MPI_Comm comm, const Case& given) {
                      {"nx", problem.numerics.nx},
                      {"ny", problem.numerics.ny},
                      {"dT", problem.numerics.steps.dT}};
-  summary["motion"] = word_of(problem.march.motion);
+  summary["motion"] = problem.parameters.text("motion");
   summary["order"] = problem.search.order;
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();

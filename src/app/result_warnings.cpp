@@ -2,7 +2,6 @@
 
 #include <initializer_list>
 #include <optional>
-#include <sstream>
 
 #include "app/friction_summary.hpp"
 #include "app/warning.hpp"
@@ -16,20 +15,14 @@ constexpr double largest_pressure = 4e9;    // [Pa]
 constexpr double tolerable_heating = 0.8;   // factor of the film
 constexpr double tolerable_missing = 0.01;  // part of the nodes
 
+const auto three_digits = std::setprecision(3);
+
 /// The value under the first of the names that a summary has.
 std::optional<double> value_of(const Summary& summary, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (summary.contains(name) && summary[name].is_number()) return summary[name].get<double>();
   }
   return {};
-}
-
-template <class... Parts>
-void say(MPI_Comm comm, const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(3);
-  (text << ... << parts);
-  warn(comm, text.str());
 }
 
 }  // namespace
@@ -39,34 +32,35 @@ void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating)
   if (problem.parameters.given("thermal.model") && !problem.traction) return;
   const std::optional<double> factor = value_of(heating, {"murch_wilson_thermal_factor"});
   if (!factor || *factor >= tolerable_heating) return;
-  std::ostringstream assumed;
+  std::string assumed;
   if (!problem.thermal_oil) {
-    assumed << " (with an assumed lubricant.temperature_viscosity of " << assumed_temperature_viscosity
-            << " 1/K, since none is given)";
+    assumed = worded(" (with an assumed lubricant.temperature_viscosity of ", assumed_temperature_viscosity,
+                     " 1/K, since none is given)");
   }
-  say(comm, "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is ",
-      *factor, assumed.str(), ", so that it may be thinner by ", 100.0 * (1.0 - *factor),
-      " %; -thermal_model film computes it");
+  warn(comm, three_digits,
+       "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is ", *factor,
+       assumed, ", so that it may be thinner by ", 100.0 * (1.0 - *factor), " %; -thermal_model film computes it");
 }
 
 void warn_of_validity(MPI_Comm comm, const Summary& summary) {
   if (const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"}); pressure && *pressure > largest_pressure) {
-    say(comm, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above ", 1e-9 * largest_pressure,
-        " GPa: more than hardened steel bears");
+    warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above ",
+         1e-9 * largest_pressure, " GPa: more than hardened steel bears");
   }
   const auto temperature = value_of(summary, {"film_temperature_max"});
   if (temperature && *temperature > hottest_oil) {
-    say(comm, "the film is as hot as ", *temperature, " K in places: above ", hottest_oil,
-        " K the oil's law of viscosity is extrapolated, and oils decompose");
+    warn(comm, three_digits, "the film is as hot as ", *temperature, " K in places: above ", hottest_oil,
+         " K the oil's law of viscosity is extrapolated, and oils decompose");
   }
   const auto ratio = value_of(summary, {"lambda_min", "lambda"});
   if (ratio && *ratio < 1.0) {
-    say(comm, "the smallest film is ", *ratio, " of the roughness: asperities touch, which is not modelled");
+    warn(comm, three_digits, "the smallest film is ", *ratio,
+         " of the roughness: asperities touch, which is not modelled");
   }
   const auto missed = value_of(summary, {"temperatures_missed_max", "temperatures_missed"});
   if (missed && *missed > tolerable_missing) {
-    say(comm, "in ", 100.0 * *missed,
-        " % of a contact's nodes the temperature across the film did not settle; raise thermal.points");
+    warn(comm, three_digits, "in ", 100.0 * *missed,
+         " % of a contact's nodes the temperature across the film did not settle; raise thermal.points");
   }
 }
 

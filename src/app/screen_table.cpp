@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
+#include "gearfilm/error.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
@@ -12,11 +12,7 @@ namespace {
 
 constexpr int digits = 5;
 
-std::string formatted(double value, int precision) {
-  std::ostringstream text;
-  text << std::setprecision(precision) << value;
-  return text.str();
-}
+std::string formatted(double value, int precision) { return worded(std::setprecision(precision), value); }
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');

@@ -8,6 +8,7 @@
 #include "app/derived.hpp"
 #include "app/hard_entry.hpp"
 #include "app/screen_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/iso_stiffness.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -133,17 +134,11 @@ void write_table(MPI_Comm comm, const Case& problem, const std::vector<double>& 
 
 void print_line(MPI_Comm comm, double ratio, const Summary& at) {
   const auto um = [&](const char* name) { return 1e6 * at[name].get<double>(); };
-  std::ostringstream text;
-  text << std::fixed << std::setw(10) << std::setprecision(3) << ratio << std::setw(12) << um("te_mean")
-       << std::setw(14) << um("te_peak_to_peak") << std::setw(16) << std::setprecision(1)
-       << 1e-6 * at["mesh_stiffness_mean"].get<double>() << std::setw(16) << std::setprecision(3);
-  if (at["entry_penetration"].is_null()) {
-    text << "-";
-  } else {
-    text << um("entry_penetration");
-  }
-  text << std::setw(14) << std::setprecision(4) << at["effective_contact_ratio"].get<double>();
-  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  const std::string met =
+      at["entry_penetration"].is_null() ? "-" : worded(std::fixed, std::setprecision(3), um("entry_penetration"));
+  say(comm, std::fixed, std::setw(10), std::setprecision(3), ratio, std::setw(12), um("te_mean"), std::setw(14),
+      um("te_peak_to_peak"), std::setw(16), std::setprecision(1), 1e-6 * at["mesh_stiffness_mean"].get<double>(),
+      std::setw(16), met, std::setw(14), std::setprecision(4), at["effective_contact_ratio"].get<double>());
 }
 
 }  // namespace
@@ -156,7 +151,7 @@ void run_static(MPI_Comm comm, const Case& problem) {
   Summary summary = {{"case", problem.name}, {"static_force", problem.scales.operation.load}};
   Summary loads = Summary::array();
   std::vector<double> rows;
-  petsc_check(PetscPrintf(comm, "load ratio  TE mean um  peak-peak um  stiffness N/um  entry meets um  contacts\n"));
+  say(comm, "load ratio  TE mean um  peak-peak um  stiffness N/um  entry meets um  contacts");
   const auto add = [&](double ratio) {
     const StaticMesh found = turn_slowly(mesh, ratio * mesh.scales.static_force, problem.statics.positions);
     const LoadResult result(mesh, found);

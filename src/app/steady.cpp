@@ -2,7 +2,6 @@
 #include <cmath>
 #include <iomanip>
 #include <memory>
-#include <sstream>
 
 #include "app/commands.hpp"
 #include "app/derived.hpp"
@@ -16,6 +15,7 @@
 #include "gearfilm/solver/grid_error.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
 #include "input/case_numerics.hpp"
+#include "output/film_snapshot.hpp"
 #include "output/output_directory.hpp"
 #include "output/progress.hpp"
 #include "output/results_file.hpp"
@@ -42,9 +42,7 @@ Position steady_position(const Case& problem) {
     if (!mesh.teeth.rigid())
       position.compliance =
           Compliance(Eigen::MatrixXd::Constant(1, 1, mesh.teeth.compliance(xi) * mesh.compliance_scale()));
-    std::ostringstream label;
-    label << "contact 0 at xi = " << 1e3 * xi << " mm";
-    position.label = label.str();
+    position.label = worded("contact 0 at xi = ", 1e3 * xi, " mm");
   }
   if (!problem.pair.line) {
     const double u_m = problem.scales.operation.entrainment_velocity;
@@ -78,15 +76,10 @@ void warn_of_errors(MPI_Comm comm, const Case& problem, const std::optional<Grid
   const bool chosen = chosen_by_program(problem);
   const double aim = chosen ? problem.parameters.real("grid.accuracy") : tolerable_error(problem);
   if (errors && errors->left() <= aim) return;
-  std::ostringstream text;
-  text.precision(2);
-  if (errors) {
-    text << "the films have an error of about " << 100.0 * errors->worst() << " %";
-  } else {
-    text << "the error of the films is not known, since a grid of half the nodes has no film";
-  }
-  text << (chosen ? "; lower grid.accuracy" : "; raise grid.nx and grid.ny, or leave them to the program");
-  warn(comm, text.str());
+  warn(comm,
+       errors ? worded(std::setprecision(2), "the films have an error of about ", 100.0 * errors->worst(), " %")
+              : "the error of the films is not known, since a grid of half the nodes has no film",
+       chosen ? "; lower grid.accuracy" : "; raise grid.nx and grid.ny, or leave them to the program");
 }
 
 Summary film_summary(const Case& problem, const Position& position, const Grid& grid, const StationaryResult& result,
@@ -139,13 +132,10 @@ void write_results(MPI_Comm comm, const Case& problem, const Position& position,
   file.field(group, "P", "Pa", domain, film.total_pressure(), scales.pressure, group);
   file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
   std::vector<std::string> datasets = {"P", "H"};
-  for (const field::OfTraction& kind : field::traction) {
-    const std::vector<double>& values = friction.*kind.values;
-    if (values.empty()) continue;
-    Field<double> whole(film.grid());
-    whole.load(values);
-    datasets.emplace_back(kind.field.dataset);
-    file.field(group, datasets.back(), std::string(kind.field.unit.name), domain, whole, 1.0, group);
+  for (const auto& [name, values] : traction_fields(film.grid(), friction)) {
+    const ContactField kind = field_named(name);
+    datasets.emplace_back(kind.dataset);
+    file.field(group, datasets.back(), std::string(kind.unit.name), domain, values, 1.0, group);
   }
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
@@ -188,27 +178,22 @@ void print_heating(MPI_Comm comm, const Summary& summary) {
 
 void print_friction(MPI_Comm comm, const Summary& summary) {
   if (!summary.contains("friction_coefficient")) return;
-  std::ostringstream text;
-  text.precision(4);
-  text << "friction coefficient " << summary["friction_coefficient"].get<double>() << "; lost by sliding "
-       << summary["power_sliding"].get<double>() << " W, by rolling " << summary["power_rolling"].get<double>() << " W";
+  const auto real = [&](const char* name) { return summary[name].get<double>(); };
+  std::string heat;
   if (summary.contains("film_temperature_max")) {
-    text << "; largest temperature of the film " << summary["film_temperature_max"].get<double>()
-         << " K, of the flanks " << summary["surface_temperature_pinion"].get<double>() << " K and "
-         << summary["surface_temperature_wheel"].get<double>() << " K";
+    heat = worded(std::setprecision(4), "; largest temperature of the film ", real("film_temperature_max"),
+                  " K, of the flanks ", real("surface_temperature_pinion"), " K and ",
+                  real("surface_temperature_wheel"), " K");
   }
-  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  say(comm, std::setprecision(4), "friction coefficient ", real("friction_coefficient"), "; lost by sliding ",
+      real("power_sliding"), " W, by rolling ", real("power_rolling"), " W", heat);
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Position& position,
                   const Summary& summary) {
-  std::ostringstream where, work;
-  where << position.label << ", " << summary["nx"].get<int>() << " x " << summary["ny"].get<int>() << " nodes";
-  work << summary["newton_iterations"].get<int>() << " Newton and " << summary["krylov_iterations"].get<int>()
-       << " Krylov iterations on this grid, residual " << std::setprecision(3) << summary["residual"].get<double>();
   const Summary& predicted = summary["predictions"];
   ScreenTable(summary)
-      .text("stationary film of", where.str())
+      .text("stationary film of", worded(position.label, ", ", summary["nx"], " x ", summary["ny"], " nodes"))
       .add("central film", "h_central", 1e6, "um")
       .add("  towards finer grids", "h_central_extrapolated", 1e6, "um")
       .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_central", 1e6, "um")
@@ -220,7 +205,9 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Posi
       .add("  in the centre", "p_central", 1e-9, "GPa")
       .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
       .add("force", "force", 1.0, "N")
-      .text("work", work.str())
+      .text("work", worded(summary["newton_iterations"], " Newton and ", summary["krylov_iterations"],
+                           " Krylov iterations on this grid, residual ", std::setprecision(3),
+                           summary["residual"].get<double>()))
       .print(comm, folder);
 }
 
@@ -290,11 +277,9 @@ void add_coupling(const Case& problem, const FilmOnGrid& solved, Summary& summar
 void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
   constexpr double tolerable = 1e-3;
   if (!solved.coupled || solved.coupled->change <= tolerable) return;
-  std::ostringstream text;
-  text.precision(2);
-  text << "the film and what heat and shear make of it did not quite settle: it goes on changing by "
-       << 100.0 * solved.coupled->change << " % a turn; raise grid.nx and grid.ny";
-  warn(comm, text.str());
+  warn(comm, std::setprecision(2),
+       "the film and what heat and shear make of it did not quite settle: it goes on changing by ",
+       100.0 * solved.coupled->change, " % a turn; raise grid.nx and grid.ny");
 }
 
 /// The shape in steps shorter by so much, as far as the program chooses nodes.

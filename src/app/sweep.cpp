@@ -2,19 +2,18 @@
 #include <algorithm>
 #include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "app/case_at.hpp"
 #include "app/commands.hpp"
 #include "app/derived.hpp"
 #include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
-#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/sweep_chain.hpp"
 #include "app/sweep_mending.hpp"
 #include "app/sweep_tables.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -53,8 +52,8 @@ int group_count(MPI_Comm comm, const Case& problem) {
   const int largest = (size + groups - 1) / groups;
   const int rows = case_grid(problem).rows();
   if (largest > rows) {
-    throw InputError("a group of the sweep would have " + std::to_string(largest) + " processes for a grid of ny = " +
-                     std::to_string(problem.numerics.ny) + " (" + std::to_string(rows) +
+    throw InputError("a group of the sweep would have ", largest, " processes for a grid of ny = ", problem.numerics.ny,
+                     " (", rows,
                      " rows with Y >= 0); use fewer processes, or shorter chains (sweep_chain_points) for more groups");
   }
   return groups;
@@ -88,11 +87,9 @@ void print_extremes(MPI_Comm comm, const Case& problem, const Summary& summary) 
       if (!worst || sign * point[key].get<double>() > sign * (*worst)[key].get<double>()) worst = &point;
     }
     if (!worst) return;
-    std::ostringstream text;
-    text << std::setprecision(5) << factor * (*worst)[key].get<double>() << unit << " at "
-         << (*worst)["value"].get<double>() << " " << problem.sweep.unit << ", "
-         << (*worst)["direction"].get<std::string>();
-    table.text(label, text.str());
+    table.text(label, worded(std::setprecision(5), factor * (*worst)[key].get<double>(), unit, " at ",
+                             (*worst)["value"].get<double>(), " ", problem.sweep.unit, ", ",
+                             (*worst)["direction"].get<std::string>()));
   };
   add("largest force on one contact", "force_ratio_max", 1.0, 1.0, " static forces");
   add("largest pressure", "p_max", 1.0, 1e-9, " GPa");
@@ -103,20 +100,18 @@ void print_extremes(MPI_Comm comm, const Case& problem, const Summary& summary) 
 
 void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
   const int found = summary["points_found"].get<int>(), count = found + summary["points_failed"].get<int>();
-  petsc_check(PetscPrintf(comm, "%d of %d %s\n", found, count,
-                          problem.sweep.marched() ? "marches done" : "periodic states found"));
+  say(comm, found, " of ", count, problem.sweep.marched() ? " marches done" : " periodic states found");
   if (problem.sweep.kind == SweepKind::periodic) print_extremes(comm, problem, summary);
   if (!summary.contains("attractors")) return;
   for (const Summary& attractor : summary["attractors"]) {
-    petsc_check(PetscPrintf(comm, "%5.1f %% of the starts: %s\n", 100.0 * attractor["share"].get<double>(),
-                            description_of(attractor).c_str()));
+    say(comm, std::fixed, std::setprecision(1), std::setw(5), 100.0 * attractor["share"].get<double>(),
+        " % of the starts: ", description_of(attractor));
   }
 }
 
 }  // namespace
 
 void run_sweep(MPI_Comm comm, const Case& problem) {
-  require_dynamic(problem, "sweep");
   require_inertia(problem);
   require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");

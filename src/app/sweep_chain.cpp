@@ -8,6 +8,7 @@
 #include "app/coarse_orbit.hpp"
 #include "app/dry_point.hpp"
 #include "app/marched_point.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "output/file_ownership.hpp"
@@ -32,25 +33,17 @@ struct Neighbour {
   std::optional<DryOrbit> dry;  ///< the damped dry pair's orbit beside it
 };
 
-Summary motion_json(const Motion& motion) { return {motion.H0, motion.V0}; }
-
 /// Row by row.
 Summary monodromy_json(const Monodromy& map) { return {{map(0, 0), map(0, 1)}, {map(1, 0), map(1, 1)}}; }
-
-Motion motion_of(const Summary& json) { return {json[0].get<double>(), json[1].get<double>()}; }
 
 /// The same from a point on disk, but for its films.
 Neighbour read_neighbour(const Summary& point) {
   Neighbour neighbour{point["value"].get<double>(), {}, {}};
   neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
   if (!point.contains("monodromy")) return neighbour;  // of a march
-  const Summary& map = point["monodromy"];
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 2; ++column) {
-      neighbour.guess.monodromy(row, column) = map[row][column].get<double>();
-    }
-  }
-  if (point.contains("dry_motion")) neighbour.dry.emplace().start = motion_of(point["dry_motion"]);
+  const auto entry = [&](int row, int column) { return point["monodromy"][row][column].get<double>(); };
+  neighbour.guess.monodromy << entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1);
+  if (point.contains("dry_motion")) neighbour.dry.emplace().start = point["dry_motion"].get<Motion>();
   return neighbour;
 }
 
@@ -104,7 +97,7 @@ private:
   }
 
   void read_films(const SweepPoint& point) {
-    const std::optional<StateFile> found = read_state(group_, points_.films(point));
+    const std::optional<StateFile> found = read_state(group_, points_.file(point, ".films"));
     if (!found) return;
     const Summary& description = found->description;
     last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
@@ -113,15 +106,15 @@ private:
   }
 
   void write_films(const SweepPoint& point, const PairState& state) const {
-    write_state(Grid(group_, state.shape), points_.films(point),
+    write_state(Grid(group_, state.shape), points_.file(point, ".films"),
                 {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", field_names(state)}}, fields_of(state));
   }
 
   /// What only a point that is still to be computed needs.
   void remove_outdated(const SweepPoint& done) const {
     if (rank_in(group_) != 0) return;
-    remove_all_written_here(points_.checkpoint(done));
-    if (before_point_) remove_if_written_here(points_.films(*before_point_));
+    remove_all_written_here(points_.file(done, ".checkpoint"));
+    if (before_point_) remove_if_written_here(points_.file(*before_point_, ".films"));
   }
 
   Case case_of(double value) const {
@@ -171,7 +164,7 @@ private:
     std::optional<Checkpoint> checkpoint;
     if (!here.dry()) {
       films = discretise(group_, here);
-      checkpoint.emplace(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+      checkpoint.emplace(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
     }
     const auto watch = [&](double T, bool is_new) {
       if (is_new) stop_.check(group_, mesh.path.mesh_periods(T));
@@ -198,14 +191,14 @@ private:
   void find_lubricated(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point,
                        Summary& result) {
     const SharedDiscretisation films = discretise(group_, here);
-    Checkpoint checkpoint(films->grid(), points_.checkpoint(point), Checkpoint::Begin::where_it_stopped);
+    Checkpoint checkpoint(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
     std::optional<DryOrbit> dry;
     const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
     write_films(point, run.orbit.end);
     result.update(orbit_summary(mesh, run));
     result["monodromy"] = monodromy_json(run.orbit.monodromy);
     if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
-    if (dry) result["dry_motion"] = motion_json(dry->start);
+    if (dry) result["dry_motion"] = dry->start;
     keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
   }
 
@@ -220,16 +213,16 @@ private:
   /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
   OrbitRun search(const Point& at, Checkpoint& checkpoint, std::optional<DryOrbit>& dry, Summary& result) const {
     result["search"] = Summary::array();
-    const OrbitObservers observers = {[](const StepRecord&, const std::vector<LiveContact>&) {},
-                                      [&](const SearchPeriod& period) {
-                                        result["search"].push_back({period.defect, period.film_defect});
-                                      },
-                                      [&](const SearchPeriod& period) {
-                                        result["coarse_search"].push_back({period.defect, period.film_defect});
-                                      },
-                                      [&](const std::string& trouble) { result["coarse_error"] = trouble; },
-                                      checkpoint,
-                                      stop_};
+    const auto list = [&](const char* name) {
+      return [&result, name](const SearchPeriod& period) {
+        result[name].push_back({period.defect, period.film_defect});
+      };
+    };
+    const OrbitObservers observers{.on_period = list("search"),
+                                   .on_coarse_period = list("coarse_search"),
+                                   .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
+                                   .checkpoint = checkpoint,
+                                   .stop = stop_};
     if (last_) {
       result["start"] = "neighbour";
       Case brief = at.problem;
@@ -287,7 +280,6 @@ private:
 }  // namespace
 
 void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result) {
-  const auto unseen = [](const StepRecord&, const std::vector<LiveContact>&) {};
   const OrbitRun run = describe_dry_orbit(here, mesh, found.orbit, unseen);
   result["start"] = found.start;
   result.update(orbit_summary(mesh, run));
@@ -313,7 +305,7 @@ void print_point(MPI_Comm group, const Case& problem, const Summary& point) {
     if (point.contains("stable") && !point["stable"].get<bool>()) text << ", unstable";
     if (point["contact_lost"].get<bool>()) text << ", contact is lost";
   }
-  petsc_check(PetscPrintf(group, "%s\n", text.str().c_str()));
+  say(group, text.str());
 }
 
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,

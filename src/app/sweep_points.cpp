@@ -37,16 +37,8 @@ SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.r
   });
 }
 
-std::filesystem::path SweepPoints::file(const SweepPoint& point) const {
-  return folder_ / "points" / (name_of(point) + ".json");
-}
-
-std::filesystem::path SweepPoints::checkpoint(const SweepPoint& point) const {
-  return folder_ / "points" / (name_of(point) + ".checkpoint");
-}
-
-std::filesystem::path SweepPoints::films(const SweepPoint& point) const {
-  return folder_ / "points" / (name_of(point) + ".films");
+std::filesystem::path SweepPoints::file(const SweepPoint& point, const std::string& extension) const {
+  return folder_ / "points" / (name_of(point) + extension);
 }
 
 std::optional<Summary> SweepPoints::read(MPI_Comm group, const SweepPoint& point) const {

@@ -29,9 +29,7 @@ public:
   /// Collective. Throws InputError where the folder holds points of another sweep.
   SweepPoints(MPI_Comm comm, const Case& problem);
 
-  std::filesystem::path file(const SweepPoint& point) const;
-  std::filesystem::path films(const SweepPoint& point) const;
-  std::filesystem::path checkpoint(const SweepPoint& point) const;
+  std::filesystem::path file(const SweepPoint& point, const std::string& extension = ".json") const;
   /// What is known of a point; nothing where it is still to be computed. Collective on a group of processes, as are
   /// the others: the first one reads, since a file system may show the same file to some processes later than to
   /// others.

@@ -15,88 +15,85 @@ namespace {
 
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 
-double number(const Summary& point, const char* name) {
+/// Of a point, under the name of a column; absent where a point that failed lacks it.
+double number(const Summary& point, const std::string& name) {
+  if (name == "up") return point["direction"] == "up" ? 1.0 : 0.0;
+  if (name == "found") return point.contains("error") ? 0.0 : 1.0;
   const auto found = point.find(name);
   if (found == point.end() || found->is_null()) return absent;
   return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
 }
 
-std::vector<TableColumn> point_columns(const Given& given) {
-  std::vector<TableColumn> columns = {{"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"},
-                                      {"I_n", "-"},         {"f_m", "Hz"},     {"f_n", "Hz"}};
+void append_numbers(const Summary& point, const std::vector<TableColumn>& columns, std::vector<double>& row) {
+  for (const TableColumn& column : columns) row.push_back(number(point, column.name));
+}
+
+std::vector<TableColumn> joined(std::vector<TableColumn> first, const std::vector<TableColumn>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// What every point has.
+std::vector<TableColumn> columns_of_point() {
+  return {{"up", "-", true}, {"found", "-", true}, {"speed_rpm", "rpm"}, {"torque", "N m"},
+          {"m_ge", "kg"},    {"I_n", "-"},         {"f_m", "Hz"},        {"f_n", "Hz"}};
+}
+
+/// One row a point.
+void write_periodic(ResultsFile& file, const Case& problem, const Summary& results) {
+  const Given given = given_figures(!problem.dry(), problem.traction, problem.roughness);
+  std::vector<TableColumn> columns = columns_of_point();
   for (const PeriodFigure& figure : period_figures) {
     if (figure.of_sweep() && given.has(figure.needs))
       columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
   }
-  columns.insert(columns.end(), {{"transmission_error_peak_to_peak", "m"},
-                                 {"transmission_error_rms", "m"},
-                                 {"H0_after_leaving", "-"},
-                                 {"V0_after_leaving", "-"},
-                                 {"contact_lost", "-"},
-                                 {"floquet_modulus", "-"},
-                                 {"floquet_modulus_error", "-"},
-                                 {"stable", "-"},
-                                 {"free_frequency", "Hz"},
-                                 {"damping_ratio", "-"},
-                                 {"periods_used", "-"},
-                                 {"defect", "-"},
-                                 {"film_defect", "-"}});
-  return columns;
-}
-
-/// One row a point; what a failed point lacks is not a number.
-void write_periodic(ResultsFile& file, const Case& problem, const Summary& results) {
-  const std::vector<TableColumn> figures =
-      point_columns(given_figures(!problem.dry(), problem.traction, problem.roughness));
-  std::vector<TableColumn> columns = {{"up", "-", true}, {"found", "-", true}};
-  columns.insert(columns.end(), figures.begin(), figures.end());
-  for (const char* part : {"floquet_1_re", "floquet_1_im", "floquet_2_re", "floquet_2_im"})
-    columns.push_back({part, "-"});
+  columns = joined(columns, {{"transmission_error_peak_to_peak", "m"},
+                             {"transmission_error_rms", "m"},
+                             {"H0_after_leaving", "-"},
+                             {"V0_after_leaving", "-"},
+                             {"contact_lost", "-"},
+                             {"floquet_modulus", "-"},
+                             {"floquet_modulus_error", "-"},
+                             {"stable", "-"},
+                             {"free_frequency", "Hz"},
+                             {"damping_ratio", "-"},
+                             {"periods_used", "-"},
+                             {"defect", "-"},
+                             {"film_defect", "-"}});
   std::vector<double> rows;
   for (const Summary& point : results) {
-    rows.push_back(point["direction"] == "up" ? 1.0 : 0.0);
-    rows.push_back(point.contains("error") ? 0.0 : 1.0);
-    for (const TableColumn& column : figures) rows.push_back(number(point, column.name.c_str()));
+    append_numbers(point, columns, rows);
     for (int n = 0; n < 4; ++n) {
       rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
     }
   }
-  write_table(file, "/sweep", columns, rows);
+  write_table(
+      file, "/sweep",
+      joined(columns, {{"floquet_1_re", "-"}, {"floquet_1_im", "-"}, {"floquet_2_re", "-"}, {"floquet_2_im", "-"}}),
+      rows);
 }
 
 /// Of marches: one row a march, and in /diagram one row a mesh period that is kept of it.
 void write_marches(ResultsFile& file, const Case& problem, const Summary& results) {
-  const bool lubricated = !problem.dry();
-  std::vector<TableColumn> point = {{"up", "-", true},
-                                    {"found", "-", true},
-                                    {"speed_rpm", "rpm"},
-                                    {"torque", "N m"},
-                                    {"m_ge", "kg"},
-                                    {"I_n", "-"},
-                                    {"f_m", "Hz"},
-                                    {"f_n", "Hz"},
-                                    {"H0_after_leaving", "-"},
-                                    {"V0_after_leaving", "-"},
-                                    {"force_ratio_max", "-"},
-                                    {"total_force_ratio_min", "-"},
-                                    {"contact_lost", "-"},
-                                    {"settles_on", "-"}};
-  std::vector<TableColumn> section = {
-      {"up", "-", true}, {"speed_rpm", "rpm"}, {"torque", "N m"},        {"m_ge", "kg"},
-      {"H0", "-"},       {"V0", "-"},          {"force_ratio_max", "-"}, {"total_force_ratio_min", "-"}};
-  if (lubricated) {
+  const std::vector<TableColumn> where = {{"up", "-", true}, {"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"}};
+  std::vector<TableColumn> point = joined(columns_of_point(), {{"H0_after_leaving", "-"},
+                                                               {"V0_after_leaving", "-"},
+                                                               {"force_ratio_max", "-"},
+                                                               {"total_force_ratio_min", "-"},
+                                                               {"contact_lost", "-"},
+                                                               {"settles_on", "-"}});
+  std::vector<TableColumn> section =
+      joined(where, {{"H0", "-"}, {"V0", "-"}, {"force_ratio_max", "-"}, {"total_force_ratio_min", "-"}});
+  if (!problem.dry()) {
     point.push_back({"h_min", "m"});
     section.push_back({"h_min", "m"});
   }
   std::vector<double> points, sections;
   for (const Summary& result : results) {
-    const double up = result["direction"] == "up" ? 1.0 : 0.0;
-    points.insert(points.end(), {up, result.contains("error") ? 0.0 : 1.0});
-    for (std::size_t n = 2; n < point.size(); ++n) points.push_back(number(result, point[n].name.c_str()));
+    append_numbers(result, point, points);
     if (result.contains("error")) continue;
     for (const Summary& at : result["poincare"]) {
-      sections.insert(sections.end(),
-                      {up, number(result, "speed_rpm"), number(result, "torque"), number(result, "m_ge")});
+      append_numbers(result, where, sections);
       for (const Summary& value : at) sections.push_back(value.get<double>());
     }
   }
@@ -110,9 +107,9 @@ std::vector<Motion> states_of(const Summary& result) {
   const Summary& all = result["poincare"];
   std::vector<Motion> states;
   for (std::size_t n = all.size() - result["settles_on"].get<std::size_t>(); n + 1 < all.size(); ++n) {
-    states.push_back({all[n][0].get<double>(), all[n][1].get<double>()});
+    states.push_back(all[n].get<Motion>());
   }
-  states.push_back({result["settles_at"][0].get<double>(), result["settles_at"][1].get<double>()});
+  states.push_back(result["settles_at"].get<Motion>());
   return states;
 }
 
@@ -187,8 +184,7 @@ Summary attractors_of(const Summary& results) {
                      {"repeats_every", found["settles_on"]},
                      {"force_ratio_max", found["force_ratio_max"]},
                      {"share", share(static_cast<int>(n) + 1)}};
-    entry["states_after_leaving"] = Summary::array();
-    for (const Motion& state : states_of(found)) entry["states_after_leaving"].push_back({state.H0, state.V0});
+    entry["states_after_leaving"] = states_of(found);
     list.push_back(std::move(entry));
   }
   if (share(0) > 0.0) list.push_back({{"attractor", 0}, {"repeats_every", nullptr}, {"share", share(0)}});

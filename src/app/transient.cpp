@@ -5,9 +5,9 @@
 #include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
-#include "app/pair_motion.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
+#include "app/warning.hpp"
 #include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
@@ -24,9 +24,9 @@ double end_of(const Case& problem, const MeshModel& mesh) {
 void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mesh) {
   const double kept = run.checkpoint().kept_until();
   if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
-  throw InputError(problem.parameters.origin("mesh_periods") + ": 'mesh_periods' is " +
-                   format_value(problem.march.mesh_periods) + ", but the march in '" + problem.run.directory.string() +
-                   "' has come to " + format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
+  problem.parameters.refuse("mesh_periods", "is " + format_value(problem.march.mesh_periods) + ", but the march in '" +
+                                                problem.run.directory.string() + "' has come to " +
+                                                format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
 }
 
 template <class March>
@@ -59,7 +59,7 @@ void print_recurrence(MPI_Comm comm, const Summary& summary) {
     text << "; in " << (periods == 1 ? "one" : std::to_string(periods)) << " a disturbance is multiplied by "
          << settling["modulus"].get<double>() << " +- " << settling["modulus_error"].get<double>();
   }
-  petsc_check(PetscPrintf(comm, "%s\n", text.str().c_str()));
+  say(comm, text.str());
 }
 
 void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Summary& summary) {
@@ -73,9 +73,8 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
 
 }  // namespace
 
-void run_transient(MPI_Comm comm, const Case& given) {
-  require_inertia(given);
-  const Case problem = with_chosen_motion(comm, given);
+void run_transient(MPI_Comm comm, const Case& problem) {
+  require_inertia(problem);
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   // A march that failed may go on with other steps.

@@ -8,12 +8,16 @@
 #include <limits>
 #include <numeric>
 
-#include "gearfilm/dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {
+
+// Absolute and relative. Where a gap closes, the force has a kink and steps are cut elsewhere for every start: the map
+// jumps by some ten times its tolerance, which must lie below what Newton's methods on it ask for.
+constexpr double integration_tolerance = 1e-10;  // of the motion
+constexpr double map_tolerance = 1e-12;          // of the motion with its derivatives
 
 constexpr int motion_size = 2;  // H_0, V_0
 constexpr int whole_size = 8;   // these, Phi row by row, w
@@ -43,46 +47,50 @@ struct Cubic {
 
 }  // namespace
 
-/// One way through some mesh periods.
+/// One way through some mesh periods, or a short one.
 class DryFlowRun {
 public:
-  /// Derivatives: all but the motion is left out without.
-  DryFlowRun(const DryFlow& flow, const Motion& start, bool derivatives)
-      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, derivatives_(derivatives) {
+  /// With derivatives; without them, the extremes on the way known; the end alone.
+  enum class Kind { map, march, step };
+
+  /// From s on.
+  DryFlowRun(const DryFlow& flow, const Motion& start, Kind kind, double s = 0.0)
+      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, kind_(kind), s_(s) {
     forget_extremes();
-    const int size = derivatives ? whole_size : motion_size;
+    const int size = kind == Kind::map ? whole_size : motion_size;
     petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, values_.data(), state_.put()));
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
-    petsc_check(TSRKSetType(ts_, TSRK8VR));
-    petsc_check(TSSetRHSFunction(ts_, nullptr, rates, this));
-    const double tolerance = derivatives ? map_tolerance : integration_tolerance;
+    petsc_check(TSRKSetType(ts_, kind == Kind::step ? TSRK5DP : TSRK8VR));
+    petsc_check(TSSetRHSFunction(ts_, nullptr, Callback<&DryFlowRun::rates>::call, this));
+    const double tolerance = kind == Kind::map ? map_tolerance : integration_tolerance;
     petsc_check(TSSetTolerances(ts_, tolerance, nullptr, tolerance, nullptr));
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
-    petsc_check(TSMonitorSet(ts_, step_done, this, nullptr));
+    if (kind != Kind::step) petsc_check(TSMonitorSet(ts_, Callback<&DryFlowRun::step_done>::call, this, nullptr));
     petsc_check(TSSetFromOptions(ts_));
   }
 
-  /// To the end of a mesh period.
-  void run(int period) {
+  void run(double s_end) {
     const ContactPath& path = flow_.here_.mesh.path;
     const double T_m = flow_.here_.period;
-    while (s_ < period - 1e-9) {
+    while (s_ < s_end - 1e-9) {
       contacts_ = path.contacts_after(s_ * T_m);
-      const double end = std::min<double>(period, path.next_event(s_ * T_m) / T_m);
+      const double end = std::min(s_end, path.next_event(s_ * T_m) / T_m);
       begins_ = true;
       petsc_check(TSSetTime(ts_, s_));
       petsc_check(TSSetMaxTime(ts_, end));
-      if (step_ == 0.0) step_ = 0.05 * (end - s_);
+      if (step_ == 0.0) step_ = (kind_ == Kind::step ? 1.0 : 0.05) * (end - s_);
       petsc_check(TSSetTimeStep(ts_, std::min(step_, end - s_)));
       petsc_check(TSRestartStep(ts_));
       petsc_check(TSSolve(ts_, state_));
       s_ = end;
     }
     if (!std::ranges::all_of(values_, [](double value) { return std::isfinite(value); })) {
-      throw SolveError("the dry pair's motion is not finite after " + std::to_string(period) + " mesh period(s)");
+      const bool step = kind_ == Kind::step;
+      throw SolveError("the dry pair's motion is not finite ", step ? "at T = " : "after ", s_end,
+                       step ? "" : " mesh period(s)");
     }
   }
 
@@ -107,39 +115,33 @@ private:
     return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * motion.V0);
   }
 
-  static PetscErrorCode rates(TS, PetscReal s, Vec in, Vec out, void* untyped) {
-    return petsc_callback([&] {
-      const DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
-      const DryFlow::Pair &here = self.flow_.here_, &beside = self.flow_.beside_;
-      const VecReading x(in);
-      const VecWriting rate(out);
-      const Motion motion{x[0], x[1]};
-      double slope = 0.0;
-      rate[0] = here.period * motion.V0;
-      rate[1] = self.acceleration(here, s, motion, self.derivatives_ ? &slope : nullptr);
-      if (!self.derivatives_) return;
-      // Columns of Phi, then w.
-      for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
-        rate[first] = here.period * x[second];
-        rate[second] = slope * x[first] - here.period * here.damping * x[second];
-      }
-      rate[6] += (beside.period - here.period) * motion.V0 / self.flow_.part_;
-      rate[7] += (self.acceleration(beside, s, motion, nullptr) - rate[1]) / self.flow_.part_;
-    });
+  void rates(TS, PetscReal s, Vec in, Vec out) {
+    const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
+    const VecReading x(in);
+    const VecWriting rate(out);
+    const Motion motion{x[0], x[1]};
+    double slope = 0.0;
+    rate[0] = here.period * motion.V0;
+    rate[1] = acceleration(here, s, motion, kind_ == Kind::map ? &slope : nullptr);
+    if (kind_ != Kind::map) return;
+    // Columns of Phi, then w.
+    for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
+      rate[first] = here.period * x[second];
+      rate[second] = slope * x[first] - here.period * here.damping * x[second];
+    }
+    rate[6] += (beside.period - here.period) * motion.V0 / flow_.part_;
+    rate[7] += (acceleration(beside, s, motion, nullptr) - rate[1]) / flow_.part_;
   }
 
-  static PetscErrorCode step_done(TS, PetscInt, PetscReal s, Vec state, void* untyped) {
-    return petsc_callback([&] {
-      DryFlowRun& self = *static_cast<DryFlowRun*>(untyped);
-      const VecReading x(state);
-      const Motion motion{x[0], x[1]};
-      if (!self.begins_) self.look_between(s, motion);
-      self.look_at(s, motion.H0);
-      if (s > self.seen_s_ && !self.begins_) self.step_ = s - self.seen_s_;
-      self.begins_ = false;
-      self.seen_s_ = s;
-      self.seen_ = motion;
-    });
+  void step_done(TS, PetscInt, PetscReal s, Vec state) {
+    const VecReading x(state);
+    const Motion motion{x[0], x[1]};
+    if (!begins_) look_between(s, motion);
+    look_at(s, motion.H0);
+    if (s > seen_s_ && !begins_) step_ = s - seen_s_;
+    begins_ = false;
+    seen_s_ = s;
+    seen_ = motion;
   }
 
   /// H_0 has its extremes between steps.
@@ -159,11 +161,11 @@ private:
 
   const DryFlow& flow_;
   std::array<double, whole_size> values_;
-  bool derivatives_;
+  Kind kind_;
   OwnedVec state_;
   PetscHandle<TS, TSDestroy> ts_;
   std::vector<int> contacts_;
-  double s_ = 0.0;
+  double s_;
   double step_ = 0.0;  ///< the last one: a good beginning behind an event
   bool begins_ = true;
   double seen_s_ = 0.0;
@@ -171,19 +173,23 @@ private:
   DryExtremes extremes_;
 };
 
-DryFlow::Pair DryFlow::pair_of(const MeshModel& mesh, double damping_ratio) {
-  const DryForce force(mesh);
-  const double damping = dry_damping(mesh, damping_ratio), period = mesh.path.mesh_period();
-  return {mesh, force, damping, period};
-}
-
 DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
-    : here_(pair_of(mesh, damping_ratio)), beside_(pair_of(beside, damping_ratio)), part_(part) {}
+    : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()),
+      beside_(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period()),
+      part_(part) {}
+
+DryFlow::DryFlow(const MeshModel& mesh, double damping) : here_(mesh, damping, 1.0), beside_(here_), part_(1.0) {}
+
+Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const {
+  DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin);
+  run.run(T_end);
+  return run.motion();
+}
 
 void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
                     const std::function<void(const DryPeriod&)>& observer) {
   const DryFlow flow(mesh, mesh, 1.0, damping_ratio);
-  DryFlowRun run(flow, start, false);
+  DryFlowRun run(flow, start, DryFlowRun::Kind::march);
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);
     observer({run.motion(), run.extremes()});
@@ -192,7 +198,7 @@ void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& s
 }
 
 DryFlowEnd DryFlow::operator()(const Motion& start, int mesh_periods) const {
-  DryFlowRun run(*this, start, true);
+  DryFlowRun run(*this, start, DryFlowRun::Kind::map);
   DryFlowEnd end;
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);

@@ -22,13 +22,12 @@ void keep_heat(const TractionModel& model, const FilmHeat& heat, std::size_t row
       }
     }
   }
-  for (const field::OfFlowFactors& known : field::correction)
-    fields[std::string(known.field.name)] = heat.flow.*known.values;
+  for (const auto& known : field::correction) fields[std::string(known.field.name)] = heat.flow.*known.values;
 }
 
 FilmHeat kept_heat(const TractionModel& model, const ContactFields& fields, std::size_t rows) {
   FilmHeat heat;
-  for (const field::OfFlowFactors& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
+  for (const auto& known : field::correction) heat.flow.*known.values = values_of(fields, known.field);
   heat.flow.shear_power = thinning_power(model.law);
   heat.flow.sheared = model.shear_couples_film;
   if (!model.heats_film()) return heat;

@@ -12,31 +12,23 @@ struct Moments {
   bool entered = false;
 };
 
-void reduce(std::optional<double>& kept, Reduction reduction, double value, const Moments& moments = {}) {
+std::optional<double> reduced(const std::optional<double>& kept, Reduction reduction, double value,
+                              const Moments& moments = {}) {
   switch (reduction) {
     case Reduction::largest:
-      kept = std::max(kept.value_or(value), value);
-      break;
+      return std::max(kept.value_or(value), value);
     case Reduction::smallest:
-      kept = std::min(kept.value_or(value), value);
-      break;
+      return std::min(kept.value_or(value), value);
     case Reduction::sum:
-      kept = kept.value_or(0.0) + value;
-      break;
+      return kept.value_or(0.0) + value;
     case Reduction::steps:
-      kept = kept.value_or(0.0) + 1.0;
-      break;
-    case Reduction::last:
-      kept = value;
-      break;
-    case Reduction::mean:  // of steps only: add_to_mean
-      break;
+      return kept.value_or(0.0) + 1.0;
     case Reduction::at_pitch:
-      if (moments.nearest_pitch) kept = value;
-      break;
+      return moments.nearest_pitch ? value : kept;
     case Reduction::at_entry:
-      if (moments.entered) kept = value;
-      break;
+      return moments.entered ? value : kept;
+    default:  // last; means are those of steps only: add_to_mean
+      return value;
   }
 }
 
@@ -107,7 +99,7 @@ void MarchStatistics::add_to_period(const StepRecord& record, const Given& given
     if (figure.reduction == Reduction::mean) {
       add_to_mean(period.values[n], figure.source, value, record.dT);
     } else {
-      reduce(period.values[n], figure.reduction, value);
+      period.values[n] = reduced(period.values[n], figure.reduction, value);
     }
   }
   elapsed_ += record.dT;
@@ -121,7 +113,7 @@ void MarchStatistics::add_contact(const ContactRecord& contact, const Given& giv
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
     if (!figure.of_contact || !given.has(figure.needs)) continue;
-    reduce(period.values[n], figure.reduction, contact.figures.values[figure.source], moments);
+    period.values[n] = reduced(period.values[n], figure.reduction, contact.figures.values[figure.source], moments);
   }
 }
 

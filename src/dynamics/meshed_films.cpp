@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "gearfilm/dynamics/warm_contact.hpp"
@@ -19,9 +18,7 @@ MeshedFilms::MeshedFilms(SharedDiscretisation discretisation, MeshModel mesh, Ma
     : discretisation_(std::move(discretisation)), mesh_(std::move(mesh)), options_(std::move(options)) {}
 
 std::string MeshedFilms::label(int number) const {
-  std::ostringstream text;
-  text << "contact " << number << " at xi = " << 1e3 * mesh_.path.position(number, T_) << " mm (T = " << T_ << ")";
-  return text.str();
+  return worded("contact ", number, " at xi = ", 1e3 * mesh_.path.position(number, T_), " mm (T = ", T_, ")");
 }
 
 std::vector<double> MeshedFilms::forces() const {
@@ -308,7 +305,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
       step *= 0.5;
     } else {
       const double largest = *std::ranges::max_element(held_back, {}, [](double jump) { return std::abs(jump); });
-      throw SolveError(label(contacts_.front().number) + ": the films do not follow a jump of H by " +
+      throw SolveError(label(contacts_.front().number), ": the films do not follow a jump of H by ",
                        std::to_string(-largest));
     }
   }

@@ -44,41 +44,9 @@ void SegmentStepper::create_time_scheme() {
   petsc_check(TSSetType(ts_, TSBDF));
   petsc_check(TSBDFSetOrder(ts_, 2));
   petsc_check(TSSetApplicationContext(ts_, this));
-  petsc_check(TSSetTransientVariable(
-      ts_,
-      [](TS, Vec state, Vec values, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          auto* own = static_cast<SegmentStepper*>(context);
-          own->pair_.place(own->state_time_);
-          // Between two stages PETSc asks for copies of the state that was solved last.
-          if (own->state_time_ == own->solved_time_) own->pair_.system().copied(own->solved_, state);
-          own->pair_.system().transient(state, values);
-        });
-      },
-      this));
-  petsc_check(TSSetIFunction(
-      ts_, rows_,
-      [](TS, PetscReal T, Vec state, Vec rate, Vec rows, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          auto* own = static_cast<SegmentStepper*>(context);
-          own->pair_.place(T);
-          own->pair_.system().residual(state, {rate, own->stage_shift_}, rows);
-          petsc_check(VecCopy(rate, own->rate_));
-        });
-      },
-      this));
-  petsc_check(TSSetIJacobian(
-      ts_, jacobian_, jacobian_,
-      [](TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          auto* own = static_cast<SegmentStepper*>(context);
-          own->pair_.place(T);
-          own->pair_.linearise(state, {rate, own->stage_shift_}, shift);
-          petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-          petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-        });
-      },
-      this));
+  petsc_check(TSSetTransientVariable(ts_, Callback<&SegmentStepper::transient>::call, this));
+  petsc_check(TSSetIFunction(ts_, rows_, Callback<&SegmentStepper::residual>::call, this));
+  petsc_check(TSSetIJacobian(ts_, jacobian_, jacobian_, Callback<&SegmentStepper::linearise>::call, this));
   petsc_check(TSSetPreStage(ts_, [](TS ts, PetscReal T) -> PetscErrorCode {
     return petsc_callback([&] {
       PetscReal begin = 0.0;
@@ -103,6 +71,26 @@ void SegmentStepper::create_time_scheme() {
   petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + whole_tries()));
   petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+}
+
+void SegmentStepper::transient(TS, Vec state, Vec values) {
+  pair_.place(state_time_);
+  // Between two stages PETSc asks for copies of the state that was solved last.
+  if (state_time_ == solved_time_) pair_.system().copied(solved_, state);
+  pair_.system().transient(state, values);
+}
+
+void SegmentStepper::residual(TS, PetscReal T, Vec state, Vec rate, Vec rows) {
+  pair_.place(T);
+  pair_.system().residual(state, {rate, stage_shift_}, rows);
+  petsc_check(VecCopy(rate, rate_));
+}
+
+void SegmentStepper::linearise(TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat) {
+  pair_.place(T);
+  pair_.linearise(state, {rate, stage_shift_}, shift);
+  petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
+  petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }
 
 void SegmentStepper::control_errors() {
@@ -132,31 +120,27 @@ void SegmentStepper::configure_solvers() {
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   begin_with_short_restart(ksp);
-  // The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
-  // slowly. In the first stage it knows no velocity: where the gears part Newton's method would not find the receding
-  // edge (42 iterations, and halved steps, at half the natural frequency), under a rising load it would have to find
-  // the oil outside the contact that the sinking body squeezes.
-  petsc_check(SNESSetComputeInitialGuess(
-      snes,
-      [](SNES, Vec state, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          auto* own = static_cast<SegmentStepper*>(context);
-          if (own->failures_ == 1) {
-            petsc_check(VecCopy(own->solved_, state));
-            return;
-          }
-          if (own->failures_ == 2 && own->whole_tries() == 2) return own->guess_by_short_steps(state);
-          if (own->at_start_) {
-            own->pair_.predict_for_load_share(state, own->solved_time_, own->state_time_);
-            own->pair_.predict_without_force(state, own->solved_time_, own->state_time_, own->solved_films_);
-          }
-          own->pair_.system().clip_predictor(state, own->solved_);
-          own->pair_.predict_for_motion(state, own->solved_, own->solved_time_, own->state_time_, own->solved_films_);
-          own->memory_.correct(own->pair_, state, own->state_time_);
-        });
-      },
-      this));
+  petsc_check(SNESSetComputeInitialGuess(snes, Callback<&SegmentStepper::guess>::call, this));
   petsc_check(TSSetFromOptions(ts_));
+}
+
+// The predictor extrapolates, badly where the contact's edge draws back across a node: there pressure falls ever more
+// slowly. In the first stage it knows no velocity: where the gears part Newton's method would not find the receding
+// edge (42 iterations, and halved steps, at half the natural frequency), under a rising load it would have to find
+// the oil outside the contact that the sinking body squeezes.
+void SegmentStepper::guess(SNES, Vec state) {
+  if (failures_ == 1) {
+    petsc_check(VecCopy(solved_, state));
+    return;
+  }
+  if (failures_ == 2 && whole_tries() == 2) return guess_by_short_steps(state);
+  if (at_start_) {
+    pair_.predict_for_load_share(state, solved_time_, state_time_);
+    pair_.predict_without_force(state, solved_time_, state_time_, solved_films_);
+  }
+  pair_.system().clip_predictor(state, solved_);
+  pair_.predict_for_motion(state, solved_, solved_time_, state_time_, solved_films_);
+  memory_.correct(pair_, state, state_time_);
 }
 
 void SegmentStepper::set_solved(double T, Vec state) {
@@ -286,10 +270,9 @@ std::string SegmentStepper::describe_end() const {
   petsc_check(KSPGetConvergedReason(ksp, &reason));
   petsc_check(KSPGetConvergedReasonString(ksp, &krylov));
   petsc_check(KSPGetIterationNumber(ksp, &iterations));
-  std::ostringstream text;
-  text << "Newton's method ended with " << newton;
-  if (reason < 0) text << ", its last linear solve with " << krylov << " after " << iterations << " iterations";
-  return text.str();
+  return worded(
+      "Newton's method ended with ", newton,
+      reason < 0 ? worded(", its last linear solve with ", krylov, " after ", iterations, " iterations") : "");
 }
 
 double SegmentStepper::run(Vec state, double T0, double T1) {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 #include "gearfilm/error.hpp"
@@ -24,30 +23,23 @@ using std::numbers::pi;
 // The checks state what is right, so that NaN fails them: every comparison with it is false.
 void require_positive_length(double value, const std::string& parameter) {
   if (value > 0.0 && std::isfinite(value)) return;
-  std::ostringstream message;
-  message << parameter << " = " << value
-          << " m is not a length above zero: give the dimension of the drawing in metres";
-  throw InputError(message.str());
+  throw InputError(parameter, " = ", value,
+                   " m is not a length above zero: give the dimension of the drawing in metres");
 }
 
 void require_teeth(int teeth, const std::string& parameter) {
   if (teeth > 0) return;
-  std::ostringstream message;
-  message << parameter << " = " << teeth << " is not a number of teeth: give a positive integer";
-  throw InputError(message.str());
+  throw InputError(parameter, " = ", teeth, " is not a number of teeth: give a positive integer");
 }
 
 void require_crowning(double crowning, double face_width, const std::string& parameter) {
-  std::ostringstream message;
   if (crowning >= 0.0 && crowning < 0.5 * face_width) return;
   if (crowning >= 0.5 * face_width && std::isfinite(crowning)) {
-    message << parameter << " = " << crowning << " m is half of gear_face_width = " << face_width
-            << " m or more, rounder than a half circle: give both in metres";
-    throw InputError(message.str());
+    throw InputError(parameter, " = ", crowning, " m is half of gear_face_width = ", face_width,
+                     " m or more, rounder than a half circle: give both in metres");
   }
-  message << parameter << " = " << crowning
-          << " m is not a lead crowning: give zero (straight flanks) or a positive length in metres";
-  throw InputError(message.str());
+  throw InputError(parameter, " = ", crowning,
+                   " m is not a lead crowning: give zero (straight flanks) or a positive length in metres");
 }
 
 void check_dimensions(const SpurGearPair& pair) {
@@ -61,10 +53,8 @@ void check_dimensions(const SpurGearPair& pair) {
   require_crowning(pair.pinion.crowning, pair.face_width, "pinion_crowning");
   require_crowning(pair.wheel.crowning, pair.face_width, "wheel_crowning");
   if (!(pair.pressure_angle > 0.0 && pair.pressure_angle < pi / 2.0)) {
-    std::ostringstream message;
-    message << "gear_pressure_angle_deg = " << pair.pressure_angle * 180.0 / pi
-            << " is not between 0 and 90 degrees: give the angle of the basic rack (20 is usual)";
-    throw InputError(message.str());
+    throw InputError("gear_pressure_angle_deg = ", pair.pressure_angle * 180.0 / pi,
+                     " is not between 0 and 90 degrees: give the angle of the basic rack (20 is usual)");
   }
 }
 
@@ -75,21 +65,19 @@ double base_radius(const SpurGear& gear, const SpurGearPair& pair) {
 // Tangent length from the base circle to the tip circle: the largest radius of curvature of the flank [m].
 double tip_radius_of_curvature(const SpurGear& gear, double base_radius, const std::string& name) {
   if (gear.outer_radius <= base_radius) {
-    std::ostringstream message;
-    message << name << "_outer_radius = " << gear.outer_radius << " m is not above the base radius " << base_radius
-            << " m: there is no involute flank; enlarge " << name << "_outer_radius or reduce " << name
-            << "_teeth, gear_module";
-    throw InputError(message.str());
+    throw InputError(name, "_outer_radius = ", gear.outer_radius, " m is not above the base radius ", base_radius,
+                     " m: there is no involute flank; enlarge ", name, "_outer_radius or reduce ", name,
+                     "_teeth, gear_module");
   }
   return std::sqrt((gear.outer_radius - base_radius) * (gear.outer_radius + base_radius));
 }
 
 void check_flank(double smallest_radius, const std::string& gear, const std::string& mate) {
   if (smallest_radius > 0.0) return;
-  std::ostringstream message;
-  message << "the radius of curvature of the " << gear << " flank falls to " << smallest_radius << " m on the path of "
-          << "contact: below the base circle there is no involute; reduce " << mate << "_outer_radius";
-  throw InputError(message.str());
+  throw InputError("the radius of curvature of the ", gear, " flank falls to ", smallest_radius,
+                   " m on the path of "
+                   "contact: below the base circle there is no involute; reduce ",
+                   mate, "_outer_radius");
 }
 
 // Towards the tip the flanks of a tooth approach each other: at the angle alpha_a = acos(R_b/R_a) it is thinner than on
@@ -104,41 +92,34 @@ void check_tips(const SpurGearPair& pair, double working_pressure_angle) {
   };
   const double lost = loss(pair.pinion) + loss(pair.wheel), pitch = 2.0 * pi * pair.centre_distance / teeth;
   if (lost < pitch) return;
-  std::ostringstream message;
-  message << "the teeth would be pointed below the tip circles: towards them they lose " << lost
-          << " m of thickness, and have the working pitch of " << pitch
-          << " m together; reduce pinion_outer_radius, wheel_outer_radius, or check gear_module and "
-          << "gear_centre_distance";
-  throw InputError(message.str());
+  throw InputError("the teeth would be pointed below the tip circles: towards them they lose ", lost,
+                   " m of thickness, and have the working pitch of ", pitch,
+                   " m together; reduce pinion_outer_radius, wheel_outer_radius, or check gear_module and "
+                   "gear_centre_distance");
 }
 
 void check_path(const SpurGearPair& pair, double entry, double exit, double base_pitch) {
-  std::ostringstream message;
   const double contact_ratio = (exit - entry) / base_pitch;
   const double tips = pair.pinion.outer_radius + pair.wheel.outer_radius;
   const double reference = 0.5 * (pair.pinion.teeth + pair.wheel.teeth) * pair.module_length;
   if (pair.centre_distance >= tips || contact_ratio <= 0.0) {
-    message << "gear_centre_distance = " << pair.centre_distance << " m keeps the teeth apart: the tip radii are "
-            << tips << " m together, and the reference circles touch at " << reference
-            << " m; check gear_centre_distance, gear_module and the numbers of teeth";
-    throw InputError(message.str());
+    throw InputError("gear_centre_distance = ", pair.centre_distance, " m keeps the teeth apart: the tip radii are ",
+                     tips, " m together, and the reference circles touch at ", reference,
+                     " m; check gear_centre_distance, gear_module and the numbers of teeth");
   }
   if (contact_ratio < 1.0) {
-    message << "contact ratio " << contact_ratio << " is below 1: the pair cannot transmit motion; enlarge the tip "
-            << "circles (pinion_outer_radius, wheel_outer_radius), or check gear_centre_distance = "
-            << pair.centre_distance << " m, where the reference circles touch at " << reference << " m";
-    throw InputError(message.str());
+    throw InputError("contact ratio ", contact_ratio, " is below 1: the pair cannot transmit motion; enlarge the tip ",
+                     "circles (pinion_outer_radius, wheel_outer_radius), or check gear_centre_distance = ",
+                     pair.centre_distance, " m, where the reference circles touch at ", reference, " m");
   }
   // The pitch point is the reference of every scale, so it has to lie on the path of contact.
   if (entry >= 0.0) {
-    message << "the path of contact begins " << entry << " m after the pitch point and does not contain it; "
-            << "enlarge wheel_outer_radius or reduce gear_centre_distance";
-    throw InputError(message.str());
+    throw InputError("the path of contact begins ", entry, " m after the pitch point and does not contain it; ",
+                     "enlarge wheel_outer_radius or reduce gear_centre_distance");
   }
   if (exit <= 0.0) {
-    message << "the path of contact ends " << -exit << " m before the pitch point and does not contain it; "
-            << "enlarge pinion_outer_radius or reduce gear_centre_distance";
-    throw InputError(message.str());
+    throw InputError("the path of contact ends ", -exit, " m before the pitch point and does not contain it; ",
+                     "enlarge pinion_outer_radius or reduce gear_centre_distance");
   }
 }
 
@@ -150,10 +131,8 @@ LineOfAction::LineOfAction(const SpurGearPair& pair) {
   base_radius_wheel_ = base_radius(pair.wheel, pair);
   const double base_radii = base_radius_pinion_ + base_radius_wheel_;
   if (pair.centre_distance <= base_radii) {
-    std::ostringstream message;
-    message << "gear_centre_distance = " << pair.centre_distance << " m is not above the sum of the base radii "
-            << base_radii << " m: the base circles overlap; enlarge gear_centre_distance or reduce gear_module";
-    throw InputError(message.str());
+    throw InputError("gear_centre_distance = ", pair.centre_distance, " m is not above the sum of the base radii ",
+                     base_radii, " m: the base circles overlap; enlarge gear_centre_distance or reduce gear_module");
   }
   working_pressure_angle_ = std::acos(base_radii / pair.centre_distance);
   speed_ratio_ = static_cast<double>(pair.pinion.teeth) / pair.wheel.teeth;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 
@@ -44,10 +43,9 @@ LoadSharing LoadSharing::step(const LineOfAction& line) {
 LoadSharing LoadSharing::trapezoid(const LineOfAction& line, double at_end, double at_inner_edge) {
   const double alone_from = line.exit() - line.base_pitch(), alone_to = line.entry() + line.base_pitch();
   if (!(line.entry() < alone_from && alone_from < alone_to)) {
-    std::ostringstream message;
-    message << "the contact ratio is " << line.contact_ratio()
-            << ", but a trapezoidal load sharing is for one or two contacts; choose load_sharing_kind step or table";
-    throw InputError(message.str());
+    throw InputError(
+        "the contact ratio is ", line.contact_ratio(),
+        ", but a trapezoidal load sharing is for one or two contacts; choose load_sharing_kind step or table");
   }
   return LoadSharing({{line.entry(), alone_from, at_end, at_inner_edge},
                       {alone_from, alone_to, 1.0, 1.0},
@@ -61,21 +59,18 @@ LoadSharing LoadSharing::table(const LineOfAction& line, const std::vector<std::
   for (std::size_t n = 0; n + 1 < points.size(); ++n) {
     const auto [begin, at_begin] = points[n];
     const auto [end, at_end] = points[n + 1];
-    std::ostringstream where;
-    where << "at its point " << n + 1 << ", xi = " << begin << " m, ";
-    if (!(end >= begin)) refuse(where.str() + "goes back; sort it by position");
+    const std::string where = worded("at its point ", n + 1, ", xi = ", begin, " m, ");
+    if (!(end >= begin)) refuse(where + "goes back; sort it by position");
     if (!(at_begin > 0.0 && at_end > 0.0 && std::isfinite(at_begin) && std::isfinite(at_end))) {
-      refuse(where.str() + "has a share that is not above zero");
+      refuse(where + "has a share that is not above zero");
     }
     if (end > begin) pieces.push_back({begin, end, at_begin, at_end});
   }
   const double round_off = 1e-6 * line.base_pitch();
   if (pieces.empty() || pieces.front().begin > line.entry() + round_off ||
       pieces.back().end < line.exit() - round_off) {
-    std::ostringstream message;
-    message << "does not cover the path of contact; give positions from " << line.entry() << " m to " << line.exit()
-            << " m";
-    refuse(message.str());
+    refuse(
+        worded("does not cover the path of contact; give positions from ", line.entry(), " m to ", line.exit(), " m"));
   }
   return LoadSharing(std::move(pieces));
 }
@@ -87,10 +82,8 @@ LoadSharing LoadSharing::with_jumps_over(double length) const {
     const double before = pieces_[n - 1].at_end, landing = piece.begin + length;
     if (std::abs(piece.at_begin - before) > 1e-6) {
       if (landing >= piece.end) {
-        std::ostringstream message;
-        message << "the load sharing jumps at xi = " << piece.begin << " m and again within the " << length
-                << " m that a jump takes; lower load_sharing_jump_time";
-        throw InputError(message.str());
+        throw InputError("the load sharing jumps at xi = ", piece.begin, " m and again within the ", length,
+                         " m that a jump takes; lower load_sharing_jump_time");
       }
       const double after = piece(landing);
       pieces.push_back({piece.begin, landing, before, after, true});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/involute.hpp"
@@ -15,25 +14,20 @@ constexpr std::array<const char*, 2> names = {"pinion", "wheel"};
 
 void check_relief(const Relief& relief, double active, const std::string& name) {
   if (relief.amount == 0.0 || (relief.length > 0.0 && relief.length < active)) return;
-  std::ostringstream message;
-  message << name << "_length = " << relief.length << " m of roll is not between zero and the active flank's " << active
-          << " m: shorten it";
-  throw InputError(message.str());
+  throw InputError(name, "_length = ", relief.length, " m of roll is not between zero and the active flank's ", active,
+                   " m: shorten it");
 }
 
 void check_errors(const std::vector<double>& errors, int teeth, const std::string& name) {
   if (errors.empty() || static_cast<int>(errors.size()) == teeth) return;
-  throw InputError(name + "_pitch_errors has " + std::to_string(errors.size()) + " numbers for " +
-                   std::to_string(teeth) + " teeth: give one a tooth");
+  throw InputError(name, "_pitch_errors has ", errors.size(), " numbers for ", teeth, " teeth: give one a tooth");
 }
 
 void check_pitch_errors(const std::vector<double>& errors, double base_pitch, const std::string& name) {
   for (const double error : errors) {
     if (std::abs(error) < 0.5 * base_pitch) continue;
-    std::ostringstream message;
-    message << name << "_pitch_errors has " << error << " m, half a base pitch of " << base_pitch
-            << " m or more: such a tooth is its neighbour; give errors in metres";
-    throw InputError(message.str());
+    throw InputError(name, "_pitch_errors has ", error, " m, half a base pitch of ", base_pitch,
+                     " m or more: such a tooth is its neighbour; give errors in metres");
   }
 }
 
@@ -47,11 +41,9 @@ void check_removed(const Flank& flank, const SpurGearPair& pair, int gear, const
     const double thickness = tooth_thickness_at(radius, own, pair, profile_shifts(pair)[gear]);
     const double removed = std::abs(flank.removed(rho));
     if (thickness <= 0.0 || 2.0 * removed * radius / base < thickness) continue;
-    std::ostringstream message;
-    message << "the flank of the " << names[gear] << " is modified by " << removed << " m at the radius " << radius
-            << " m, where the tooth is " << thickness << " m thick: check " << names[gear]
-            << "_tip_relief, root_relief, profile_slope, profile_crowning and profile_file, which are in metres";
-    throw InputError(message.str());
+    throw InputError("the flank of the ", names[gear], " is modified by ", removed, " m at the radius ", radius,
+                     " m, where the tooth is ", thickness, " m thick: check ", names[gear],
+                     "_tip_relief, root_relief, profile_slope, profile_crowning and profile_file, which are in metres");
   }
 }
 
@@ -131,10 +123,8 @@ void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, c
   double softest = compliance(low_);
   for (int n = 0; n <= 100; ++n) softest = std::min(softest, compliance(low_ + (high_ - low_) * n / 100));
   if (coupling_[0] < softest || coupling_[0] == options.mesh) return;
-  std::ostringstream message;
-  message << "a neighbour's force would bend a tooth by " << coupling_[0] << " m/N, its own by " << softest
-          << " m/N: check pinion_bore_radius and wheel_bore_radius, or set gear_body_coupling to no";
-  throw InputError(message.str());
+  throw InputError("a neighbour's force would bend a tooth by ", coupling_[0], " m/N, its own by ", softest,
+                   " m/N: check pinion_bore_radius and wheel_bore_radius, or set gear_body_coupling to no");
 }
 
 // On the working pitch circle R_w the pinion's tooth is s_w = 2 R_w (s/2r + inv alpha - inv alpha') thick.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 
@@ -41,24 +40,20 @@ GearCompliance::GearCompliance(const SpurGear& gear, const SpurGearPair& pair, T
       foundation_(foundation),
       bore_radius_(gear.bore_radius.value_or(0.0)) {
   const double root = profile_.root_radius();
-  std::ostringstream message;
   if (foundation == FoundationModel::sainsot) {
     if (bore_radius_ <= 0.0) {
       throw InputError(name + "_bore_radius is missing: gear_tooth_compliance sainsot is that of a ring; give it");
     }
     const double h = root / bore_radius_, theta = profile_.root_half_angle();
     if (h < 1.4 || h > 7.0 || theta < 0.01 || theta > 0.12) {
-      message << name << "_bore_radius = " << bore_radius_ << " m: the root circle is " << h
-              << " times as large, and half a tooth's angle at the root is " << theta
-              << "; gear_tooth_compliance sainsot is for 1.4 to 7 and 0.01 to 0.12: use weber";
-      throw InputError(message.str());
+      throw InputError(name, "_bore_radius = ", bore_radius_, " m: the root circle is ", h,
+                       " times as large, and half a tooth's angle at the root is ", theta,
+                       "; gear_tooth_compliance sainsot is for 1.4 to 7 and 0.01 to 0.12: use weber");
     }
   }
   if (bore_radius_ <= 0.0) return;
   if (bore_radius_ >= root) {
-    message << name << "_bore_radius = " << bore_radius_ << " m is not below the root radius " << root
-            << " m: reduce it";
-    throw InputError(message.str());
+    throw InputError(name, "_bore_radius = ", bore_radius_, " m is not below the root radius ", root, " m: reduce it");
   }
   const double E_b = modulus_ * face_width_;
   body_.torsion = (1.0 + poisson_ratio_) * square(profile_.base_radius()) / (2.0 * pi * E_b) *

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
 #include "gearfilm/error.hpp"
@@ -44,7 +43,7 @@ void ToothProfile::generate_fillet(const SpurGearPair& pair, double profile_shif
   const double m = pair.module_length, r = reference_radius_, tan = std::tan(pair.pressure_angle);
   const double dedendum = r - root_radius + profile_shift * m;
   const auto fail = [&](const std::string& why) {
-    throw InputError(name_ + "_root_radius = " + std::to_string(root_radius) + " m " + why);
+    throw InputError(name_, "_root_radius = ", std::to_string(root_radius), " m ", why);
   };
   if (!(root_radius > 0.0) || dedendum <= 0.0) fail("is not below the reference line of the rack: give a smaller one");
   // What a rounding of the rack's tip takes of its flat top.
@@ -109,11 +108,9 @@ void ToothProfile::end_fillet_on_involute(double last) {
 ToothLoad ToothProfile::load_at(double rho) const {
   const double radius = std::hypot(base_radius_, rho);
   if (radius < form_radius_ * (1.0 - 1e-9)) {
-    std::ostringstream message;
-    message << name_ << "_root_radius: the flank is used down to the radius " << radius << " m, but ends at "
-            << form_radius_ << " m, where the fillet begins: reduce " << name_ << "_root_radius or " << name_
-            << "_hob_tip_radius";
-    throw InputError(message.str());
+    throw InputError(name_, "_root_radius: the flank is used down to the radius ", radius, " m, but ends at ",
+                     form_radius_, " m, where the fillet begins: reduce ", name_, "_root_radius or ", name_,
+                     "_hob_tip_radius");
   }
   const double gamma = half_angle(radius);
   const double angle = std::acos(base_radius_ / radius) - gamma;

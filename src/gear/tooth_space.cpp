@@ -1,7 +1,6 @@
 #include "gearfilm/gear/tooth_space.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include "gearfilm/error.hpp"
@@ -20,9 +19,7 @@ double root_radius(const SpurGear& gear, const SpurGearPair& pair, double profil
 
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw InputError(message.str());
+  throw InputError(parts...);
 }
 
 /// Without a profile shift of its own a tooth is as thick as the assumed one makes it: only what the backlash takes of

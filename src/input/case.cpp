@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
@@ -25,21 +24,16 @@ using std::numbers::pi;
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-std::optional<double> optional_real(const ParameterValues& values, const std::string& name) {
-  if (!values.has(name)) return {};
-  return values.real(name);
-}
-
 SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
   return {.teeth = values.integer(gear + ".teeth"),
           .outer_radius = values.real(gear + ".outer_radius"),
           .crowning = values.real(gear + ".crowning"),
           .youngs_modulus = values.real(gear + ".youngs_modulus"),
           .poisson_ratio = values.real(gear + ".poisson_ratio"),
-          .profile_shift = optional_real(values, gear + ".profile_shift"),
-          .root_radius = optional_real(values, gear + ".root_radius"),
-          .hob_tip_radius = optional_real(values, gear + ".hob_tip_radius"),
-          .bore_radius = optional_real(values, gear + ".bore_radius")};
+          .profile_shift = values.real_if_given(gear + ".profile_shift"),
+          .root_radius = values.real_if_given(gear + ".root_radius"),
+          .hob_tip_radius = values.real_if_given(gear + ".hob_tip_radius"),
+          .bore_radius = values.real_if_given(gear + ".bore_radius")};
 }
 
 SpurGearPair read_gear_pair(const ParameterValues& values) {
@@ -49,23 +43,16 @@ SpurGearPair read_gear_pair(const ParameterValues& values) {
           .pressure_angle = values.real("gear.pressure_angle_deg") * pi / 180.0,
           .centre_distance = values.real("gear.centre_distance"),
           .face_width = values.real("gear.face_width"),
-          .backlash = optional_real(values, "gear.backlash")};
+          .backlash = values.real_if_given("gear.backlash")};
 }
 
 // Either both inertias or the mass itself; none for a pair that does not vibrate.
 std::optional<double> read_equivalent_mass(const ParameterValues& values, const LineOfAction& line) {
   const std::string mass = "gear.equivalent_mass", pinion = "pinion.inertia", wheel = "wheel.inertia";
   for (const std::string& inertia : {pinion, wheel}) {
-    if (values.has(mass) && values.has(inertia))
-      throw InputError(values.origin(inertia) + ": both " + quoted(inertia) + " and " + quoted(mass) +
-                       " are given, and each says how heavy the gears are; delete one");
+    values.require_not_both(inertia, mass, ", and each says how heavy the gears are; delete one");
   }
-  if (values.has(pinion) != values.has(wheel)) {
-    const std::string& given = values.has(pinion) ? pinion : wheel;
-    const std::string& missing = values.has(pinion) ? wheel : pinion;
-    throw InputError(values.origin(given) + ": " + quoted(given) + " is given without " + quoted(missing) +
-                     "; give both inertias, " + quoted(mass) + ", or neither");
-  }
+  values.require_both(pinion, wheel, "give both inertias, " + quoted(mass) + ", or neither");
   if (values.has(mass)) return values.real(mass);
   if (values.has(pinion)) return equivalent_mass(line, values.real(pinion), values.real(wheel));
   return {};
@@ -73,9 +60,9 @@ std::optional<double> read_equivalent_mass(const ParameterValues& values, const 
 
 ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction& line) {
   if (!std::isfinite(line.radius_y()))
-    throw InputError(values.origin("pinion.crowning") +
-                     ": 'pinion.crowning' and 'wheel.crowning' are both 0 m, a line " +
-                     "contact, which is not modelled; give at least one crowning > 0");
+    values.refuse("pinion.crowning",
+                  "and 'wheel.crowning' are both 0 m, a line contact, which is not modelled; give at least one "
+                  "crowning > 0");
   return {.radius_x = line.radius_x(0.0),
           .radius_y = line.radius_y(),
           .reduced_modulus = reduced_modulus(values.real("pinion.youngs_modulus"), values.real("pinion.poisson_ratio"),
@@ -123,9 +110,7 @@ double read_reduced_modulus(const ParameterValues& values) {
                                              "contact.youngs_modulus_2", "contact.poisson_ratio_2"};
   const std::string reduced = "contact.reduced_modulus";
   for (const std::string& body : bodies) {
-    if (values.has(reduced) && values.has(body))
-      throw InputError(values.origin(body) + ": both " + quoted(body) + " and " + quoted(reduced) +
-                       " are given; delete one");
+    values.require_not_both(body, reduced, "; delete one");
     if (!values.has(reduced) && !values.has(body))
       throw InputError(values.file() + ": " + quoted(body) + " is missing; give " + quoted(reduced) +
                        ", or Young's modulus and Poisson's ratio of both bodies");
@@ -147,8 +132,8 @@ ReferenceContact read_bare_contact(const ParameterValues& values) {
 std::string read_name(const ParameterValues& values) {
   const std::string& name = values.text("case.name");
   if (name.find('/') == std::string::npos && name != "." && name != "..") return name;
-  throw InputError(values.origin("case.name") + ": 'case.name' is '" + name +
-                   "', which is no name of a folder; give a word without '/', and folders as output.dir");
+  values.refuse("case.name",
+                "is '" + name + "', which is no name of a folder; give a word without '/', and folders as output.dir");
 }
 
 // A position on the line of action, which a bare contact has not.
@@ -174,29 +159,27 @@ double read_start_position(const Case& result) {
   const std::string position = "start.position";
   if (place == "position" && values.has(position)) return read_position(result, position);
   if (values.has(position)) {
-    throw InputError(values.origin(position) + ": " + quoted(position) + " is given, but 'start.place' is " + place +
-                     "; set start.place to position or delete the key");
+    values.refuse(position,
+                  "is given, but 'start.place' is " + place + "; set start.place to position or delete the key");
   }
   if (place == "after_leaving") return result.pair.line->exit() - result.pair.line->base_pitch();
   return 0.0;
 }
 
 std::optional<Motion> read_start_motion(const ParameterValues& values) {
-  if (values.has("start.H0"))
-    return Motion{values.real("start.H0"), values.has("start.V0") ? values.real("start.V0") : 0.0};
+  if (values.has("start.H0")) return Motion{values.real("start.H0"), values.real_if_given("start.V0").value_or(0.0)};
   if (!values.has("start.V0")) return {};
-  throw InputError(values.origin("start.V0") + ": 'start.V0' is given without 'start.H0'; give both or neither");
+  values.refuse("start.V0", "is given without 'start.H0'; give both or neither");
 }
 
 // An interval shorter than a step stores every step; the next time must not be lost in round-off, though.
 void check_snapshot_interval(const Case& result) {
   constexpr double shortest = 1e-9;
   if (result.march.snapshot_interval.value_or(0.0) == 0.0 || *result.march.snapshot_interval >= shortest) return;
-  throw InputError(result.parameters.origin("output.snapshot_interval") + ": 'output.snapshot_interval' is " +
-                   format_value(*result.march.snapshot_interval) +
-                   " mesh periods, far shorter than any time step; give 0 for "
-                   "no fields, or at least " +
-                   format_value(shortest));
+  result.parameters.refuse("output.snapshot_interval", "is " + format_value(*result.march.snapshot_interval) +
+                                                           " mesh periods, far shorter than any time step; give 0 for "
+                                                           "no fields, or at least " +
+                                                           format_value(shortest));
 }
 
 MarchModel read_model(const std::string& name) {
@@ -208,25 +191,24 @@ MarchModel read_model(const std::string& name) {
 PairMotion read_motion(const Case& result) {
   const ParameterValues& values = result.parameters;
   const std::string name = "motion";
-  if (!values.has(name) || values.text(name) == "dynamic") return PairMotion::dynamic;
+  if (values.text(name) == "dynamic") return PairMotion::dynamic;
   const std::string other = [&]() -> std::string {
     if (result.march.model != MarchModel::dynamic) return "model";
     if (values.text("geometry") == "held") return "geometry";
-    if (values.text("friction.in_motion") == "yes") return "friction.in_motion";
+    if (values.yes("friction.in_motion")) return "friction.in_motion";
     const std::string multipliers = "periodic.multipliers";
-    return values.given(multipliers) && values.text(multipliers) == "yes" ? multipliers : "";
+    return values.given(multipliers) && values.yes(multipliers) ? multipliers : "";
   }();
   if (other.empty()) return PairMotion::quasi_static;
-  throw InputError(values.origin(name) + ": " + quoted(name) + " is quasi_static, but " + quoted(other) + " is " +
-                   values.text(other) + "; use one of the two");
+  values.refuse(name, "is quasi_static, but '" + other + "' is " + values.text(other) + "; use one of the two");
 }
 
 std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
   const std::string name = "load_sharing.file";
   if (!values.has(name)) {
-    throw InputError(values.origin("load_sharing.kind") +
-                     ": 'load_sharing.kind' is table, but 'load_sharing.file' is "
-                     "missing; give the file of the table");
+    values.refuse("load_sharing.kind",
+                  "is table, but 'load_sharing.file' is "
+                  "missing; give the file of the table");
   }
   return read_points(values, name, "a point of the load sharing; give two numbers, position [m] and share");
 }
@@ -246,8 +228,8 @@ LoadSharing read_load_sharing(const Case& result) {
 void set_single_contact(Case& result) {
   const ParameterValues& values = result.parameters;
   if (result.march.geometry == MeshGeometry::held) {
-    throw InputError(values.origin("geometry") + ": 'geometry' is held, but the model " + values.text("model") +
-                     " follows a contact along the line of action; set it to moving");
+    values.refuse("geometry", "is held, but the model " + values.text("model") +
+                                  " follows a contact along the line of action; set it to moving");
   }
   result.march.geometry = MeshGeometry::single;
   const double jump_length = result.pair.line->travel_velocity(result.pair.pinion_speed) * result.scales.time *
@@ -261,14 +243,14 @@ void set_single_contact(Case& result) {
 void check_friction_in_motion(const Case& result) {
   const ParameterValues& values = result.parameters;
   const std::string name = "friction.in_motion";
-  if (values.text(name) == "no") return;
+  if (!values.yes(name)) return;
   std::string lacking;
   if (!result.traction) lacking = "'friction.law' is none; give the law";
   if (result.march.model != MarchModel::dynamic) {
     lacking = "'model' is " + values.text("model") + "; set it to dynamic";
   }
   if (!result.pair.equivalent_mass) lacking = "the gears have no inertia; give it";
-  if (!lacking.empty()) throw InputError(values.origin(name) + ": " + quoted(name) + " is yes, but " + lacking);
+  if (!lacking.empty()) values.refuse(name, "is yes, but " + lacking);
 }
 
 /// A ramp of speed, over all mesh periods where nothing else is said.
@@ -277,24 +259,21 @@ SpeedCourse read_speed_course(const Case& result) {
   const std::string end = "ramp.to_rpm", length = "ramp.periods";
   if (!values.has(end)) {
     if (!values.has(length)) return {};
-    throw InputError(values.origin(length) + ": " + quoted(length) + " is given, but not " + quoted(end) +
-                     "; give the speed at the end of the ramp");
+    values.refuse(length, "is given, but not " + quoted(end) + "; give the speed at the end of the ramp");
   }
   if (result.march.geometry != MeshGeometry::moving) {
-    throw InputError(values.origin(end) + ": " + quoted(end) +
-                     " is given, but the contacts do not go round: 'geometry' is " + values.text("geometry") +
-                     ", 'model' is " + values.text("model") + "; use geometry moving and model dynamic or dry");
+    values.refuse(end, "is given, but the contacts do not go round: 'geometry' is " + values.text("geometry") +
+                           ", 'model' is " + values.text("model") + "; use geometry moving and model dynamic or dry");
   }
-  const double periods = values.has(length) ? values.real(length) : values.real("mesh_periods");
+  const double periods = values.real_if_given(length).value_or(values.real("mesh_periods"));
   return SpeedCourse::over_phase(values.real(end) / values.real("pinion.speed_rpm"), periods * mesh_period(result));
 }
 
 std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values) {
   const std::string motion = "time.tolerance", films = "time.film_tolerance";
-  if (values.has(motion)) return ErrorTolerance{values.real(motion), optional_real(values, films).value_or(HUGE_VAL)};
+  if (values.has(motion)) return ErrorTolerance{values.real(motion), values.real_if_given(films).value_or(HUGE_VAL)};
   if (!values.has(films)) return {};
-  throw InputError(values.origin(films) + ": " + quoted(films) + " is given, but not " + quoted(motion) +
-                   "; give the tolerance on the motion too");
+  values.refuse(films, "is given, but not " + quoted(motion) + "; give the tolerance on the motion too");
 }
 
 void set_march(Case& result) {
@@ -308,9 +287,9 @@ void set_march(Case& result) {
     set_single_contact(result);
   result.march.mesh_periods = values.real("mesh_periods");
   result.march.course = read_speed_course(result);
-  result.run.restart = values.text("restart") == "yes";
-  result.run.time_limit = optional_real(values, "time_limit");
-  result.run.keep_checkpoint = values.text("keep_checkpoint") == "yes";
+  result.run.restart = values.yes("restart");
+  result.run.time_limit = values.real_if_given("time_limit");
+  result.run.keep_checkpoint = values.yes("keep_checkpoint");
   result.march.start_motion = read_start_motion(values);
   check_friction_in_motion(result);
   set_time_steps(result);
@@ -320,21 +299,20 @@ void set_march(Case& result) {
                            .max_periods = values.integer("periodic.max_periods")};
   result.search.order = values.integer("periodic.order");
   result.search.max_pattern = values.integer("periodic.max_pattern");
-  result.search.with_multipliers =
-      values.text("periodic.multipliers") == "yes" && result.march.motion == PairMotion::dynamic;
+  result.search.with_multipliers = values.yes("periodic.multipliers") && result.march.motion == PairMotion::dynamic;
   result.sweep = read_sweep(values);
   result.continuation = read_continuation(values, result.search.order);
-  result.march.dry_damping_ratio = optional_real(values, "dry.damping_ratio");
+  result.march.dry_damping_ratio = values.real_if_given("dry.damping_ratio");
   result.modes.count = values.integer("eigen.modes");
-  result.modes.of_orbit = values.text("eigen.orbit") == "yes";
+  result.modes.of_orbit = values.yes("eigen.orbit");
   result.modes.orbit_periods = values.integer("eigen.periods");
-  result.march.snapshot_interval = optional_real(values, "output.snapshot_interval");
+  result.march.snapshot_interval = values.real_if_given("output.snapshot_interval");
   check_snapshot_interval(result);
-  result.march.spectrum_periods = optional_real(values, "output.spectrum_periods");
+  result.march.spectrum_periods = values.real_if_given("output.spectrum_periods");
   if (result.march.spectrum_periods && *result.march.spectrum_periods > result.march.mesh_periods) {
-    throw InputError(values.origin("output.spectrum_periods") + ": 'output.spectrum_periods' is " +
-                     format_value(*result.march.spectrum_periods) + ", more than the " +
-                     format_value(result.march.mesh_periods) + " mesh periods marched; give at most mesh_periods");
+    values.refuse("output.spectrum_periods", "is " + format_value(*result.march.spectrum_periods) + ", more than the " +
+                                                 format_value(result.march.mesh_periods) +
+                                                 " mesh periods marched; give at most mesh_periods");
   }
 }
 

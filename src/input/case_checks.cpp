@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 
@@ -15,12 +14,10 @@ void check_strain(const Scales& scales, double load_ratio, const std::string& na
   const double pressure = std::cbrt(load_ratio) * scales.hertz.pressure;
   const double strain = pressure / scales.solids.reduced_modulus;
   if (strain <= largest) return;
-  std::ostringstream message;
-  message << "the Hertz pressure is " << pressure * 1e-9 << " GPa, " << strain
-          << " of the reduced modulus: no elastic contact carries it; lower " << name << " of "
-          << load_ratio * scales.operation.load
-          << " N (torque in N m, forces in N, lengths in m), or raise the moduli or radii";
-  throw InputError(message.str());
+  throw InputError("the Hertz pressure is ", pressure * 1e-9, " GPa, ", strain,
+                   " of the reduced modulus: no elastic contact carries it; lower ", name, " of ",
+                   load_ratio * scales.operation.load,
+                   " N (torque in N m, forces in N, lengths in m), or raise the moduli or radii");
 }
 
 // A displacement at the start beyond what a contact with such a pressure has: p_h grows with the root of the approach.
@@ -36,11 +33,9 @@ void check_deflection(const Case& result) {
   const double load = result.scales.operation.load, module_length = result.pair.gears->module_length;
   const double deflection = load * result.pair.teeth.compliance(0.0);
   if (deflection < module_length) return;
-  std::ostringstream message;
-  message << "the teeth would give way by " << deflection << " m under the static force of " << load
-          << " N, more than the module of " << module_length
-          << " m: lower gear.mesh_compliance, gear.compliance_factor or the table's values, which are in m/N";
-  throw InputError(message.str());
+  throw InputError("the teeth would give way by ", deflection, " m under the static force of ", load,
+                   " N, more than the module of ", module_length,
+                   " m: lower gear.mesh_compliance, gear.compliance_factor or the table's values, which are in m/N");
 }
 
 }  // namespace

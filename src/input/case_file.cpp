@@ -130,7 +130,7 @@ void reject_odd_indents(const std::string& file, const std::string& text) {
     if (content == std::string::npos) continue;
     const bool tab = line.substr(0, content).find('\t') != std::string::npos;
     if (tab || line.compare(content, 2, "\u00a0") == 0)
-      throw InputError(file + ":" + std::to_string(number) + ": malformed YAML (a " + (tab ? "tab" : "no-break space") +
+      throw InputError(file, ":", number, ": malformed YAML (a ", (tab ? "tab" : "no-break space"),
                        " indents the line); use spaces");
   }
 }
@@ -172,7 +172,7 @@ std::vector<CaseFileEntry> parse_case_text(const std::string& file, const std::s
   } catch (const YAML::Exception& error) {
     if (error.mark.line >= lines)
       throw InputError(file + ": malformed YAML (the end comes inside a quote or brackets); close them");
-    throw InputError(file + ":" + std::to_string(error.mark.line + 1) + ": malformed YAML (" + error.msg +
+    throw InputError(file, ":", error.mark.line + 1, ": malformed YAML (", error.msg,
                      "); check indentation, colons and quotes");
   }
   return collector.take_entries();

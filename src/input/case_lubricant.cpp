@@ -8,15 +8,13 @@ namespace {
 /// A constant that a law needs.
 double needed(const ParameterValues& values, const std::string& law, const std::string& key) {
   if (values.has(key)) return values.real(key);
-  throw InputError(values.origin(law) + ": '" + law + "' is " + values.text(law) + ", but '" + key +
-                   "' is missing; give it, or another law");
+  values.refuse(law, "is " + values.text(law) + ", but '" + key + "' is missing; give it, or another law");
 }
 
 /// One that follows from a law, and must not be given beside it.
 void refuse(const ParameterValues& values, const std::string& law, const std::string& key) {
   if (!values.has(key)) return;
-  throw InputError(values.origin(key) + ": '" + key + "' is given, but it follows from '" + law + "', which is " +
-                   values.text(law) + "; leave it out");
+  values.refuse(key, "is given, but it follows from '" + law + "', which is " + values.text(law) + "; leave it out");
 }
 
 /// The law that the parameter names, with its constants.
@@ -66,7 +64,7 @@ Lubricant read_lubricant(const ParameterValues& values) {
 std::optional<ThermalOil> read_thermal_oil(const ParameterValues& values) {
   const std::string given = "lubricant.temperature_viscosity";
   const Lubricant oil = read_lubricant(values);
-  const double measured = values.has(given) ? values.real(given) : 0.0;
+  const double measured = values.real_if_given(given).value_or(0.0);
   const double beta = takes_coefficients(oil) ? measured : temperature_viscosity(oil);
   if (!(beta > 0.0)) return {};
   return ThermalOil{.temperature = oil.temperature,

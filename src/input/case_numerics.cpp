@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
+#include "gearfilm/error.hpp"
 #include "gearfilm/mesh/natural_frequency.hpp"
 
 namespace gearfilm {
@@ -14,9 +14,9 @@ Domain read_domain(const ParameterValues& values, const Scales& scales) {
   Domain domain = values.text("grid.domain") == "paper"
                       ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
                       : domain_of(ExpectedFilm(scales));
-  if (values.has("grid.x_min")) domain.x_min = values.real("grid.x_min");
-  if (values.has("grid.x_max")) domain.x_max = values.real("grid.x_max");
-  if (values.has("grid.y_half")) domain.y_half = values.real("grid.y_half");
+  domain.x_min = values.real_if_given("grid.x_min").value_or(domain.x_min);
+  domain.x_max = values.real_if_given("grid.x_max").value_or(domain.x_max);
+  domain.y_half = values.real_if_given("grid.y_half").value_or(domain.y_half);
   return domain;
 }
 
@@ -59,9 +59,8 @@ double step_tolerance(const Scales& scales) {
 }
 
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
-  const bool given = values.has("time.newton_tolerance");
-  NewtonOptions options =
-      read_newton_options(values, "time", given ? values.real("time.newton_tolerance") : step_tolerance(scales));
+  NewtonOptions options = read_newton_options(
+      values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)));
   options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
   options.limit_changes = true;
   return options;
@@ -74,7 +73,6 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
           .precision =
               values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
 }
-
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
 // 0.026, since what they resolve besides stands still before the contact. By the mesh, and by the swing of the gears.
@@ -93,12 +91,10 @@ std::string thin_film_remark(const Case& problem) {
   const ParameterValues& values = problem.parameters;
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
   if (expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
-  std::ostringstream text;
-  text.precision(2);
-  text << "the film to be expected is " << 1e9 * expected << " nm; films between smooth surfaces below "
-       << 1e9 * thinnest_film << " nm are no films: the grid is chosen for " << 1e9 * thinnest_film
-       << " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another";
-  return text.str();
+  return worded(std::setprecision(2), "the film to be expected is ", 1e9 * expected,
+                " nm; films between smooth surfaces below ", 1e9 * thinnest_film,
+                " nm are no films: the grid is chosen for ", 1e9 * thinnest_film,
+                " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another");
 }
 
 Steps steps_of(const NumericsCase& numerics) {
@@ -141,13 +137,6 @@ double largest_speed_ratio(const ParameterValues& values) {
 
 double mesh_period(const Case& problem) {
   return 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
-}
-
-Case without_inertia(Case problem) {
-  problem.march.motion = PairMotion::quasi_static;
-  problem.search.with_multipliers = false;
-  set_time_steps(problem);
-  return problem;
 }
 
 void set_film_numerics(Case& result) {

@@ -43,9 +43,6 @@ double largest_speed_ratio(const ParameterValues& values);
 /// The mesh period of a gear pair at the first speed [T].
 double mesh_period(const Case& problem);
 
-/// The case as a pair without inertia, whose steps and search follow.
-Case without_inertia(Case problem);
-
 /// Steps that a mesh period and a free oscillation are given at least, where the program chooses.
 constexpr double steps_in_mesh_period = 100.0;
 constexpr double steps_in_swing = 40.0;

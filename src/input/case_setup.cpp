@@ -1,7 +1,6 @@
 #include "gearfilm/input/case_setup.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/validity.hpp"
@@ -25,12 +24,10 @@ SharedDiscretisation discretise(const Grid& grid, const Case& problem) {
 void require_tooth_force(const Case& problem, const std::string& what) {
   const std::string name = "gear.load_model";
   if (!problem.pair.line || problem.parameters.text(name) == "point") return;
-  std::ostringstream message;
-  message.precision(4);
-  message << problem.parameters.origin(name) << ": '" << name << "' is line_equivalent, with which the contact carries "
-          << problem.scales.operation.load << " N in the place of the tooth's " << problem.pair.tooth_force
-          << " N, but " << what << " needs the whole force; set it to point";
-  throw InputError(message.str());
+  throw InputError(std::setprecision(4), problem.parameters.origin(name), ": '", name,
+                   "' is line_equivalent, with which the contact carries ", problem.scales.operation.load,
+                   " N in the place of the tooth's ", problem.pair.tooth_force, " N, but ", what,
+                   " needs the whole force; set it to point");
 }
 
 void require_inertia(const Case& problem) {
@@ -45,12 +42,16 @@ void require_inertia(const Case& problem) {
 
 void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
-    throw InputError(problem.parameters.origin(name) + ": '" + name + "' is " + problem.parameters.text(name) +
-                     ", but " + command + " is for all contacts of the pair, which travel; set it to " + needed);
+    problem.parameters.refuse(name, "is " + problem.parameters.text(name) + ", but " + command +
+                                        " is for all contacts of the pair, which travel; set it to " + needed);
   };
   const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
   if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
+  if (problem.march.motion == PairMotion::quasi_static && command != "periodic") {
+    problem.parameters.refuse("motion",
+                              "is quasi_static, but " + command + " is for pairs that swing; set it to dynamic");
+  }
 }
 
 void require_one_pattern(const Case& problem, const std::string& command) {
@@ -61,11 +62,10 @@ void require_one_pattern(const Case& problem, const std::string& command) {
        {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {
     if (problem.parameters.has(key)) name = key;
   }
-  throw InputError(problem.parameters.origin(name) + ": with '" + name + "' the same teeth meet again after " +
-                   std::to_string(pattern) + " mesh periods, and " + command +
-                   " looks for states that repeat after at most periodic.max_pattern = " +
-                   std::to_string(problem.search.max_pattern) + "; raise that, delete '" + name +
-                   "', or march that long (transient)");
+  throw InputError(problem.parameters.origin(name), ": with '", name, "' the same teeth meet again after ", pattern,
+                   " mesh periods, and ", command,
+                   " looks for states that repeat after at most periodic.max_pattern = ", problem.search.max_pattern,
+                   "; raise that, delete '", name, "', or march that long (transient)");
 }
 
 GearInertias inertias_of(const Case& problem) {
@@ -77,7 +77,7 @@ GearInertias inertias_of(const Case& problem) {
 namespace {
 
 std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
-  if (problem.parameters.text("friction.in_motion") == "no") return {};
+  if (!problem.parameters.yes("friction.in_motion")) return {};
   const LineOfAction& line = *problem.pair.line;
   const auto [pinion, wheel] = inertias_of(problem);
   const double m_ge = *problem.pair.equivalent_mass;

@@ -28,8 +28,7 @@ double tip_relief_length(const ParameterValues& values, const std::string& gear,
   }
   if (values.real(relief) == 0.0) return 0.0;
   if (given.empty()) {
-    throw InputError(values.origin(relief) + ": '" + relief + "' is given without its length; give '" + length +
-                     "', '" + radius + "' or '" + roll + "'");
+    values.refuse(relief, "is given without its length; give '" + length + "', '" + radius + "' or '" + roll + "'");
   }
   if (given[0] == length) return values.real(length);
   if (given[0] == roll) return tip - values.real(roll) * std::numbers::pi / 180.0 * base_radius;
@@ -41,7 +40,7 @@ double root_relief_length(const ParameterValues& values, const std::string& gear
   const std::string relief = gear + ".root_relief", length = relief + "_length";
   if (values.real(relief) == 0.0) return 0.0;
   if (values.has(length)) return values.real(length);
-  throw InputError(values.origin(relief) + ": '" + relief + "' is given without its length; give '" + length + "'");
+  values.refuse(relief, "is given without its length; give '" + length + "'");
 }
 
 std::vector<double> read_pitch_errors(const ParameterValues& values, const std::string& gear) {
@@ -80,12 +79,12 @@ ComplianceOptions read_compliance(const ParameterValues& values) {
                             .table = {},
                             .factor = values.real("gear.compliance_factor"),
                             .mesh = values.real("gear.mesh_compliance"),
-                            .body_coupling = values.text("gear.body_coupling") == "yes"};
+                            .body_coupling = values.yes("gear.body_coupling")};
   if (values.text(kind) == "weber") options.teeth = FoundationModel::weber;
   if (values.text(kind) == "sainsot") options.teeth = FoundationModel::sainsot;
   if (values.text(kind) != "table") return options;
   if (!values.has(file)) {
-    throw InputError(values.origin(kind) + ": '" + kind + "' is table, but '" + file + "' is missing; give the file");
+    values.refuse(kind, "is table, but '" + file + "' is missing; give the file");
   }
   options.table = read_ascending_points(
       values, file,

@@ -30,8 +30,7 @@ ShearLaw read_law(const ParameterValues& values) {
                .limiting_stress = values.real("friction.limiting_stress")};
   if (law.kind != ShearLawKind::coulomb) return law;
   if (!values.has("friction.coefficient")) {
-    throw InputError(values.origin("friction.law") +
-                     ": 'friction.law' is coulomb, but 'friction.coefficient' is missing; give a number in [0, 1]");
+    values.refuse("friction.law", "is coulomb, but 'friction.coefficient' is missing; give a number in [0, 1]");
   }
   law.coefficient = values.real("friction.coefficient");
   return law;
@@ -40,20 +39,21 @@ ShearLaw read_law(const ParameterValues& values) {
 HeatOptions read_heat(const ParameterValues& values) {
   const std::optional<ThermalOil> oil = read_thermal_oil(values);
   if (!oil) {
-    throw InputError(values.origin("thermal.model") + ": 'thermal.model' is " + values.text("thermal.model") +
-                     ", but 'lubricant.temperature_viscosity' is missing; give -d ln eta/dT in 1/K (about 0.04 for a "
-                     "mineral oil)");
+    values.refuse("thermal.model",
+                  "is " + values.text("thermal.model") +
+                      ", but 'lubricant.temperature_viscosity' is missing; give -d ln eta/dT in 1/K (about 0.04 for a "
+                      "mineral oil)");
   }
   return {
       .oil = *oil, .points = values.integer("thermal.points"), .couple_film = values.text("thermal.model") == "film"};
 }
 
 bool shears_in_film(const ParameterValues& values, const ShearLaw& law) {
-  if (values.text("friction.in_film") == "no") return false;
+  if (!values.yes("friction.in_film")) return false;
   if (law.kind == ShearLawKind::coulomb) {
-    throw InputError(values.origin("friction.in_film") +
-                     ": 'friction.in_film' is yes, but Coulomb friction knows no viscosity; use friction.law eyring or "
-                     "carreau, or friction.in_film no");
+    values.refuse("friction.in_film",
+                  "is yes, but Coulomb friction knows no viscosity; use friction.law eyring or "
+                  "carreau, or friction.in_film no");
   }
   return law.kind != ShearLawKind::newtonian;
 }
@@ -64,10 +64,10 @@ void check_sliding(const ParameterValues& values) {
   if (values.text("case.kind") != "contact") return;
   const double largest = 2.0 * values.real("contact.entrainment_velocity");
   if (std::abs(values.real(sliding)) < largest) return;
-  throw InputError(values.origin(sliding) + ": '" + sliding + "' is " + format_value(values.real(sliding)) +
-                   " m/s, at which one surface stands still or moves backwards; give less than twice "
-                   "contact.entrainment_velocity, " +
-                   format_value(largest) + " m/s");
+  values.refuse(sliding, "is " + format_value(values.real(sliding)) +
+                             " m/s, at which one surface stands still or moves backwards; give less than twice "
+                             "contact.entrainment_velocity, " +
+                             format_value(largest) + " m/s");
 }
 
 }  // namespace
@@ -75,13 +75,12 @@ void check_sliding(const ParameterValues& values) {
 std::optional<TractionModel> read_traction(const ParameterValues& values) {
   const bool heated = values.text("thermal.model") != "none";
   if (values.text("friction.law") == "none") {
-    if (values.text("friction.in_film") == "yes") {
-      throw InputError(values.origin("friction.in_film") +
-                       ": 'friction.in_film' is yes, but 'friction.law' is none; give the law by which the oil shears");
+    if (values.yes("friction.in_film")) {
+      values.refuse("friction.in_film", "is yes, but 'friction.law' is none; give the law by which the oil shears");
     }
     if (!heated) return {};
-    throw InputError(values.origin("thermal.model") + ": 'thermal.model' is " + values.text("thermal.model") +
-                     ", but 'friction.law' is none; give the law that makes the heat");
+    values.refuse("thermal.model", "is " + values.text("thermal.model") +
+                                       ", but 'friction.law' is none; give the law that makes the heat");
   }
   check_sliding(values);
   TractionModel model;
@@ -92,7 +91,7 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   const std::array<std::string, 2> heat_capacity = body_keys(values, "heat_capacity");
   const std::array<std::string, 2> bulk = {"thermal.bulk_pinion", "thermal.bulk_wheel"};
   for (std::size_t k = 0; k < bulk.size(); ++k) {
-    model.bodies[k] = {.temperature = values.has(bulk[k]) ? values.real(bulk[k]) : values.real("thermal.temperature"),
+    model.bodies[k] = {.temperature = values.real_if_given(bulk[k]).value_or(values.real("thermal.temperature")),
                        .conductivity = values.real(conductivity[k]),
                        .density = values.real(density[k]),
                        .heat_capacity = values.real(heat_capacity[k])};

@@ -18,11 +18,7 @@ const std::map<std::string, std::string>& continuation_keys() {
 
 void read_ends(const ParameterValues& values, ContinuationCase& result) {
   const std::string from = "continuation.from", to = "continuation.to";
-  if (values.has(from) != values.has(to)) {
-    const std::string& given = values.has(from) ? from : to;
-    const std::string& missing = values.has(from) ? to : from;
-    throw InputError(values.origin(given) + ": '" + given + "' is given without '" + missing + "'; give both ends");
-  }
+  values.require_both(from, to, "give both ends");
   if (!values.has(from)) return;
   for (const std::string& name : {from, to}) {
     parse_value(*find_parameter(result.parameter), format_value(values.real(name)),
@@ -95,7 +91,7 @@ ContinuationCase read_continuation(const ParameterValues& values, int order) {
   constexpr double dry_tolerance = 2e-8;
   options.corrector.tolerance = on_films ? values.real("periodic.tolerance") : dry_tolerance;
   options.most_points = values.integer("continuation.points");
-  const bool follow = values.text("continuation.follow_flips") == "yes";
+  const bool follow = values.yes("continuation.follow_flips");
   options.largest_order = follow ? values.integer("continuation.largest_order") : order;
   return result;
 }

@@ -102,12 +102,6 @@ Records gear_records() {
 
 }  // namespace
 
-std::vector<Parameter> gear_pair_records() {
-  Records all = pinion_records();
-  for (Records& records : std::vector<Records>{wheel_records(), gear_records()}) {
-    std::ranges::move(records, std::back_inserter(all));
-  }
-  return all;
-}
+std::vector<Parameter> gear_pair_records() { return joined(pinion_records(), wheel_records(), gear_records()); }
 
 }  // namespace gearfilm

@@ -106,7 +106,7 @@ Records thermal_oil_records() {
 }  // namespace
 
 std::vector<Parameter> lubricant_records() {
-  return section("lubricant", Scope::any, joined(joined(isothermal_records(), law_records()), thermal_oil_records()));
+  return section("lubricant", Scope::any, joined(isothermal_records(), law_records(), thermal_oil_records()));
 }
 
 }  // namespace gearfilm

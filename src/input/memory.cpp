@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 #include "parallel/agreement.hpp"
@@ -34,12 +33,9 @@ void require_memory(MPI_Comm comm, int nx, int ny, int contacts, int heated_poin
   const double needed = (bytes_per_node + bytes_per_point * heated_points) * contacts * nx * ny,
                present = memory_of_all_machines(comm);
   if (needed <= present) return;
-  std::ostringstream message;
-  message << "a grid of " << nx << " x " << ny << " nodes for " << contacts
-          << (contacts == 1 ? " contact" : " contacts") << " needs at least " << std::ceil(needed * 1e-9)
-          << " GB of memory, and there are " << std::floor(present * 1e-9)
-          << " GB; lower grid.nx and grid.ny, or use more machines";
-  throw InputError(message.str());
+  throw InputError("a grid of ", nx, " x ", ny, " nodes for ", contacts, (contacts == 1 ? " contact" : " contacts"),
+                   " needs at least ", std::ceil(needed * 1e-9), " GB of memory, and there are ",
+                   std::floor(present * 1e-9), " GB; lower grid.nx and grid.ny, or use more machines");
 }
 
 }  // namespace gearfilm

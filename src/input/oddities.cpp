@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "gearfilm/contact/film_formulas.hpp"
+#include "gearfilm/error.hpp"
 #include "gearfilm/gear/tooth_space.hpp"
 #include "input/case_numerics.hpp"
 
@@ -26,10 +26,7 @@ struct Usual {
 };
 
 std::string in_words(double value, const std::string& unit) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value << (unit.empty() ? "" : " ") << unit;
-  return text.str();
+  return worded(std::setprecision(4), value, (unit.empty() ? "" : " "), unit);
 }
 
 void compare(double value, const Usual& usual, Oddities& found) {

@@ -1,8 +1,7 @@
-// The table of parameters as text: -help, docs/parameters.md and the options of the manual page.
+// The table of parameters as text: -help and docs/parameters.md.
 #include <sstream>
 
 #include "gearfilm/input/parameter.hpp"
-#include "input/roff.hpp"
 
 namespace gearfilm {
 namespace {
@@ -86,21 +85,6 @@ std::string parameter_markdown() {
              << meaning_of(parameter) << " |\n";
       });
   return text.str();
-}
-
-std::string parameter_roff() {
-  std::ostringstream roff;
-  for_each_in_sections(
-      [&](const Parameter& first) {
-        roff << ".SS " << roff_text(heading(first)) << "\n" << roff_text(describe_scope(first.scope)) << "\n";
-      },
-      [&](const Parameter& parameter) {
-        const std::string symbol = symbol_and_unit(parameter);
-        roff << roff_entry(
-            parameter.option(), describe_allowed(parameter),
-            meaning_of(parameter) + (symbol.empty() ? "" : "; " + symbol) + " (" + describe_presence(parameter) + ")");
-      });
-  return roff.str();
 }
 
 }  // namespace gearfilm

@@ -85,9 +85,10 @@ std::vector<Parameter> lubricant_records();
 std::vector<Parameter> traction_records();
 std::vector<Parameter> heated_body_records(const std::string& subscript, const std::string& ending = "");
 
-/// Of the same section.
-inline Records joined(Records first, Records second) {
-  for (Parameter& parameter : second) first.push_back(std::move(parameter));
+/// All in one list.
+template <class... More>
+Records joined(Records first, const More&... more) {
+  (first.insert(first.end(), more.begin(), more.end()), ...);
   return first;
 }
 

@@ -101,12 +101,9 @@ Records march_records() {
               "what is marched in time: the films of all contacts and the motion; one contact along the whole line of "
               "action whose share of the static force is prescribed, with inertia or without; the motion on dry Hertz "
               "contacts"),
-       optional(
-           "dynamic; of `transient` and `periodic` quasi_static where the pair swings more than 50 times in a mesh "
-           "period",
-           choice("motion", {"dynamic", "quasi_static"},
-                  "of the model dynamic: of bodies with inertia, or without, at every moment in balance with the "
-                  "forces of all contacts")),
+       choice("motion", {"dynamic", "quasi_static"},
+              "of the model dynamic, for `transient` and `periodic`: bodies have inertia, or are in balance with the "
+              "forces of all contacts at every moment, which leaves out the swing after each entering contact"),
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
@@ -323,18 +320,11 @@ Records output_records() {
 }  // namespace
 
 const std::vector<Parameter>& parameter_table() {
-  static const Records table = [] {
-    Records all;
-    for (Records& records :
-         std::vector<Records>{case_records(),         gear_pair_records(), contact_records(),      lubricant_records(),
-                              traction_records(),     grid_records(),      film_records(),         steady_records(),
-                              static_records(),       march_records(),     ramp_records(),         run_records(),
-                              load_sharing_records(), start_records(),     time_records(),         periodic_records(),
-                              eigen_records(),        sweep_records(),     continuation_records(), dry_records(),
-                              solver_records(),       output_records()})
-      std::ranges::move(records, std::back_inserter(all));
-    return all;
-  }();
+  static const Records table = joined(
+      case_records(), gear_pair_records(), contact_records(), lubricant_records(), traction_records(), grid_records(),
+      film_records(), steady_records(), static_records(), march_records(), ramp_records(), run_records(),
+      load_sharing_records(), start_records(), time_records(), periodic_records(), eigen_records(), sweep_records(),
+      continuation_records(), dry_records(), solver_records(), output_records());
   return table;
 }
 

@@ -59,6 +59,22 @@ void ParameterValues::check_required() const {
   throw InputError(file_ + ": missing for a " + kind_name(scope()) + ": " + missing + "; add to the case file");
 }
 
+void ParameterValues::refuse(const std::string& name, const std::string& what) const {
+  throw InputError(origin(name) + ": '" + name + "' " + what);
+}
+
+void ParameterValues::require_both(const std::string& first, const std::string& second,
+                                   const std::string& remedy) const {
+  if (has(first) == has(second)) return;
+  refuse(has(first) ? first : second, "is given without '" + (has(first) ? second : first) + "'; " + remedy);
+}
+
+void ParameterValues::require_not_both(const std::string& first, const std::string& second,
+                                       const std::string& remedy) const {
+  if (!has(first) || !has(second)) return;
+  throw InputError(origin(first) + ": both '" + first + "' and '" + second + "' are given" + remedy);
+}
+
 std::vector<EchoedValue> ParameterValues::echo() const {
   std::vector<EchoedValue> echoed;
   for (const Parameter& parameter : parameter_table()) {

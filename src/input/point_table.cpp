@@ -21,7 +21,7 @@ std::vector<std::pair<double, double>> read_points(const ParameterValues& values
     double first = 0.0, second = 0.0;
     std::string more;
     if (!(words >> first >> second) || words >> more) {
-      throw InputError(values.text(name) + ":" + std::to_string(number) + ": is not " + what);
+      throw InputError(values.text(name), ":", number, ": is not ", what);
     }
     points.emplace_back(first, second);
   }
@@ -32,8 +32,7 @@ std::vector<std::pair<double, double>> read_ascending_points(const ParameterValu
                                                              const std::string& what) {
   std::vector<std::pair<double, double>> points = read_points(values, name, what);
   if (points.size() < 2) {
-    throw InputError(values.text(name) + ": has " + std::to_string(points.size()) +
-                     " points, and a curve needs two; each is " + what);
+    throw InputError(values.text(name), ": has ", points.size(), " points, and a curve needs two; each is ", what);
   }
   for (std::size_t n = 1; n < points.size(); ++n) {
     if (points[n].first > points[n - 1].first) continue;

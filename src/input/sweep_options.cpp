@@ -39,9 +39,8 @@ std::vector<double> read_range(const ParameterValues& values, const Parameter& v
   const double from = values.real("sweep.from"), to = values.real("sweep.to");
   const int points = values.integer("sweep.points");
   if (!(from < to)) {
-    throw InputError(values.origin("sweep.from") + ": 'sweep.from' is " + format_value(from) +
-                     ", not below 'sweep.to', " + format_value(to) +
-                     "; give the smaller value first (sweep.direction says which way to go)");
+    values.refuse("sweep.from", "is " + format_value(from) + ", not below 'sweep.to', " + format_value(to) +
+                                    "; give the smaller value first (sweep.direction says which way to go)");
   }
   std::vector<double> list;
   list.reserve(points);
@@ -60,8 +59,8 @@ std::vector<Motion> read_starts(const ParameterValues& values) {
     }
     const double from = values.real(first), to = values.real(last);
     if (from < to) return std::pair{from, to};
-    throw InputError(values.origin(first) + ": '" + first + "' is " + format_value(from) + ", not below '" + last +
-                     "', " + format_value(to) + "; give the smaller value first");
+    values.refuse(first, "is " + format_value(from) + ", not below '" + last + "', " + format_value(to) +
+                             "; give the smaller value first");
   };
   const auto [H0_from, H0_to] = range("H0");
   const auto [V0_from, V0_to] = range("V0");
@@ -96,17 +95,10 @@ SweepOptions read_sweep(const ParameterValues& values) {
   sweep.parameter = sweep_keys().at(values.text("sweep.over"));
   const Parameter& varied = *find_parameter(sweep.parameter);
   sweep.unit = varied.unit;
-  const bool from = values.has("sweep.from"), to = values.has("sweep.to"), list = values.has("sweep.values");
-  if (from != to) {
-    const std::string given = from ? "sweep.from" : "sweep.to", missing = from ? "sweep.to" : "sweep.from";
-    throw InputError(values.origin(given) + ": '" + given + "' is given without '" + missing + "'; give both ends");
-  }
-  if (from && list) {
-    throw InputError(values.origin("sweep.values") +
-                     ": both 'sweep.values' and 'sweep.from' are given; delete the list or the range");
-  }
-  if (list) sweep.values = read_list(values, varied);
-  if (from) sweep.values = read_range(values, varied);
+  values.require_both("sweep.from", "sweep.to", "give both ends");
+  values.require_not_both("sweep.values", "sweep.from", "; delete the list or the range");
+  if (values.has("sweep.values")) sweep.values = read_list(values, varied);
+  if (values.has("sweep.from")) sweep.values = read_range(values, varied);
   const std::string& direction = values.text("sweep.direction");
   sweep.up = direction != "down";
   sweep.down = direction != "up";

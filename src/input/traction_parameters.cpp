@@ -66,12 +66,6 @@ std::vector<Parameter> heated_body_records(const std::string& subscript, const s
                                 "roughness of the flank, root mean square"))};
 }
 
-std::vector<Parameter> traction_records() {
-  Records all = friction_records();
-  for (Records& records : std::vector<Records>{motion_records(), thermal_records()}) {
-    std::ranges::move(records, std::back_inserter(all));
-  }
-  return all;
-}
+std::vector<Parameter> traction_records() { return joined(friction_records(), motion_records(), thermal_records()); }
 
 }  // namespace gearfilm

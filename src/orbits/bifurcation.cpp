@@ -65,18 +65,8 @@ std::optional<Bifurcation> locate(const BranchCorrector& corrector, const Test& 
 }  // namespace
 
 const char* name_of(PointKind kind) {
-  switch (kind) {
-    case PointKind::fold:
-      return "fold";
-    case PointKind::flip:
-      return "flip";
-    case PointKind::neimark_sacker:
-      return "ns";
-    case PointKind::grazing:
-      return "grazing";
-    default:
-      return "regular";
-  }
+  constexpr std::array names = {"regular", "fold", "flip", "ns", "grazing"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Bifurcation> bifurcations_between(const BranchCorrector& corrector, const BranchPoint& before,

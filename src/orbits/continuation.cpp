@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 
@@ -194,13 +193,11 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
   trunk.order = order;
   std::optional<BranchPoint> start = BranchRun(map, options, observer, trunk).at_parameter(guess);
   if (!start) {
-    std::ostringstream message;
-    message << "no periodic motion of order " << order
-            << " found next to the start of the branch: H0 = " << guess.motion.H0 << ", V0 = " << guess.motion.V0
-            << " where the parameter is " << guess.parameter
-            << "; begin at another value (continuation.from), or at a motion that `gearfilm periodic` finds there "
-               "(start.H0, start.V0)";
-    throw SolveError(message.str());
+    throw SolveError(
+        "no periodic motion of order ", order, " found next to the start of the branch: H0 = ", guess.motion.H0,
+        ", V0 = ", guess.motion.V0, " where the parameter is ", guess.parameter,
+        "; begin at another value (continuation.from), or at a motion that `gearfilm periodic` finds there "
+        "(start.H0, start.V0)");
   }
   if (!upwards) start->tangent = -start->tangent;
   follow(trunk, *start);

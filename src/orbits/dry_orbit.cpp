@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
@@ -94,10 +93,8 @@ std::optional<Motion> find_soon(const DryMap& map) {
 }
 
 std::string none_found(const DryMap& map, const std::string& why) {
-  std::ostringstream message;
-  message << "no periodic orbit of the dry pair found that repeats after " << map.mesh().periods()
-          << " mesh period(s), at damping ratio " << map.damping_ratio() << ": " << why;
-  return message.str();
+  return worded("no periodic orbit of the dry pair found that repeats after ", map.mesh().periods(),
+                " mesh period(s), at damping ratio ", map.damping_ratio(), ": ", why);
 }
 
 /// By long marches from a motion and from others beside it; at last the unstable orbits that they pass. Throws

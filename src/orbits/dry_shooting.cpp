@@ -17,41 +17,37 @@ class MapThere {
 public:
   explicit MapThere(const DryMap& map) : map_(map) {}
 
+  void defect(SNES, Vec in, Vec out) {
+    const VecReading x(in);
+    const VecWriting r(out);
+    const Motion end = at({x[0], x[1]}).states.back();
+    r[0] = end.H0 - x[0];
+    r[1] = end.V0 - x[1];
+  }
+
+  void slope(SNES, Vec in, Mat, Mat out) {
+    const VecReading x(in);
+    const Eigen::Matrix2d by_start = at({x[0], x[1]}).by_start - Eigen::Matrix2d::Identity();
+    for (int row = 0; row < 2; ++row) {
+      for (int column = 0; column < 2; ++column) {
+        petsc_check(MatSetValue(out, row, column, by_start(row, column), INSERT_VALUES));
+      }
+    }
+    petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
+    petsc_check(MatAssemblyEnd(out, MAT_FINAL_ASSEMBLY));
+  }
+
+private:
   const DryFlowEnd& at(const Motion& motion) {
     if (!value_ || motion.H0 != motion_.H0 || motion.V0 != motion_.V0) value_ = map_(motion);
     motion_ = motion;
     return *value_;
   }
 
-private:
   const DryMap& map_;
   Motion motion_;
   std::optional<DryFlowEnd> value_;
 };
-
-PetscErrorCode defect_of(SNES, Vec in, Vec out, void* context) {
-  return petsc_callback([&] {
-    const VecReading x(in);
-    const VecWriting r(out);
-    const Motion end = static_cast<MapThere*>(context)->at({x[0], x[1]}).states.back();
-    r[0] = end.H0 - x[0];
-    r[1] = end.V0 - x[1];
-  });
-}
-
-PetscErrorCode slope_of(SNES, Vec in, Mat, Mat out, void* context) {
-  return petsc_callback([&] {
-    const VecReading x(in);
-    const auto& slope = static_cast<MapThere*>(context)->at({x[0], x[1]}).by_start;
-    for (int row = 0; row < 2; ++row) {
-      for (int column = 0; column < 2; ++column) {
-        petsc_check(MatSetValue(out, row, column, slope(row, column) - (row == column), INSERT_VALUES));
-      }
-    }
-    petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
-    petsc_check(MatAssemblyEnd(out, MAT_FINAL_ASSEMBLY));
-  });
-}
 
 /// A pair in free flight comes back from where it is pushed: no factors, which there are none of then.
 void without_factors(SNES snes) {
@@ -75,8 +71,8 @@ std::optional<Motion> solve(const DryMap& map, const Motion& guess) {
   petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, 2, 2, nullptr, jacobian.put()));
   petsc_check(SNESCreate(PETSC_COMM_SELF, snes.put()));
   petsc_check(SNESSetOptionsPrefix(snes, "dry_"));
-  petsc_check(SNESSetFunction(snes, defect, defect_of, &there));
-  petsc_check(SNESSetJacobian(snes, jacobian, jacobian, slope_of, &there));
+  petsc_check(SNESSetFunction(snes, defect, Callback<&MapThere::defect>::call, &there));
+  petsc_check(SNESSetJacobian(snes, jacobian, jacobian, Callback<&MapThere::slope>::call, &there));
   without_factors(snes);
   petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
   petsc_check(SNESSetFromOptions(snes));

@@ -92,7 +92,7 @@ private:
 
   /// What the pair does that is pushed off the orbit.
   void measure(const BranchState& at, int order, const PeriodicOrbit& orbit, MapValue& value) {
-    MeshMarch march = march_at_(at.parameter, order, [](const StepRecord&, const std::vector<LiveContact>&) {});
+    MeshMarch march = march_at_(at.parameter, order, unseen);
     const Monodromy map = free_decay(march, orbit, {}).map;
     if (map == Monodromy::Zero()) return;  // the push was gone at once
     correction_.leftCols<2>() += map - value.by_motion;

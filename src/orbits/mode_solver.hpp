@@ -20,7 +20,7 @@ public:
     configure_krylov(ksp_, system, tolerance, max_iterations);
     petsc_check(KSPSetErrorIfNotConverged(ksp_, PETSC_FALSE));
     petsc_check(KSPSetFromOptions(ksp_));
-    if (watcher_) watch();
+    if (watcher_) petsc_check(KSPMonitorSet(ksp_, Callback<&ModeSolver::watch>::call, this, nullptr));
   }
   ModeSolver(const ModeSolver&) = delete;
   ModeSolver& operator=(const ModeSolver&) = delete;
@@ -44,17 +44,8 @@ public:
   }
 
 private:
-  void watch() {
-    petsc_check(KSPMonitorSet(
-        ksp_,
-        [](KSP, PetscInt iteration, PetscReal, void* context) -> PetscErrorCode {
-          return petsc_callback([&] {
-            const auto& own = *static_cast<ModeSolver*>(context);
-            own.watcher_(own.purpose_ + ": linear solution " + std::to_string(own.solutions_) + ", Krylov iteration " +
-                         std::to_string(iteration));
-          });
-        },
-        this, nullptr));
+  void watch(KSP, PetscInt iteration, PetscReal) {
+    watcher_(worded(purpose_, ": linear solution ", solutions_, ", Krylov iteration ", iteration));
   }
 
   OwnedKSP ksp_;

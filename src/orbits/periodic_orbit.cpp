@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "gearfilm/error.hpp"
@@ -252,15 +251,15 @@ private:
   void count_period() {
     periods_ += mesh_.periods();
     if (periods_ <= options_.max_periods) return;
-    std::ostringstream message;
-    message << "no periodic state after " << options_.max_periods << " mesh periods";
+    std::string left;
     if (best_) {
-      message << ": (H0, V0) still changes by " << mesh_.weighted_norm(best_->defect) << ", the films by "
-              << best_->film_defect;
+      left = worded(": (H0, V0) still changes by ", mesh_.weighted_norm(best_->defect), ", the films by ",
+                    best_->film_defect);
     }
-    if (!trouble_.empty()) message << " (on the way: " << trouble_ << ")";
-    message << "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)";
-    throw NoPeriodicState(message.str());
+    if (!trouble_.empty()) left += " (on the way: " + trouble_ + ")";
+    throw NoPeriodicState(
+        "no periodic state after ", options_.max_periods, " mesh periods", left,
+        "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)");
   }
 
   MeshMarch& march_;

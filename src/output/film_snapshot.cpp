@@ -6,16 +6,21 @@ namespace {
 void add_traction(const MeshModel& mesh, const LiveContact& live, ContactSnapshot& snapshot) {
   const bool known = live.heat && live.heat->traction;
   const TractionFields fields = known ? live.heat->traction->fields : traction(*mesh.traction, *live.film).fields;
-  for (const field::OfTraction& kind : field::traction) {
-    const std::vector<double>& values = fields.*kind.values;
-    if (values.empty()) continue;
-    Field<double> field(live.film->grid());
-    field.load(values);
-    snapshot.fields.push_back({std::string(kind.field.name), std::move(field)});
-  }
+  for (NamedField& field : traction_fields(live.film->grid(), fields)) snapshot.fields.push_back(std::move(field));
 }
 
 }  // namespace
+
+std::vector<NamedField> traction_fields(const Grid& grid, const TractionFields& traction) {
+  std::vector<NamedField> fields;
+  for (const auto& kind : field::traction) {
+    const std::vector<double>& values = traction.*kind.values;
+    if (values.empty()) continue;
+    fields.push_back({std::string(kind.field.name), Field<double>(grid)});
+    fields.back().values.load(values);
+  }
+  return fields;
+}
 
 // The film itself has the pressure of the step; what else a contact carries is in its fields.
 FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts) {

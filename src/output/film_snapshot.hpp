@@ -28,6 +28,9 @@ struct FilmSnapshot {
   GridShape shape{};  ///< of the grid that they are on
 };
 
+/// Those of friction and heat that there are.
+std::vector<NamedField> traction_fields(const Grid& grid, const TractionFields& traction);
+
 /// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
 FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
 

@@ -35,7 +35,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-StatusLine::StatusLine(MPI_Comm comm) : prints_(rank_in(comm) == 0), terminal_(is_terminal()), start_(MPI_Wtime()) {}
+StatusLine::StatusLine(MPI_Comm comm, bool stays)
+    : prints_(rank_in(comm) == 0), terminal_(is_terminal()), stays_(stays), start_(MPI_Wtime()) {}
 
 void StatusLine::renew(const std::string& text) {
   if (!prints_) return;
@@ -51,33 +52,31 @@ void StatusLine::note(const std::string& text) {
   open_ = false;
 }
 
-void StatusLine::end(bool stays) {
+StatusLine::~StatusLine() {
   if (!open_) return;
-  std::printf(stays ? "\n" : "\r\033[K");
+  std::printf(stays_ ? "\n" : "\r\033[K");
   std::fflush(stdout);
-  open_ = false;
 }
 
 void Progress::report(double fraction, const std::string& text) {
-  if (!line_.prints() || fraction <= 0.0) return;
-  const double now = line_.elapsed();
+  if (!prints() || fraction <= 0.0) return;
+  const double now = elapsed();
   const int part = static_cast<int>(fraction * plain_lines + 1e-9);
-  const bool due =
-      line_.on_terminal() ? now - last_print_ > seconds_between_updates || fraction >= 1.0 : part > last_part_;
+  const bool due = on_terminal() ? now - last_print_ > seconds_between_updates || fraction >= 1.0 : part > last_part_;
   if (!due) return;
   last_part_ = part;
   last_print_ = now;
   const std::string left = fraction >= 1.0 ? "" : ", " + duration(now * (1.0 / fraction - 1.0)) + " left";
   char percent[16];
   std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100.0 * fraction);
-  line_.renew(percent + text + left);
+  renew(percent + text + left);
 }
 
 void LongWork::report(const std::string& text) {
-  const double elapsed = line_.elapsed();
-  if (!line_.prints() || elapsed < due_) return;
-  due_ = line_.on_terminal() ? elapsed + seconds_between_updates : std::min(rarer * elapsed, elapsed + rarest_seconds);
-  line_.renew(duration(elapsed) + ": " + text);
+  const double now = elapsed();
+  if (!prints() || now < due_) return;
+  due_ = on_terminal() ? now + seconds_between_updates : std::min(rarer * now, now + rarest_seconds);
+  renew(duration(now) + ": " + text);
 }
 
 }  // namespace gearfilm

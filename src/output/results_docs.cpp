@@ -1,5 +1,6 @@
 #include "output/results_docs.hpp"
 
+#include <array>
 #include <sstream>
 
 #include "gearfilm/dynamics/period_figures.hpp"
@@ -15,19 +16,9 @@ std::string code(std::string_view text) {
 }
 
 std::string condition(Needs needs) {
-  switch (needs) {
-    case Needs::film:
-      return "; not in the dry model";
-    case Needs::friction:
-      return "; with `friction.law`";
-    case Needs::heat:
-      return "; with `thermal.model`";
-    case Needs::roughness:
-      return "; with `pinion.roughness` or `wheel.roughness`";
-    case Needs::nothing:
-      break;
-  }
-  return "";
+  constexpr std::array conditions = {"", "; not in the dry model", "; with `friction.law`", "; with `thermal.model`",
+                                     "; with `pinion.roughness` or `wheel.roughness`"};
+  return conditions[static_cast<std::size_t>(needs)];
 }
 
 template <class Keys, class Figures>

@@ -2,8 +2,6 @@
 
 #include <hdf5_hl.h>
 
-#include <sstream>
-
 #include "gearfilm/error.hpp"
 #include "output/hdf5_handle.hpp"
 #include "output/output_directory.hpp"

@@ -1,7 +1,8 @@
 #include "output/snapshots.hpp"
 
 #include <iomanip>
-#include <sstream>
+
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -19,16 +20,15 @@ const Snapshots::Mesh& Snapshots::mesh_of(const GridShape& shape) {
 }
 
 void Snapshots::write(const FilmSnapshot& snapshot) {
-  std::ostringstream name;
-  name << "/snapshots/" << std::setw(4) << std::setfill('0') << written_.size();
+  const std::string name = worded("/snapshots/", std::setw(4), std::setfill('0'), written_.size());
   const double time = scales_.time * snapshot.T;
   const Mesh& mesh = mesh_of(snapshot.shape);
-  file_.attribute(name.str(), "T", snapshot.T);
-  file_.attribute(name.str(), "t", time);
-  file_.attribute(name.str(), "mesh", mesh.group);
+  file_.attribute(name, "T", snapshot.T);
+  file_.attribute(name, "t", time);
+  file_.attribute(name, "mesh", mesh.group);
   TimedFields fields{time, {}};
   for (const ContactSnapshot& contact : snapshot.contacts) {
-    const std::string group = name.str() + "/contact" + std::to_string(contact.number);
+    const std::string group = name + "/contact" + std::to_string(contact.number);
     fields.groups.push_back({contact.number, group, mesh.group + "/mesh", mesh.grid.shape(), {}});
     for (const auto& [field, values] : contact.fields) {
       const ContactField kind = field_named(field);

@@ -1,7 +1,6 @@
 #include "output/stop_request.hpp"
 
 #include <array>
-#include <sstream>
 
 #include "gearfilm/error.hpp"
 
@@ -41,14 +40,12 @@ void StopRequest::check(MPI_Comm comm, double mesh_period) const {
   std::array<int, 2> wishes = {static_cast<int>(received), late};
   MPI_Allreduce(MPI_IN_PLACE, wishes.data(), 2, MPI_INT, MPI_MAX, comm);
   if (wishes[0] == 0 && wishes[1] == 0) return;
-  std::ostringstream message;
-  message << "at mesh period " << mesh_period << ", ";
+  std::string why = wishes[0] == 0 ? worded("after the time limit of ", *time_limit_, " s") : "by ";
   for (const StopSignal& signal : stop_signals) {
-    if (wishes[0] == signal.number) message << "by " << signal.name;
+    if (wishes[0] == signal.number) why += signal.name;
   }
-  if (wishes[0] == 0) message << "after the time limit of " << *time_limit_ << " s";
-  message << "; everything up to there is written; go on with the same command and -restart";
-  throw Stopped(message.str());
+  throw Stopped("at mesh period ", mesh_period, ", ", why,
+                "; everything up to there is written; go on with the same command and -restart");
 }
 
 }  // namespace gearfilm

@@ -1,15 +1,21 @@
 // summary.json: the main results of a run, values in SI, dimensionless ones under their symbol.
 #pragma once
 
+#include <complex>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gearfilm/mesh/motion.hpp"
 #include "gearfilm/parallel/petsc.hpp"
 
 namespace gearfilm {
 
 /// Keeps the order in which results were added.
 using Summary = nlohmann::ordered_json;
+
+/// (H_0, V_0), and back from the first two of a list.
+inline void to_json(Summary& json, const Motion& motion) { json = {motion.H0, motion.V0}; }
+inline void from_json(const Summary& json, Motion& motion) { motion = {json[0].get<double>(), json[1].get<double>()}; }
 
 /// Writes the file (first process); throws SolveError, and writes nothing, where a number is not finite.
 void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary& values);
@@ -18,3 +24,9 @@ void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary&
 void write_summary(MPI_Comm comm, const std::filesystem::path& folder, Summary summary);
 
 }  // namespace gearfilm
+
+/// Real and imaginary part.
+template <>
+struct nlohmann::adl_serializer<std::complex<double>> {
+  static void to_json(ordered_json& json, const std::complex<double>& value) { json = {value.real(), value.imag()}; }
+};

@@ -3,51 +3,34 @@
 #include <algorithm>
 #include <sstream>
 
+#include "gearfilm/error.hpp"
 #include "output/output_directory.hpp"
 
 namespace gearfilm {
 namespace {
 
-void write_data(std::ostream& file, const std::string& size, const std::string& dataset) {
-  file << "<DataItem Format=\"HDF\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" << size << "\">" << dataset
-       << "</DataItem>";
+/// Values that stand in the results, or zeros.
+void write_data(std::ostream& file, const std::string& size, int zeros, const std::string& dataset) {
+  file << "<DataItem Format=\"" << (zeros > 0 ? "XML" : "HDF")
+       << "\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" << size << "\">" << (zeros > 0 ? "0" : dataset);
+  for (int n = 1; n < zeros; ++n) file << " 0";
+  file << "</DataItem>";
 }
 
-/// Names of grids are made different by readers: they are so here.
-void begin_grid(std::ostream& file, const std::string& name, double time, const std::string& size) {
-  file << "      <Grid Name=\"" << name << "\" GridType=\"Uniform\">\n"
+/// The fields of a contact; of one that is absent four nodes at one point. Names of grids are made different by
+/// readers: they are so here.
+void write_contact(std::ostream& file, const std::string& grid, double time, const std::string& results_name,
+                   const FieldGroup& group, bool absent) {
+  const std::string size = absent ? "2 2" : worded(group.shape.nx, " ", group.shape.ny());
+  file << "      <Grid Name=\"" << grid << "\" GridType=\"Uniform\">\n"
        << "        <Time Value=\"" << time << "\"/>\n"
        << "        <Topology TopologyType=\"2DSMesh\" Dimensions=\"" << size << "\"/>\n"
        << "        <Geometry GeometryType=\"XY\">";
-}
-
-void write_contact(std::ostream& file, const std::string& grid, double time, const std::string& results_name,
-                   const FieldGroup& group) {
-  const std::string size = std::to_string(group.shape.nx) + " " + std::to_string(group.shape.ny());
-  begin_grid(file, grid, time, size);
-  write_data(file, size + " 2", results_name + ":" + group.mesh);
+  write_data(file, size + " 2", absent ? 8 : 0, results_name + ":" + group.mesh);
   file << "</Geometry>\n";
   for (const std::string& name : group.datasets) {
     file << "        <Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">";
-    write_data(file, size, results_name + ":" + group.name + "/" + name);
-    file << "</Attribute>\n";
-  }
-  file << "      </Grid>\n";
-}
-
-/// Four nodes at one point.
-void write_absent(std::ostream& file, const std::string& grid, double time, const std::vector<std::string>& datasets) {
-  const auto zeros = [&](const char* size, int count) {
-    file << "<DataItem Format=\"XML\" NumberType=\"Float\" Precision=\"8\" Dimensions=\"" << size << "\">0";
-    for (int n = 1; n < count; ++n) file << " 0";
-    file << "</DataItem>";
-  };
-  begin_grid(file, grid, time, "2 2");
-  zeros("2 2 2", 8);
-  file << "</Geometry>\n";
-  for (const std::string& name : datasets) {
-    file << "        <Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Node\">";
-    zeros("2 2", 4);
+    write_data(file, size, absent ? 4 : 0, results_name + ":" + group.name + "/" + name);
     file << "</Attribute>\n";
   }
   file << "      </Grid>\n";
@@ -72,11 +55,8 @@ void write_xdmf(MPI_Comm comm, const std::filesystem::path& path, const std::str
       const double time = series[n].time - series.front().time;
       const auto here = std::ranges::find_if(
           groups, [&](const FieldGroup& group) { return static_cast<std::size_t>(group.contact) % blocks == block; });
-      if (here != groups.end()) {
-        write_contact(file, grid, time, results_name, *here);
-      } else {
-        write_absent(file, grid, time, groups.front().datasets);
-      }
+      const bool absent = here == groups.end();
+      write_contact(file, grid, time, results_name, absent ? groups.front() : *here, absent);
     }
     file << "    </Grid>\n";
   }

@@ -47,7 +47,7 @@ TEST(DryModes, stiffness_is_that_of_all_contacts_at_the_pitch_point) {
   const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 50);
   ASSERT_EQ(turned.at_pitch.contacts.size(), 3u);
   EXPECT_NEAR(mesh.stiffness / turned.at_pitch.stiffness, 1.0, 1e-9);
-  const double alone = contact_stiffness(mesh.scales.static_force, mesh.scales.approach);
+  const double alone = 1.5 * mesh.scales.static_force / mesh.scales.approach;
   EXPECT_GT(mesh.stiffness, 1.9 * alone);  // with three alike 3^(2/3) = 2.08
   EXPECT_NEAR(1.0 / natural_period(problem), natural_frequency(mesh.stiffness, mesh.inertia), 1e-12);
 }

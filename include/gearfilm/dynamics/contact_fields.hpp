@@ -39,42 +39,40 @@ inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = fa
 
 /// beta (T - T_0) at a point across the film: the name begins so.
 inline constexpr std::string_view heat = "heat_";
-/// What heat and shear make of the flow: nothing to compare, since temperatures and pressures are.
-struct OfFlowFactors {
+/// A field and where it is among those of its owner.
+template <class Owner>
+struct Of {
   ContactField field;
-  std::vector<double> FlowFactors::*values;
+  std::vector<double> Owner::*values;
 };
 
-constexpr OfFlowFactors of_flow_factors(std::string_view name, std::vector<double> FlowFactors::*values) {
+/// What heat and shear make of the flow: nothing to compare, since temperatures and pressures are.
+constexpr Of<FlowFactors> of_flow_factors(std::string_view name, std::vector<double> FlowFactors::*values) {
   return {{.name = name, .dataset = "", .compared = false}, values};
 }
 
-inline constexpr auto correction = std::to_array<OfFlowFactors>(
+inline constexpr auto correction = std::to_array<Of<FlowFactors>>(
     {of_flow_factors("thinning", &FlowFactors::log_poiseuille),
      of_flow_factors("wedge", &FlowFactors::entrainment_excess),
      of_flow_factors("density_factor", &FlowFactors::density_ratio),
      of_flow_factors("shear", &FlowFactors::shear_index), of_flow_factors("across", &FlowFactors::cross_flow)});
 
 /// What follows from a film for friction and heat: of results only.
-struct OfTraction {
-  ContactField field;
-  std::vector<double> TractionFields::*values;
-};
-
-constexpr OfTraction of_traction(std::string_view name, Unit unit, std::vector<double> TractionFields::*values) {
+constexpr Of<TractionFields> of_traction(std::string_view name, Unit unit,
+                                         std::vector<double> TractionFields::*values) {
   return {{.name = name, .dataset = name, .unit = unit, .compared = false}, values};
 }
 
-inline constexpr auto traction =
-    std::to_array<OfTraction>({of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress),
-                               of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion),
-                               of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel),
-                               of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean),
-                               of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
-                               of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
-                               of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
-                               of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
-                               of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
+inline constexpr auto traction = std::to_array<Of<TractionFields>>(
+    {of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress),
+     of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion),
+     of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel),
+     of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean),
+     of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
+     of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
+     of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
+     of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
+     of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
 
 inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field
@@ -84,10 +82,10 @@ constexpr ContactField field_named(std::string_view name) {
   for (const ContactField& known : field::all) {
     if (known.name == name) return known;
   }
-  for (const field::OfFlowFactors& known : field::correction) {
+  for (const auto& known : field::correction) {
     if (known.field.name == name) return known.field;
   }
-  for (const field::OfTraction& known : field::traction) {
+  for (const auto& known : field::traction) {
     if (known.field.name == name) return known.field;
   }
   if (name.starts_with(field::heat)) return {.name = name, .dataset = "", .loaded_only = true};

@@ -4,11 +4,12 @@
 //   Phi' = (df/dx) Phi , Phi(0) = 1 ;   w' = (df/dx) w + df/dlambda , w(0) = 0
 // T_m: mesh period. Events are at the same s whatever the parameter, and leave the motion as it is, so that Phi and w
 // need no jumps there. df/dlambda is a difference of f alone: without the noise that one between two motions would
-// have. The same pair as DryMarch (dry_pair.hpp), without records: for those who ask for it thousands of times.
+// have.
 #pragma once
 
 #include <Eigen/Core>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "gearfilm/dynamics/step_record.hpp"
@@ -16,10 +17,10 @@
 
 namespace gearfilm {
 
-/// Absolute and relative, of the motion with its derivatives. Where a gap closes, the force has a kink and steps are
-/// cut elsewhere for every start: the map jumps by some ten times the tolerance, which must lie below what Newton's
-/// methods on it ask for.
-inline constexpr double map_tolerance = 1e-12;
+/// c of a damping ratio zeta, which relates to the linear natural frequency f_n.
+inline double dry_damping(const MeshModel& mesh, double zeta) {
+  return 4.0 * std::numbers::pi * zeta * mesh.frequency();
+}
 
 /// What the contacts pass through in a mesh period.
 struct DryExtremes {
@@ -47,7 +48,12 @@ public:
   /// is c.
   DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio);
 
-  /// From T = 0 on. Throws SolveError where the motion is not finite.
+  /// A pair for between() alone, in time itself; damping: c.
+  DryFlow(const MeshModel& mesh, double damping);
+  /// The motion at a time from that at another. Nothing is kept from call to call. Throws SolveError where it is not
+  /// finite, as do the others.
+  Motion between(const Motion& start, double T_begin, double T_end) const;
+  /// From T = 0 on.
   DryFlowEnd operator()(const Motion& start, int mesh_periods) const;
 
   /// The same motion without derivatives, which for long would grow beyond bounds. The observer may throw.
@@ -58,12 +64,13 @@ private:
   friend class DryFlowRun;
 
   struct Pair {
+    Pair(const MeshModel& of, double c, double unit) : mesh(of), force(of), damping(c), period(unit) {}
+
     MeshModel mesh;
     DryForce force;
-    double damping = 0.0;  ///< c
-    double period = 0.0;   ///< T_m
+    double damping;  ///< c
+    double period;   ///< T_m, or 1 for a motion that knows no periods
   };
-  static Pair pair_of(const MeshModel& mesh, double damping_ratio);
 
   Pair here_, beside_;
   double part_;

@@ -2,24 +2,16 @@
 //
 //   dH_0/dT = V_0 ,   I_n (dV_0/dT + c V_0) = sum_k F_k(H_0) - F* ,   F_k = Hertz force at R_x(xi_k), approach -h_0
 // with c = 4 pi zeta f_n for a damper in the place of films. The start and the check of the lubricated pair; its H_0
-// lies lower than the lubricated one by about the film.
+// lies lower than the lubricated one by about the film. It goes by the flow of dry_flow.hpp.
 #pragma once
 
-#include <numbers>
 #include <optional>
 
+#include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/dynamics/march_keeper.hpp"
 #include "gearfilm/mesh/dry_force.hpp"
 
 namespace gearfilm {
-
-/// Absolute and relative, of the dry pair's motion in time.
-inline constexpr double integration_tolerance = 1e-10;
-
-/// c of a damping ratio zeta, which relates to the linear natural frequency f_n.
-inline double dry_damping(const MeshModel& mesh, double zeta) {
-  return 4.0 * std::numbers::pi * zeta * mesh.frequency();
-}
 
 class DryMarch {
 public:
@@ -40,13 +32,11 @@ public:
   const Motion& motion() const { return motion_; }
 
 private:
-  double total_force(const std::vector<int>& contacts, double T, double H0) const;
-  void integrate(const std::vector<int>& contacts, double T_end);
   void observe(double dT, double wall_seconds) const;
 
   MeshModel mesh_;
   DryForce force_;
-  double damping_;  ///< c
+  DryFlow flow_;
   double dT_;
   StepObserver observer_;
   MarchKeeper* keeper_;

@@ -71,19 +71,8 @@ struct Given {
   bool roughness = false;
 
   constexpr bool has(Needs needs) const {
-    switch (needs) {
-      case Needs::film:
-        return film;
-      case Needs::friction:
-        return film && friction;
-      case Needs::heat:
-        return film && heat;
-      case Needs::roughness:
-        return film && roughness;
-      case Needs::nothing:
-        break;
-    }
-    return true;
+    const bool given[] = {true, true, friction, heat, roughness};  // in the order of Needs
+    return needs == Needs::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };
 
@@ -97,6 +86,17 @@ struct Figure {
   Needs needs = Needs::nothing;
   std::array<Reduced, 3> reduced{};  ///< those without a name are not there
 };
+
+namespace figure {
+
+/// One record. What reduces it comes last.
+template <class Source, class... Reductions>
+constexpr Figure<Source> of(double (*value)(const Source&), std::string_view name, std::string_view symbol,
+                            const Unit& unit, std::string_view meaning, Needs needs, const Reductions&... reduced) {
+  return {name, symbol, unit, value, meaning, needs, {reduced...}};
+}
+
+}  // namespace figure
 
 /// Place of a name in a table; throws where it is not there, which ends a compilation.
 template <class Table>

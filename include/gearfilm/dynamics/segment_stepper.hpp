@@ -66,6 +66,11 @@ private:
   using OwnedTS = PetscHandle<TS, TSDestroy>;
 
   static SegmentStepper& of(TS ts);
+  // What PETSc calls.
+  void transient(TS ts, Vec state, Vec values);
+  void residual(TS ts, PetscReal T, Vec state, Vec rate, Vec rows);
+  void linearise(TS ts, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat same);
+  void guess(SNES snes, Vec state);
   TSAdapt adapt() const;
   void create_time_scheme();
   void control_errors();

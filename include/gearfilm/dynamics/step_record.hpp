@@ -64,5 +64,6 @@ std::vector<int> numbers_of(const std::vector<LiveContact>& contacts);
 
 /// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).
 using StepObserver = std::function<void(const StepRecord&, const std::vector<LiveContact>&)>;
+inline void unseen(const StepRecord&, const std::vector<LiveContact>&) {}
 
 }  // namespace gearfilm

@@ -85,7 +85,4 @@ std::string parameter_help();
 /// The content of docs/parameters.md.
 std::string parameter_markdown();
 
-/// The options of the manual page, by sections.
-std::string parameter_roff();
-
 }  // namespace gearfilm

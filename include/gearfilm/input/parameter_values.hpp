@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,18 @@ public:
   double real(const std::string& name) const { return std::get<double>(entries_.at(name).value); }
   const std::string& text(const std::string& name) const { return std::get<std::string>(entries_.at(name).value); }
   const std::string& origin(const std::string& name) const { return entries_.at(name).origin; }
+  /// Of parameters that may be absent.
+  std::optional<double> real_if_given(const std::string& name) const {
+    return has(name) ? std::optional(real(name)) : std::nullopt;
+  }
+  bool yes(const std::string& name) const { return text(name) == "yes"; }
+
+  /// Throws InputError: where the value stands, "'NAME' ", and what is said of it.
+  [[noreturn]] void refuse(const std::string& name, const std::string& what) const;
+  /// Throws it where one of two is given without the other; remedy: "give both ends".
+  void require_both(const std::string& first, const std::string& second, const std::string& remedy) const;
+  /// Throws it where both are; remedy: "; delete one".
+  void require_not_both(const std::string& first, const std::string& second, const std::string& remedy) const;
 
   /// The content of the file that a value names, for whoever reads the values: the physics know no files.
   void attach(const std::string& name, std::string content) { attached_[name] = std::move(content); }

@@ -8,12 +8,6 @@
 
 namespace gearfilm {
 
-/// Tangent stiffness of a Hertz contact under a load with the approach h_0n, in the units of load over approach.
-constexpr double contact_stiffness(double load, double approach) { return 1.5 * load / approach; }
-
-/// Of a stiffness and a compliance in series.
-constexpr double in_series(double stiffness, double compliance) { return stiffness / (1.0 + stiffness * compliance); }
-
 /// f_n for a stiffness and the equivalent mass: [Hz] of SI.
 inline double natural_frequency(double stiffness, double equivalent_mass) {
   return std::sqrt(stiffness / equivalent_mass) / (2.0 * std::numbers::pi);

@@ -56,6 +56,16 @@ PetscErrorCode petsc_callback(Body&& body) {
   }
 }
 
+/// What PETSc calls with the context that it was given last: (context.*method)(arguments).
+template <auto method>
+struct Callback;
+template <class Context, class... Arguments, void (Context::*method)(Arguments...)>
+struct Callback<method> {
+  static PetscErrorCode call(Arguments... arguments, void* context) {
+    return petsc_callback([&] { (static_cast<Context*>(context)->*method)(arguments...); });
+  }
+};
+
 /// Owner of one reference to a PETSc object.
 template <class Object, PetscErrorCode (*destroy)(Object*)>
 class PetscHandle {
