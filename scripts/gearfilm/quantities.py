@@ -170,6 +170,7 @@ number | - | number of the branch
 end | | where the branch ends
 born_on | - | branch on which it was born
 model | | model
+motion | | whether bodies have inertia (dynamic) or are in balance at every moment (quasi_static)
 repeats_every | - | mesh periods after which the motion repeats
 repeats_within | - | how far it is from repeating
 settles_on | - | mesh periods after which the motion repeats

@@ -237,15 +237,14 @@ bool MeshedFilms::exchange() {
   if (before == after) return false;
   const std::map<int, double> displaced = displacement_by_number();
   // Without inertia bodies are in balance with what they then stand on at once, about as dry ones are.
-  const bool jumps = mesh_.inertia == 0.0 && !mesh_.load;
-  if (jumps) motion_.H0 += dry_balance(after) - dry_balance(before);
+  if (in_balance()) motion_.H0 += dry_balance(after) - dry_balance(before);
   std::erase_if(contacts_,
                 [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
   for (int number : after) {
     if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number, after, forces()));
   }
   // Teeth spring back that a force bent which is gone, and bend under one that is new.
-  if (jumps || mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled())
+  if (in_balance() || mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled())
     follow(displaced, options_.steps.dT);
   return true;
 }
@@ -265,7 +264,6 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   constexpr double smallest_part = 1e-3;
   const double shift = 1.0 / duration;
   const Compliance compliance = mesh_.compliance(numbers(), T_);
-  const LoadCondition load = LoadCondition::displacement(motion_.H0, compliance);
   const std::vector<double> here = displacements();
   std::vector<double> there = here, held_back(here.size());
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
@@ -277,7 +275,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   const std::vector<double> rates = values(field::rate);
   std::vector<double> mass = oil;
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
-  const auto solved = [&](double part, const NewtonOptions& options) {
+  const auto solved = [&](double part, const NewtonOptions& options, const LoadCondition& load) {
     const std::vector<ContactFilm*> films = present_films();
     for (std::size_t k = 0; k < films.size(); ++k) {
       ContactConditions conditions = films[k]->conditions();
@@ -287,19 +285,21 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
     FilmSolution moved{values(field::pressure), motion_.H0};
     if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;
     set_values(field::pressure, moved.pressure);
+    motion_.H0 = moved.H0;
     return true;
   };
+  const LoadCondition at_place = LoadCondition::displacement(motion_.H0, compliance);
   const std::vector<double> known = values(field::pressure);
   set_values(field::pressure, rescaled_pressures(there));
   double part = 1.0;
-  if (solved(0.0, options_.steps.newton)) {
+  if (solved(0.0, options_.steps.newton, at_place)) {
     part = 0.0;
   } else {
     set_values(field::pressure, known);
   }
   for (double step = 1.0; part > 0.0;) {
     const double next = std::max(0.0, part - step);
-    if (solved(next, options_.steps.newton) || solved(next, options_.films.newton)) {
+    if (solved(next, options_.steps.newton, at_place) || solved(next, options_.films.newton, at_place)) {
       part = next;
     } else if (step > smallest_part) {
       step *= 0.5;
@@ -308,6 +308,10 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
       throw SolveError(label(contacts_.front().number), ": the films do not follow a jump of H by ",
                        std::to_string(-largest));
     }
+  }
+  if (in_balance() &&
+      !solved(0.0, options_.steps.newton, LoadCondition::force(mesh_.scales.static_force, compliance))) {
+    throw SolveError(label(contacts_.front().number), ": the films do not come into balance with the load");
   }
   std::vector<double> rate = oil_at(displacements());
   for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);

@@ -76,7 +76,7 @@ protected:
   const MeshModel mesh = mesh_of(problem);
   const Grid grid{PETSC_COMM_WORLD, case_grid(problem)};
   const double processes = grid.processes();
-  const SharedDiscretisation shared = discretise(grid, problem.scales);
+  const SharedDiscretisation shared = discretise(grid, problem);
   ContactFilm first{shared, problem.scales, {.levels = 1}}, second{shared, problem.scales, {.levels = 1}};
   LubricatedPair pair{mesh, {{0, &first}, {1, &second}}};
   FilmSystem& films = pair.system();

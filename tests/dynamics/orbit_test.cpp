@@ -92,7 +92,7 @@ PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
   const Case& problem = march.problem();
   const DryOrbit dry = find_dry_orbit(march.mesh(), typical_film_damping);
-  ContactFilm film(discretise(march.grid(), problem.scales), problem.scales, problem.numerics.solver.multigrid);
+  ContactFilm film(discretise(march.grid(), problem), problem.scales, problem.numerics.solver.multigrid);
   const StationaryResult at_pitch =
       solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.numerics.solver);
   return guess_from(dry, at_pitch.solution.H0 + problem.scales.approach);

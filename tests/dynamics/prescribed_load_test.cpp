@@ -63,7 +63,7 @@ TEST_P(QuasiStatic, force_is_the_prescribed_share_at_every_step) {
 TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
   const SingleContact contact("quasistatic", GetParam());
   const Scales& scales = contact.problem().scales;
-  ContactFilm film(discretise(contact.grid(), scales), scales, contact.problem().numerics.solver.multigrid);
+  ContactFilm film(discretise(contact.grid(), contact.problem()), scales, contact.problem().numerics.solver.multigrid);
   int compared = 0;
   for (double wanted : {-0.5e-3, 1.0e-3, 2.5e-3}) {
     const StepRecord& record = *std::min_element(

@@ -45,7 +45,7 @@ struct LinearisedStep {
 
   Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
   MeshModel mesh = mesh_of(problem);
-  SharedDiscretisation shared = discretise(Grid{PETSC_COMM_WORLD, case_grid(problem)}, problem.scales);
+  SharedDiscretisation shared = discretise(Grid{PETSC_COMM_WORLD, case_grid(problem)}, problem);
   const Grid& grid = shared->grid();
   ContactFilm film;
   LubricatedPair pair{mesh, {{0, &film}}};

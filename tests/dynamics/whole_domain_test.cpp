@@ -12,7 +12,7 @@ std::vector<StepRecord> records_with(Edge lower, const Settings& settings, doubl
                   grid_shape(numerics.domain, problem.scales.hertz.ellipticity, numerics.nx, numerics.ny, lower));
   std::vector<StepRecord> records;
   MeshMarch march =
-      make_march(problem, discretise(grid, problem.scales), mesh_of(problem),
+      make_march(problem, discretise(grid, problem), mesh_of(problem),
                  [&](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); });
   march.start(problem.march.start_motion);
   march.run(mesh_periods * march.mesh().path.mesh_period());

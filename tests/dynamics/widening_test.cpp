@@ -71,7 +71,7 @@ TEST_F(Widening, carries_films_over_without_a_change_of_mass) {
   const PairState after = remapped(before, PETSC_COMM_WORLD, last);
   const auto mass_of = [&](const PairState& state) {
     const Grid grid(PETSC_COMM_WORLD, state.shape);
-    ContactFilm film(discretise(grid, narrow.scales), narrow.scales, MultigridOptions{});
+    ContactFilm film(discretise(grid, narrow), narrow.scales, MultigridOptions{});
     const auto& pressure = values_of(state.films.front(), field::pressure);
     std::vector<double> mass(pressure.size());
     film.mass(pressure, state.motion.H0, mass);

@@ -78,6 +78,30 @@ TEST(SlowStationary, reproduces_the_pitch_film_of_table2) {
   for (const auto& row : reference().at("table2_pitch")) expect_row(table2_equivalent(), row);
 }
 
+// The limit of Table 3's pitch film on these rows, 2.475 um, and of a slender contact, from twelve times the nodes.
+TEST(Stationary, fitted_films_are_near_their_limits_on_few_nodes) {
+  const FilmCase pitch = table3_pitch();
+  for (const int nx : {33, 65}) {
+    const SolvedFilm solved(PETSC_COMM_WORLD, pitch, nx, 65);
+    EXPECT_NEAR(pitch.scales.thickness * solved.result.figures.central_film, 2.475e-6, 5e-3 * 2.475e-6) << nx;
+  }
+  const FilmCase slender = moes_contact(1e5, 6.0, 0.001);
+  const SolvedFilm fine(PETSC_COMM_WORLD, slender, 513, 97);
+  const auto errors = [&](FilmDiscretisation by) {
+    const SolvedFilm coarse(PETSC_COMM_WORLD, slender, 129, 33, {}, Edge::symmetry, by);
+    const FilmFigures &found = coarse.result.figures, &limit = fine.result.figures;
+    const std::array<double, 2> of = {found.central_film / limit.central_film - 1.0,
+                                      found.smallest_film / limit.smallest_film - 1.0};
+    report("%s: %.2f %% central, %.2f %% smallest", by == FilmDiscretisation::fitted ? "fitted" : "central",
+           100.0 * of[0], 100.0 * of[1]);
+    return of;
+  };
+  const auto fitted = errors(FilmDiscretisation::fitted), central = errors(FilmDiscretisation::central);
+  EXPECT_LT(std::abs(fitted[0]), 0.01);
+  EXPECT_LT(std::abs(fitted[1]), 0.025);
+  EXPECT_LT(central[0], -0.1);
+}
+
 /// Order seen in the central films of three grids, each twice as fine as the one before.
 void expect_second_order(const FilmCase& film_case, const std::string& name) {
   std::vector<double> films;

@@ -91,6 +91,8 @@ private:
   /// A new contact, among those together with it, of which the first ones carry these forces.
   LiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
+  /// Bodies without inertia, on all contacts.
+  bool in_balance() const { return mesh_.inertia == 0.0 && !mesh_.load; }
   /// H_0 with which the dry contacts of these numbers carry the static force now.
   double dry_balance(const std::vector<int>& numbers) const;
   /// Makes the present films stationary together.
