@@ -17,6 +17,13 @@ def at_faces(values, axis):
     return 0.5 * (ahead + behind)
 
 
+def logarithmic_mean(values, axis):
+    """Of neighbours along an axis: their difference over that of their logarithms."""
+    steps = numpy.diff(numpy.log(values), axis=axis)
+    close = abs(steps) < 1e-4
+    return numpy.where(close, at_faces(values, axis), numpy.diff(values, axis=axis) / numpy.where(close, 1, steps))
+
+
 def conditions(parameters, derived, xi):
     """R_x and u_m at a place on the line of action, over those at the pitch point."""
     angle = math.radians(derived["working_pressure_angle_deg"])
@@ -84,19 +91,36 @@ class FilmEquations:
             across = across + 1.5 * weight * zeta ** 2 * numpy.sinh(tau) / tau
         return along, across
 
+    def flows(self, P, H, U, conductances):
+        """Through the faces along x and along y: U rho H - xi dP/dX and -xi dP/dY."""
+        if self.parameters.get("film.discretisation", "fitted") == "fitted":
+            return self.fitted_flows(P, H, U, conductances)
+        mass = self.mass(P, H)
+        carried = numpy.concatenate([at_faces(mass[:2], 0), 1.5 * mass[1:-1] - 0.5 * mass[:-2]])
+        return (U * carried - at_faces(conductances[0], 0) * numpy.diff(P, axis=0) / self.h_x,
+                -at_faces(conductances[1], 1) * numpy.diff(P, axis=1) / self.h_y)
+
+    def fitted_flows(self, P, H, U, conductances):
+        density, mass = self.density(P), self.mass(P, H)
+        film = numpy.concatenate([at_faces(H[:2], 0), 0.375 * H[2:] + 0.75 * H[1:-1] - 0.125 * H[:-2]])
+        along = conductances[0] / (density * H ** 3)
+        xi = at_faces(density, 0) * film ** 3 * logarithmic_mean(along, 0)
+        part = xi / (xi + 0.2 * self.h_x ** 2 * 2 * math.pi * self.C_h * U)
+        carried = at_faces(mass, 0)
+        carried[1:] = (1.5 * mass[1:-1] - 0.5 * mass[:-2]
+                       + part[1:] * 0.375 * (mass[2:] - 2 * mass[1:-1] + mass[:-2]))
+        anisotropy = at_faces(conductances[1] / conductances[0], 1)
+        across = anisotropy * at_faces(density, 1) * at_faces(H, 1) ** 3 * logarithmic_mean(along, 1)
+        return (U * carried - xi * numpy.diff(P, axis=0) / self.h_x, -across * numpy.diff(P, axis=1) / self.h_y)
+
     def rows(self, P, H, xi, rate=0.0, shift=0.0, thinning=(1.0, 1.0)):
         """G = min(d P, R) at inner nodes; rate is d(rho H)/dT there, shift its derivative by rho H."""
         _, U = conditions(self.parameters, self.derived, xi)
         newtonian = self.density(P) * H ** 3 * numpy.exp(-self.log_viscosity(P)) / self.wedge_number
-        conductance = newtonian * thinning[0]
-        flow_x = -at_faces(conductance, 0) * numpy.diff(P, axis=0) / self.h_x
-        flow_y = -at_faces(newtonian * thinning[1], 1) * numpy.diff(P, axis=1) / self.h_y
-        mass = self.mass(P, H)
-        wedge = numpy.empty_like(mass[1:-1])
-        wedge[0] = mass[1] - mass[0]
-        wedge[1:] = 1.5 * mass[2:-1] - 2 * mass[1:-2] + 0.5 * mass[:-3]
+        conductances = newtonian * thinning[0], newtonian * thinning[1]
+        flow_x, flow_y = self.flows(P, H, U, conductances)
         inner = (slice(1, -1), slice(1, -1))
         residual = (rate + (numpy.diff(flow_x, axis=0) / self.h_x)[:, 1:-1]
-                    + (numpy.diff(flow_y, axis=1) / self.h_y)[1:-1] + U / self.h_x * wedge[:, 1:-1])
-        scale = 2 * conductance[inner] * (self.h_x ** -2 + self.h_y ** -2) + 0.05 * (U / self.h_x + shift)
+                    + (numpy.diff(flow_y, axis=1) / self.h_y)[1:-1])
+        scale = 2 * conductances[0][inner] * (self.h_x ** -2 + self.h_y ** -2) + 0.05 * (U / self.h_x + shift)
         return numpy.minimum(scale * P[inner], residual)

@@ -67,7 +67,8 @@ class Friction(ProgramTest):
             xi = contact.attrs["xi"]
         parameters = {name: float(given[name].split()[0]) for name in ("pinion.teeth", "wheel.teeth", "lubricant.viscosity",
                                                             "lubricant.pressure_viscosity")}
-        parameters |= {name: given[name] for name in ("lubricant.viscosity_law", "lubricant.density_law")}
+        parameters |= {name: given[name] for name in ("lubricant.viscosity_law", "lubricant.density_law",
+                                                   "film.discretisation")}
         equations = FilmEquations(parameters, summary_in(self.folder / "info"), x, y)
         P, H = P / equations.pressure, H / equations.film
         thinning = equations.eyring_thinning(P, H, summary["sliding_velocity"], 8e6)

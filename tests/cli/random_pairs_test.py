@@ -183,7 +183,7 @@ class RandomPairs(ProgramTest):
             self.assertAlmostEqual(inertia * (weights @ steps["V0"][three]), pull, delta=rows)
 
     def check_films_in_time(self, folder, steps, contacts, derived, equations):
-        """All films, and the mass of their oil: what stays at a wet node is what flows in less what flows out."""
+        """All films, and the mass of their oil: what stays at a full node is what flows in less what flows out."""
         films = {}  # by step and contact
         with h5py.File(folder / "results.h5") as results:
             for snapshot in results["snapshots"].values():
