@@ -39,8 +39,8 @@ Estimate estimate_smallest(double fine, double coarse, double ratio) {
 }
 
 Estimate estimate_fast(double fine, double coarse, double least, double ratio) {
-  const double difference = fine - coarse, second_order = difference / (ratio * ratio - 1.0);
-  return {fine, std::max(std::abs(second_order), least * std::abs(fine)),
+  const double difference = fine - coarse, square = ratio * ratio;
+  return {fine, std::max(std::abs(difference) / square, least * std::abs(fine)),
           fine + difference / (ratio * ratio * ratio - 1.0)};
 }
 

@@ -41,8 +41,8 @@ class Defaults(ProgramTest):
             _, fine = self.summary("steady", case, "-grid_nx", 2 * chosen["nx"] - 1, "-grid_ny", 2 * chosen["ny"] - 1)
             for film in ("h_central", "h_min"):
                 with self.subTest(case=chosen["case"], film=film):
-                    self.assertLess(chosen[film + "_error"], 0.02 * chosen[film])
-                    self.assertLess(abs(fine[film] - chosen[film]), chosen[film + "_error"])
+                    self.assertLess(chosen[film + "_error"], 0.04 * chosen[film])  # a bound
+                    self.assertLess(abs(fine[film] - chosen[film]), min(chosen[film + "_error"], 0.02 * fine[film]))
                     self.assertAlmostEqual(chosen[film + "_extrapolated"] / fine[film + "_extrapolated"], 1, delta=0.005)
 
     def test_accuracy_is_what_is_asked_for(self):
@@ -71,7 +71,8 @@ class Defaults(ProgramTest):
         run, summary = self.summary(*cold)
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the films have an error of about \d.* %; raise grid.nx .*\n\Z")
         self.assertGreater(summary["h_min_error"], 0.05 * summary["h_min"])
-        run, summary = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 129, "-grid_ny", 65)
+        run, summary = self.summary("steady", self.write_case(SLENDER), "-grid_nx", 129, "-grid_ny", 65,
+                                    "-film_discretisation", "central")
         self.assertRegex(run.of_case, r"\Agearfilm: warning: the error of the films is not known.*\n\Z")
         self.assertIsNone(summary["h_central_error"])
 

@@ -19,7 +19,8 @@ def summary_in(folder):
 
 
 def grid_options(row):
-    options = ["-grid_nx", row["nx"], "-grid_ny", row["ny"]]
+    """Of a row of the reference, whose films are of the paper's discretisation."""
+    options = ["-grid_nx", row["nx"], "-grid_ny", row["ny"], "-film_discretisation", "central"]
     if "domain" in row:
         for name, value in zip(("x_min", "x_max", "y_half"), row["domain"]):
             options += [f"-grid_{name}", value]

@@ -112,8 +112,8 @@ TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
   };
   pair.place(0.0);
   residual_at(-1.4);
-  // The motion and the force carried; film, ghosts of four fields.
-  expect_equal(residual_at(-1.5), 2.0 * collective() + 2.0 * (convolution(in_double) + halo(4, in_double)));
+  // The motion and the force carried; film, ghosts of seven fields.
+  expect_equal(residual_at(-1.5), 2.0 * collective() + 2.0 * (convolution(in_double) + halo(7, in_double)));
 
   // The motion: the state is known to be the one of the residual.
   expect_equal(traffic_of([&] { pair.linearise(state, {rate, shift}, shift); }), collective());
@@ -139,9 +139,9 @@ TEST_F(Communication, of_heat_is_sums_alone) {
   first.residual(pressure, 0.5, {}, rows);
   sweep();
   first.set_flow_factors(heat.flow);
-  // Film, ghosts of four fields.
+  // Film, ghosts of seven fields.
   expect_equal(traffic_of([&] { first.residual(pressure, 0.5, {}, rows); }),
-               convolution(in_double) + halo(4, in_double));
+               convolution(in_double) + halo(7, in_double));
   // Integrals, largest values, missed temperatures. PETSc does not count whether all have found theirs.
   expect_equal(traffic_of(sweep), 3.0 * collective());
 }

@@ -26,6 +26,16 @@ TEST(Estimate, is_relative_to_the_value_that_is_printed) {
   EXPECT_DOUBLE_EQ(found.relative_error(2.0), 0.15);
 }
 
+TEST(Estimate, of_errors_of_third_order_that_may_change_sign_is_a_bound) {
+  const auto film = [](double step) { return 1.0 + 0.01 * step * step * step; };
+  const Estimate found = estimate_fast(film(1.0), film(2.0), 0.002);
+  EXPECT_NEAR(*found.extrapolated, 1.0, 1e-12);
+  EXPECT_NEAR(found.error, 0.25 * 0.07, 1e-12);
+  EXPECT_GT(found.error, film(1.0) - 1.0);
+  // Where the sign changes two grids may agree.
+  EXPECT_DOUBLE_EQ(estimate_fast(2.0, 2.0, 0.002).error, 0.004);
+}
+
 // Orders as low as 1.3 were seen of smallest films.
 TEST(Estimate, of_a_smallest_film_holds_the_film_of_doubled_nodes_at_low_orders) {
   const double limit = 1.0, order = 1.3;

@@ -35,8 +35,8 @@ Estimate estimate(double fine, double coarse, double ratio = 2.0);
 Estimate estimate_smallest(double fine, double coarse, double ratio = 2.0);
 
 /// The estimate of a film of a scheme whose errors fall with the third to fourth power of the step, and may change sign
-/// with it: a small difference of two grids is no small error, and the bar is a bound, of second order and at least
-/// `least` of the value.
+/// with it: a small difference of two grids is no small error, and the bar is a bound, the part 1/ratio^2 of it and at
+/// least `least` of the value.
 Estimate estimate_fast(double fine, double coarse, double least, double ratio = 2.0);
 
 /// Pressures on one grid, all in one unit.

@@ -1,7 +1,8 @@
 // How far a stationary film may be from that of an infinitely fine grid.
 //
 // The same film on every second node of the grid tells that (estimate.hpp). A film that was found from every second
-// node has been there; else the estimate costs another solution there.
+// node has been there; else the estimate costs another solution there. A fitted film that every second node does not
+// carry is compared with that on every second line.
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,123 @@
+// Films that follow what changes at once: displacements where contacts come, go or are moved, grids, flow.
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/dynamics/meshed_films.hpp"
+#include "gearfilm/dynamics/warm_contact.hpp"
+#include "gearfilm/error.hpp"
+#include "gearfilm/film/rescaled_hertz_pressure.hpp"
+#include "gearfilm/mesh/dry_force.hpp"
+
+namespace gearfilm {
+
+// One implicit step of the change alone: G = 0 at the new displacements with
+// d(rho H)/dT = rate + (rho H - rho H before)/duration, so that no jump is no change. Where films cannot follow at
+// once, part of the jump is held back as a gap first.
+void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
+  constexpr double smallest_part = 1e-3;
+  const double shift = 1.0 / duration;
+  const Compliance compliance = mesh_.compliance(numbers(), T_);
+  const std::vector<double> here = displacements();
+  std::vector<double> there = here, held_back(here.size());
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const auto known = before.find(contacts_[k].number);
+    if (known != before.end()) there[k] = known->second;
+    held_back[k] = there[k] - here[k];
+  }
+  const std::vector<double> oil = oil_at(there);
+  const std::vector<double> rates = values(field::rate);
+  std::vector<double> mass = oil;
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
+  const auto solved = [&](double part, const NewtonOptions& options, const LoadCondition& load) {
+    const std::vector<ContactFilm*> films = present_films();
+    for (std::size_t k = 0; k < films.size(); ++k) {
+      ContactConditions conditions = films[k]->conditions();
+      conditions.gap_offset += part * held_back[k];
+      move_surfaces(*films[k], conditions);
+    }
+    FilmSolution moved{values(field::pressure), motion_.H0};
+    if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;
+    set_values(field::pressure, moved.pressure);
+    motion_.H0 = moved.H0;
+    return true;
+  };
+  const LoadCondition at_place = LoadCondition::displacement(motion_.H0, compliance);
+  const std::vector<double> known = values(field::pressure);
+  set_values(field::pressure, rescaled_pressures(there));
+  double part = 1.0;
+  if (solved(0.0, options_.steps.newton, at_place)) {
+    part = 0.0;
+  } else {
+    set_values(field::pressure, known);
+  }
+  for (double step = 1.0; part > 0.0;) {
+    const double next = std::max(0.0, part - step);
+    if (solved(next, options_.steps.newton, at_place) || solved(next, options_.films.newton, at_place)) {
+      part = next;
+    } else if (step > smallest_part) {
+      step *= 0.5;
+    } else {
+      const double largest = *std::ranges::max_element(held_back, {}, [](double jump) { return std::abs(jump); });
+      throw SolveError(label(contacts_.front().number), ": the films do not follow a jump of H by ",
+                       std::to_string(-largest));
+    }
+  }
+  if (in_balance() &&
+      !solved(0.0, options_.steps.newton, LoadCondition::force(mesh_.scales.static_force, compliance))) {
+    throw SolveError(label(contacts_.front().number), ": the films do not come into balance with the load");
+  }
+  std::vector<double> rate = oil_at(displacements());
+  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
+  set_values(field::rate, rate);
+}
+
+// G = 0 with d(rho H)/dT = rate + shift rho H, where the shift is so small that films do not feel it.
+void MeshedFilms::adapt_pressures() {
+  constexpr double shift = 1e-3;
+  std::vector<double> rate = values(field::rate), mass = rate;
+  for (double& value : mass) value /= -shift;
+  FilmSolution films{values(field::pressure), motion_.H0};
+  const LoadCondition load = LoadCondition::displacement(motion_.H0, mesh_.compliance(numbers(), T_));
+  if (!StationaryNewton(present_films(), options_.films.newton).solve(load, films, ImplicitStep{shift, mass})) {
+    throw SolveError(label(contacts_.front().number) + ": no films have the rates of those of another grid");
+  }
+  set_values(field::pressure, films.pressure);
+  const std::vector<double> oil = oil_at(displacements());
+  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] += shift * oil[n];
+  set_values(field::rate, rate);
+}
+
+// By Reynolds' equation, in which the rate stands alone.
+void MeshedFilms::adapt_rates() {
+  if (!corrects_films(mesh_)) return;
+  const std::vector<double> displaced = displacements();
+  const std::vector<ContactFilm*> films = present_films();
+  std::vector<double> rows(discretisation_->grid().local_size());
+  for (std::size_t k = 0; k < films.size(); ++k) {
+    const std::vector<double>& pressure = values_of(contacts_[k].fields, field::pressure);
+    std::vector<double>& rate = values_of(contacts_[k].fields, field::rate);
+    films[k]->residual(pressure, displaced[k], {rate, 1.0 / options_.steps.dT}, rows);
+    for (std::size_t n = 0; n < rows.size(); ++n) rate[n] -= pressure[n] > 0.0 ? rows[n] : 0.0;
+  }
+}
+
+std::vector<double> MeshedFilms::rescaled_pressures(const std::vector<double>& displaced) const {
+  const std::vector<double> before = forces();
+  DryContacts dry(DryForce(mesh_), mesh_, numbers(), T_);
+  dry.stand_for(before, displaced);
+  const std::vector<double> after = dry.forces(motion_.H0);
+  std::vector<double> all;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    std::vector<double> own = values_of(contacts_[k].fields, field::pressure);
+    if (before[k] > 0.0 && after[k] > 0.0) {
+      const ContactConditions conditions = mesh_.contact(contacts_[k].number, T_).conditions;
+      const HertzContact ellipse = dry_contact(mesh_.scales, conditions, before[k]);
+      own = rescaled_hertz_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]),
+                                    own, conditions.nearest.X);
+    }
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+}  // namespace gearfilm
