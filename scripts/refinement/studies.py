@@ -1,8 +1,7 @@
 """The studies of convergence.py: what is refined or widened, in which runs, and which quantities are compared."""
 from typing import NamedTuple
 
-from contacts import RATIOS, SHORT_DOMAIN, finer, grid_of, grid_options
-from contacts import case_text as case_on_defaults
+from contacts import RATIOS, SHORT_DOMAIN, case_text, finer, grid_of, grid_options
 from runs import SOURCE
 
 TABLE_3, TABLE_2 = (SOURCE / "input" / name for name in ("barbieri2013.yaml", "wang2004.yaml"))
@@ -19,13 +18,9 @@ ORBIT_STEP = 0.052          # dT on the coarsest grid, close to its h_x
 MARCH_STEP = 0.1            # dT
 MARCH_START = (-1.4853, 0.5921)  # H_0, V_0 after leaving: about the periodic state
 # Below a hundredth of what the steps change.
+DISCRETISATION = ("-film_discretisation", "central")  # the paper's, of second order: limits are extrapolated with it
 ORBIT_TOLERANCES = ("-periodic_tolerance", 1e-6, "-periodic_film_tolerance", 1e-4, "-time_newton_tolerance", 1e-7)
 MARCH_TOLERANCES = ("-time_newton_tolerance", 1e-8)
-
-
-def case_text(M, L, D):
-    """A bare contact by the discretisation whose errors are of second order, as those of the paper's cases."""
-    return case_on_defaults(M, L, D) + "film: {discretisation: central}\n"
 
 
 class Size(NamedTuple):
@@ -108,9 +103,9 @@ def grid_run(name, grid, label="", dT=None, options=()):
     """A run on a grid; its step is dT where it marches in time, else 1/(nodes in x - 1)."""
     size = f"{name}_{grid[0]}x{grid[1]}"
     if dT is None:
-        return Run(label or grid_label(grid), size, 1 / (grid[0] - 1), (*grid_options(grid), *options))
+        return Run(label or grid_label(grid), size, 1 / (grid[0] - 1), (*grid_options(grid), *DISCRETISATION, *options))
     return Run(label or f"{grid_label(grid)}, dT = {dT:g}", f"{size}_dT{dT:g}", dT,
-               (*grid_options(grid), "-time_dt", dT, *options))
+               (*grid_options(grid), *DISCRETISATION, "-time_dt", dT, *options))
 
 
 def longer(grid):
