@@ -3,16 +3,18 @@
 
     scripts/converged_contacts.py FOLDER [--table FILE]
 
-Every contact is solved on the domain and the grid of film_laws.py (columns x_min, y_half, nx, ny, h_central, h_min), on
-a grid coarser by half along (coarse_x), along and across (coarse), finer across (fine_y) and in both directions (fine),
-and on the grid coarse_x with three times the inlet (long_inlet), a longer outlet (long_outlet) and more room at the
-sides (wide); of the last three the table has the relative change of the films. limit_... is extrapolated with order 2
-from the finest two grids, error_... the deviation of h_... from it, law_... that which film_laws.py expects, bar_... a
-third of the difference of a film from that on the grid coarse_x, over that film.
+Films are of the fitted discretisation (docs/discretisation.md). Every contact is solved on the domain and the grid of
+film_laws.py (columns x_min, y_half, nx, ny, h_central, h_min), on a grid coarser by half along (coarse_x), along and
+across (coarse), finer across (fine_y) and in both directions (fine), and with three times the inlet (long_inlet), a
+longer outlet (long_outlet) and more room at the sides (wide); of the last three the table has the relative change of
+the films. limit_... is extrapolated with order 3 from the finest two grids, error_... the deviation of h_... from it,
+law_... the bound that film_laws.py has for it, steps along and across together, bar_... the program's bound from the
+film and that on the grid coarse_x: a third of their difference over the film, and at least 0.35 % (central) or
+1.25 % (smallest).
 
 The table is written to FOLDER/converged_contacts.csv. The runs stay in FOLDER/runs: one that was made is not repeated,
 so take a new folder when the program has changed. A cell is empty where a film was not solved, or would have taken a
-grid of more than 1250000 nodes. About fifteen minutes.
+grid of more than 1250000 nodes. About three minutes.
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.
@@ -39,6 +41,7 @@ VISCOSITIES = (0.009, 0.075)   # Pa s
 TRIAL_LOAD = 1e4               # M
 MOST_NODES = 1250000           # of the finest grid
 TIME_LIMIT = 120               # s
+LEAST_BARS = (0.0035, 0.0125)  # of the central and the smallest film, relative
 
 
 class Solver:
@@ -119,7 +122,7 @@ def films(solver, contact, edges, grid):
     """Central and smallest film, None where not solved or where the grid is too large."""
     if grid[0] * grid[1] > MOST_NODES:
         return None
-    summary = solver.run("steady", contact, *options(edges, grid))
+    summary = solver.run("steady", contact, "-film_discretisation", "fitted", *options(edges, grid))
     return summary and (summary["h_central"], summary["h_min"])
 
 
@@ -129,8 +132,8 @@ def changes(film, reference):
 
 
 def limit(fine, coarse):
-    """Extrapolated with order 2."""
-    return [new + (new - old) / 3 for new, old in zip(fine, coarse)] if fine and coarse else None
+    """Extrapolated with order 3."""
+    return [new + (new - old) / 7 for new, old in zip(fine, coarse)] if fine and coarse else None
 
 
 def refinements(nx, ny):
@@ -159,11 +162,12 @@ def row(contact, solver):
     converged = limit(finest, solved[""]) if finest else limit(solved[""], solved["coarse_x"])
     add("limit_h_{}", converged)
     add("error_{}", changes(solved[""], converged))
-    add("law_{}", [film_laws.central_error(known, step_x), film_laws.smallest_error(known, step_x)])
-    add("bar_{}", [change and abs(change) / 3 for change in changes(solved["coarse_x"], solved[""])])
-    for name, other in longer(edges, 2 * step_x, step_y).items():
-        grid = (round((other.x_max - other.x_min) / (2 * step_x)) + 1, round(2 * other.y_half / step_y) + 1)
-        add(f"{name}_change_{{}}", changes(films(solver, contact, other, grid), solved["coarse_x"]))
+    add("law_{}", [law(known, step_x, step_y) for law in (film_laws.central_error, film_laws.smallest_error)])
+    add("bar_{}", [change if change is None else max(abs(change) / 3, least)
+                   for change, least in zip(changes(solved["coarse_x"], solved[""]), LEAST_BARS)])
+    for name, other in longer(edges, step_x, step_y).items():
+        grid = (round((other.x_max - other.x_min) / step_x) + 1, round(2 * other.y_half / step_y) + 1)
+        add(f"{name}_change_{{}}", changes(films(solver, contact, other, grid), solved[""]))
     return line
 
 

@@ -1,8 +1,10 @@
 """How large a domain and how fine a grid the stationary film of a bare contact needs: laws in M, L, D.
 
-They are fitted to the contacts of docs/data/converged_contacts.csv, which converged_contacts.py computes with them.
-M = 20..3e5, L = 4..30, D = 5e-4..1. Lengths along the entrainment are in half-axes a, those across in half-axes b.
-H = h_c R_x/a^2 is that of the formula of Nijenbanning, Venner and Moes. Errors are relative.
+They are fitted to 42 contacts, M = 20..3e5, L = 4..30, D = 5e-4..1, which converged_contacts.py computes with them.
+Those of grids are for films of the fitted discretisation (docs/discretisation.md), and are those of
+src/film/expected_errors.cpp. Lengths along the entrainment are in half-axes a, those across in half-axes b.
+H = h_c R_x/a^2 is that of the formula of Nijenbanning, Venner and Moes, l = H^(2/3) the length over which pressure
+rises in the inlet. Errors are relative.
 """
 import dataclasses
 import math
@@ -56,31 +58,43 @@ def side(contact):
     return max(SIDE, 1 + 5.5 * contact.kappa * contact.H ** 0.58)
 
 
-def central_error(contact, h_x):
-    """Of the central film on a grid of step h_x: pressure rises in the inlet over a length of H^(2/3)."""
-    return 0.395 * contact.L ** 0.416 * h_x ** 2 / contact.H ** (4 / 3)
+def inlet_rise(contact):
+    """l, over which pressure rises in the inlet."""
+    return contact.H ** (2 / 3)
 
 
-def smallest_error(contact, h_x):
-    """Of the smallest film on a grid of step h_x: 1 to 1.5 times what it is."""
-    return 0.15 * contact.L ** 0.955 / (1 + 0.66 * contact.kappa) * h_x ** 2 / contact.H ** (4 / 3)
+def central_error(contact, h_x, h_y=0.0):
+    """Bound of the error of the central film on a grid of these steps."""
+    return 0.12 * (h_x / inlet_rise(contact)) ** 4 + 0.25 * h_x ** 2 + 0.12 * math.sqrt(contact.kappa) * h_y ** 2
+
+
+def smallest_error(contact, h_x, h_y=0.0):
+    """Bound of the error of the smallest film on a grid of these steps.
+
+    Across it is one of wide contacts, whose film is smallest in its side lobes.
+    """
+    along = 0.012 * contact.L ** 0.9 / (1 + 0.66 * contact.kappa)
+    across = 0.4 * contact.kappa ** 4 / (contact.kappa ** 4 + 0.16 ** 4)
+    return (along * h_x ** 2 + across * h_y ** 2) / inlet_rise(contact) ** 2
 
 
 def step_x(contact, aim):
-    """h_x with which both errors are within the aim."""
-    return math.sqrt(aim / max(central_error(contact, 1.0), smallest_error(contact, 1.0)))
+    """h_x with which both errors are within the aim, as far as they are of steps along."""
+    rise = 0.12 / inlet_rise(contact) ** 4
+    central = math.sqrt(2 * aim / (0.25 + math.sqrt(0.25 ** 2 + 4 * rise * aim)))
+    return min(central, math.sqrt(aim / smallest_error(contact, 1.0)))
+
+
+def tearing_step(contact):
+    """h_y from which on the film of a slender contact falls to nothing at its sides."""
+    return 3 * min(0.27 * contact.H ** 0.75 * contact.kappa ** -0.25, 0.57 * contact.H * contact.kappa ** -0.5,
+                   1.1 * contact.H ** 0.885 * contact.kappa ** -0.49 * contact.L ** -0.61)
 
 
 def step_y(contact, error=SIDE_ERROR):
-    """h_y with which the smallest film is wrong by less than an error; the central one is by a quarter of that.
-
-    In slender contacts there is a cliff: just above the limit the film at the sides falls to nothing, just below it is
-    right. In wide ones, whose film is smallest in its side lobes, the error is one of second order,
-    1.3 kappa h_y^2/H^(4/3) at most.
-    """
-    cliff = min(0.27 * contact.H ** 0.75 * contact.kappa ** -0.25, 0.57 * contact.H * contact.kappa ** -0.5)
-    lobes = math.sqrt(error / (1.3 * contact.kappa)) * contact.H ** (2 / 3)
-    return min(cliff, lobes)
+    """h_y with which both errors are within one, and two thirds of the step with which films tear."""
+    within = math.sqrt(error / max(central_error(contact, 0.0, 1.0), smallest_error(contact, 0.0, 1.0)))
+    return min(2 / 3 * tearing_step(contact), within)
 
 
 def cells_x(least):

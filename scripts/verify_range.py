@@ -3,7 +3,7 @@
 
     scripts/verify_range.py      film, error of the grid, film formulas
 
-The contacts are the bare ones of contacts.py. Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it.
+The contacts are the bare ones of contacts.py, the discretisation is `central`, whose errors are of second order. Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it.
 All runs work in a temporary folder. Exit status 1, with one line, where a run cannot be made.
 """
 import argparse
@@ -21,7 +21,7 @@ NODES = 129                    # in x
 
 
 def steady(case, folder, grid):
-    return gearfilm("steady", case, folder, *grid_options(grid))
+    return gearfilm("steady", case, folder, "-film_discretisation", "central", *grid_options(grid))
 
 
 def range_row(M, L, D, folder):

@@ -52,7 +52,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/gearfilm DESTINATION ${CMAKE_INS
         FILES_MATCHING PATTERN "*.py")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts
         FILES_MATCHING PATTERN "plot*.py" PATTERN "animate_march.py" PATTERN "pyproject.toml" PATTERN "paper" EXCLUDE
-        PATTERN "refinement" EXCLUDE PATTERN "cmake" EXCLUDE PATTERN "packaging" EXCLUDE PATTERN "gearfilm" EXCLUDE)
+        PATTERN "refinement" EXCLUDE PATTERN "studies" EXCLUDE PATTERN "cmake" EXCLUDE PATTERN "packaging" EXCLUDE
+        PATTERN "gearfilm" EXCLUDE)
 
 # The program itself writes its manual page and its completion, where it runs: not when built for another machine, and
 # not where MPI starts nowhere but in jobs.
