@@ -268,7 +268,7 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
 
 FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                       const DryOrbit& dry, const OrbitObservers& observers) {
-  FoundOrbit found;
+  FoundOrbit found{.discretisation = problem.numerics.discretisation};
   std::optional<OrbitGuess> guess;
   std::optional<OrbitRun> nearest;
   const std::optional<Case> coarse = coarser_case(problem, mesh, *films);

@@ -14,6 +14,7 @@ struct FoundOrbit {
   std::optional<OrbitRun> coarse;  ///< the same with longer steps in space and time; absent where that has too few
                                    ///< nodes or no films
   double ratio = 2.0;              ///< of those steps to the case's own
+  FilmDiscretisation discretisation{};
 };
 
 /// From the dry pair's orbit over those on the coarser grid, where it has any; then the multipliers are those of the

@@ -1,5 +1,6 @@
 #include "app/orbit_errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 
@@ -33,8 +34,12 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
   if (place == largest_pressure.place)
     return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.run.orbit.end.shape.h_x(),
                             found.ratio);
-  if (figure.of_contact && figure.source == smallest_film.place) return estimate_smallest(*own, *other, found.ratio);
-  return estimate(*own, *other, found.ratio);
+  const bool smallest = figure.of_contact && figure.source == smallest_film.place;
+  Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
+  if (found.discretisation == FilmDiscretisation::fitted) {
+    bar.error = std::max(bar.error, (smallest ? least_bars.smallest : least_bars.central) * std::abs(bar.value));
+  }
+  return bar;
 }
 
 }  // namespace

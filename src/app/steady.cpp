@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iomanip>
 #include <memory>
+#include <numbers>
 
 #include "app/commands.hpp"
 #include "app/derived.hpp"
@@ -293,7 +294,7 @@ GridShape refined(const GridShape& shape, double factor) {
 
 /// What the present grid lacks in steps, where the program chose it: 1 where nothing.
 double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
-  constexpr double most = 2.0;
+  const double most = problem.numerics.discretisation == FilmDiscretisation::fitted ? std::numbers::sqrt2 : 2.0;
   if (!chosen_by_program(problem) || !thin_film_remark(problem).empty()) return 1.0;
   if (!errors) return most;
   const double excess = errors->left() / problem.parameters.real("grid.accuracy");

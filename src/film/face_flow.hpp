@@ -22,11 +22,13 @@
 
 namespace gearfilm {
 
+// Everything is inlined: loops over faces then use vector instructions.
+
 /// A mean of phi, with its derivatives by ln phi.
 struct LogarithmicMean {
   double value, by_log_0, by_log_1;
 };
-inline LogarithmicMean logarithmic_mean(double phi_0, double phi_1, double log_0, double log_1) {
+[[gnu::always_inline]] inline LogarithmicMean logarithmic_mean(double phi_0, double phi_1, double log_0, double log_1) {
   const double d = log_1 - log_0, square = 0.25 * d * d;
   const bool close = std::abs(d) < 0.01;  // where differences of phi have few digits: tanh(d/2)/(d/2) in powers of d
   const double inverse = 1.0 / (close ? 1.0 : d);
@@ -47,8 +49,8 @@ struct FaceWeights {
 };
 
 /// Of node j of line `a` and node m of line `b`, with H_f and its weights.
-inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m, double film,
-                                          const FaceWeights& weights) {
+[[gnu::always_inline]] inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m,
+                                                                 double film, const FaceWeights& weights) {
   const double h = film > 0.0 ? film : 0.0, rho = 0.5 * (a.rho[j] + b.rho[m]), square = h * h, cube = h * square;
   const LogarithmicMean phi = logarithmic_mean(a.phi[j], b.phi[m], a.f[j], b.f[m]);
   const double by_h = 3.0 * rho * phi.value * square;
@@ -60,7 +62,8 @@ inline FaceConductance fitted_conductance(const StateLine& a, int j, const State
           by_h * weights.node_1};
 }
 
-inline FaceConductance central_conductance(const StateLine& a, int j, const StateLine& b, int m) {
+[[gnu::always_inline]] inline FaceConductance central_conductance(const StateLine& a, int j, const StateLine& b,
+                                                                  int m) {
   return {0.5 * (a.conductance(j) + b.conductance(m)), 0.5 * a.conductance_by_pressure(j),
           0.5 * b.conductance_by_pressure(m),          0.0,
           0.5 * a.conductance_by_thickness(j),         0.5 * b.conductance_by_thickness(m)};
@@ -87,7 +90,7 @@ public:
         inverse_h_x2_(equation.inverse_h_x2),
         carrying_(equation.carrying) {}
 
-  FaceFlow at(int j) const {
+  [[gnu::always_inline]] FaceFlow at(int j) const {
     const double m_w = w_.carried(j), m_0 = here_.carried(j), m_1 = next_.carried(j);
     const FaceConductance xi = conductance(j);
     const double bend = bend_ * (m_1 - 2.0 * m_0 + m_w), slope = inverse_h_x2_ * (next_.p[j] - here_.p[j]);
@@ -112,12 +115,12 @@ public:
   }
 
   /// The flow of volume that pressure drives, -(xi_f/rho_f) dP/dX.
-  double driven(int j) const {
+  [[gnu::always_inline]] double driven(int j) const {
     return -inverse_h_x_ * conductance(j).value * (next_.p[j] - here_.p[j]) / (0.5 * (here_.rho[j] + next_.rho[j]));
   }
 
 private:
-  FaceConductance conductance(int j) const {
+  [[gnu::always_inline]] FaceConductance conductance(int j) const {
     if constexpr (discretisation == FilmDiscretisation::central) return central_conductance(here_, j, next_, j);
     const double film = film_.w * w_.h[j] + film_.node_0 * here_.h[j] + film_.node_1 * next_.h[j];
     return fitted_conductance(here_, j, next_, j, film, film_);
@@ -130,7 +133,7 @@ private:
 
 /// Between node j of a line and node j + 1, without the distances of the rows; W is none.
 template <FilmDiscretisation discretisation>
-FaceFlow flow_along_y(const StateLine& line, int j) {
+[[gnu::always_inline]] inline FaceFlow flow_along_y(const StateLine& line, int j) {
   const int m = j + 1;
   const auto flow = [&](const FaceConductance& xi, double A_0, double A_1) -> FaceFlow {
     const double difference = line.p[m] - line.p[j];

@@ -36,14 +36,14 @@ Domain domain_of(const ExpectedFilm& expected) {
 
 namespace {
 
-int nodes_in_blocks(double length, double step, int block) {
+int nodes_in_blocks(double length, double step, int block, int fewest) {
   const int blocks = static_cast<int>(std::ceil(length / (block * step) - 1e-9));
-  return block * std::max(blocks, 2) + 1;
+  return block * std::max(blocks, fewest) + 1;
 }
 
 }  // namespace
 
-int nodes_along(double length, double step) { return nodes_in_blocks(length, step, 16); }
-int nodes_across(double length, double step) { return nodes_in_blocks(length, step, 8); }
+int nodes_along(double length, double step) { return nodes_in_blocks(length, step, 16, 4); }
+int nodes_across(double length, double step) { return nodes_in_blocks(length, step, 8, 2); }
 
 }  // namespace gearfilm

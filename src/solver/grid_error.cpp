@@ -2,6 +2,7 @@
 
 #include "film/transfer.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/film/expected_errors.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
@@ -16,19 +17,15 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
-// Least bars of fitted films, relative: what errors that change their sign with the step have left.
-constexpr double least_central = 0.0035;
-constexpr double least_smallest = 0.0125;
-
 std::optional<GridErrors> errors_between(const Discretisation& discretisation, const FilmFigures& fine,
                                          const FilmFigures& half) {
   if (!half.finite || half.smallest_film <= 0.0) return {};
   const double step = discretisation.grid().h_x();
   const bool fitted = discretisation.of_films() == FilmDiscretisation::fitted;
   const double spike = fine.spike_pressure, half_spike = half.spike_pressure;
-  return GridErrors{fitted ? estimate_fast(fine.central_film, half.central_film, least_central)
+  return GridErrors{fitted ? estimate_fast(fine.central_film, half.central_film, least_bars.central)
                            : estimate(fine.central_film, half.central_film),
-                    fitted ? estimate_fast(fine.smallest_film, half.smallest_film, least_smallest)
+                    fitted ? estimate_fast(fine.smallest_film, half.smallest_film, least_bars.smallest)
                            : estimate_smallest(fine.smallest_film, half.smallest_film),
                     estimate_beside_spike({fine.central_pressure, spike}, {half.central_pressure, half_spike}, step),
                     estimate_largest({fine.largest_pressure, spike}, {half.largest_pressure, half_spike}, step),

@@ -68,7 +68,7 @@ class Films(ProgramTest):
             summary = json.loads((self.folder / name / "summary.json").read_text(encoding="utf-8"))
             self.assertIsNone(summary["p_max_extrapolated"])
             self.assertGreater(summary["p_max_error"], 0.05 * summary["p_max"])
-            self.assertLess(summary["p_central_error"], 0.02 * summary["p_central"])
+            self.assertLess(summary["p_central_error"], 0.03 * summary["p_central"])
             self.assertEqual(summary["p_spike"] == summary["p_max"], name == "overtaken")
 
     def test_largest_pressure_under_a_low_spike_keeps_its_small_bar(self):

@@ -52,7 +52,7 @@ TEST(Choice, nodes_can_be_halved) {
   for (const double length : {1.0, 3.3, 40.0}) {
     const int nodes = nodes_along(length, 0.026);
     EXPECT_EQ((nodes - 1) % 16, 0);
-    EXPECT_GE(nodes, 33);
+    EXPECT_GE(nodes, 65);
     EXPECT_LE(length / (nodes - 1), 0.026);
     const int across = nodes_across(length, 0.026);
     EXPECT_EQ((across - 1) % 8, 0);

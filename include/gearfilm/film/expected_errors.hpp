@@ -32,6 +32,9 @@ struct FilmErrors {
 };
 FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm& expected, const Steps& steps);
 
+/// Relative, what errors of fitted films that change their sign with the step may be though two grids agree.
+inline constexpr FilmErrors least_bars{.central = 0.0035, .smallest = 0.0125};
+
 /// The longest steps on which neither error exceeds `accuracy`.
 Steps steps_for(FilmDiscretisation discretisation, const ExpectedFilm& expected, double accuracy);
 

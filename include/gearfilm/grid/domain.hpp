@@ -44,7 +44,7 @@ double clear_side(const ExpectedFilm& expected);
 /// Flooded and clear, under up to 1.25 times the force too.
 Domain domain_of(const ExpectedFilm& expected);
 
-/// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 33, so that there
+/// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 65, so that there
 /// are coarser grids.
 int nodes_along(double length, double step);
 /// The same across the entrainment, where slender contacts need few: one more than a multiple of 8, and at least 17.
