@@ -87,9 +87,9 @@ void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residu
 
 }  // namespace
 
-ReynoldsEquation::ReynoldsEquation(const Grid& on, double C_h, FilmDiscretisation by)
-    : grid(on),
-      discretisation(by),
+ReynoldsEquation::ReynoldsEquation(const Grid& on_grid, double C_h, FilmDiscretisation of_films)
+    : grid(on_grid),
+      discretisation(of_films),
       inverse_h_x(1.0 / grid.h_x()),
       inverse_h_x2(inverse_h_x * inverse_h_x),
       carrying(carrying_share * grid.h_x() * grid.h_x() * 2.0 * std::numbers::pi * C_h) {

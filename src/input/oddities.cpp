@@ -195,7 +195,7 @@ void compare_steps(const Case& problem, Oddities& found) {
 void compare_grid(const Case& problem, Oddities& found) {
   const Steps steps = steps_of(problem.numerics);
   compare(1.0 / steps.x,
-          {"the number of nodes along the half-axis a", "", 2, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
+          {"the number of nodes along the half-axis a", "", 3, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
           found);
   compare(1.0 / steps.y,
           {"the number of nodes along the half-axis b", "", 3, HUGE_VAL, "too coarse for a film; raise grid.ny", ""},

@@ -43,13 +43,14 @@ class Defaults(ProgramTest):
                 with self.subTest(case=chosen["case"], film=film):
                     self.assertLess(chosen[film + "_error"], 0.04 * chosen[film])  # a bound
                     self.assertLess(abs(fine[film] - chosen[film]), min(chosen[film + "_error"], 0.02 * fine[film]))
-                    self.assertAlmostEqual(chosen[film + "_extrapolated"] / fine[film + "_extrapolated"], 1, delta=0.005)
+                    self.assertAlmostEqual(chosen[film + "_extrapolated"], fine[film + "_extrapolated"],
+                                           delta=0.5 * (chosen[film + "_error"] + fine[film + "_error"]))
 
     def test_accuracy_is_what_is_asked_for(self):
         case = self.write_case(SLENDER)
         _, rough = self.summary("steady", case, "-grid_accuracy", 0.05)
         _, fine = self.summary("steady", case, "-grid_accuracy", 0.01)
-        self.assertLess(rough["nx"] * rough["ny"], 0.5 * fine["nx"] * fine["ny"])
+        self.assertLess(rough["nx"], 0.75 * fine["nx"])  # that the film does not tear asks for the same rows
         self.assertLess(rough["h_central_error"], 0.05 * rough["h_central"])
         self.assertLess(fine["h_central_error"], 0.01 * fine["h_central"])
 

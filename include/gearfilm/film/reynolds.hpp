@@ -36,7 +36,7 @@ struct Squeeze {
 /// What the equations of a grid have in common, whatever the film.
 struct ReynoldsEquation {
   /// The grid must outlive it. C_h as in Scales.
-  ReynoldsEquation(const Grid& grid, double C_h, FilmDiscretisation discretisation);
+  ReynoldsEquation(const Grid& on_grid, double C_h, FilmDiscretisation of_films);
 
   /// d, the scale of a cavitated node's row.
   double row_scale(int j, double conductance, double U, double shift) const {
