@@ -12,6 +12,7 @@
 #include "app/screen_table.hpp"
 #include "app/warning.hpp"
 #include "gearfilm/film/validity.hpp"
+#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/solver/grid_error.hpp"
 #include "gearfilm/traction/coupled_film.hpp"
