@@ -8,8 +8,8 @@
 
 namespace gearfilm {
 
-/// What a stream makes of all parts, one after the other: messages of words and numbers. A manipulator acts on what
-/// follows it.
+/// Text of a message from words and numbers, written one after the other as a stream writes them. A manipulator acts on
+/// the parts behind it.
 template <class... Parts>
 std::string worded(const Parts&... parts) {
   std::ostringstream text;

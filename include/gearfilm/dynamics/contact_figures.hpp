@@ -33,13 +33,13 @@ double hertz_pressure_of(const ContactMoment& at);
 
 namespace figure {
 
-/// One that is among the figures of films.
+/// A figure that is a member of FilmFigures: one contact, dimensionless.
 template <double FilmFigures::*value, class... Rest>
 constexpr Figure<ContactMoment> of_film(const Rest&... rest) {
   return of<ContactMoment>([](const ContactMoment& at) { return at.film.*value; }, rest...);
 }
 
-/// The same of friction and heat.
+/// A figure that is a member of TractionFigures: friction and heat of one contact, in SI.
 template <double TractionFigures::*value, class... Rest>
 constexpr Figure<ContactMoment> of_traction(const Rest&... rest) {
   return of<ContactMoment>([](const ContactMoment& at) { return at.traction.*value; }, rest...);

@@ -9,7 +9,7 @@ namespace gearfilm {
 
 namespace figure {
 
-/// What a member of the record is, or returns.
+/// The value of a StepRecord's data member, or what its member function returns.
 template <auto member, class... Rest>
 constexpr Figure<StepRecord> of_step(const Rest&... rest) {
   return of<StepRecord>([](const StepRecord& step) { return static_cast<double>(std::invoke(member, step)); }, rest...);

@@ -47,7 +47,8 @@ Domain domain_of(const ExpectedFilm& expected);
 /// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 65, so that there
 /// are coarser grids.
 int nodes_along(double length, double step);
-/// The same across the entrainment, where slender contacts need few: one more than a multiple of 8, and at least 17.
+/// Nodes across the entrainment on a length in steps of at most so much: one more than a multiple of 8, and at least
+/// 17, since slender contacts need few.
 int nodes_across(double length, double step);
 
 }  // namespace gearfilm

@@ -27,7 +27,8 @@ namespace gearfilm {
 
 enum class CaseKind { gear_pair, contact };
 enum class MarchModel { dynamic, simplified, quasistatic, dry };
-/// Of the model dynamic: with inertia, or in balance at every moment.
+/// How the bodies of a pair move (MarchModel::dynamic): by their inertia, or in balance with all contacts at every
+/// moment.
 enum class PairMotion { dynamic, quasi_static };
 
 /// The gears of a pair, and how they turn.

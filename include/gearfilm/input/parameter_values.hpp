@@ -41,7 +41,7 @@ public:
   double real(const std::string& name) const { return std::get<double>(entries_.at(name).value); }
   const std::string& text(const std::string& name) const { return std::get<std::string>(entries_.at(name).value); }
   const std::string& origin(const std::string& name) const { return entries_.at(name).origin; }
-  /// Of parameters that may be absent.
+  /// The value of a real parameter, nothing where neither case nor default gives one.
   std::optional<double> real_if_given(const std::string& name) const {
     return has(name) ? std::optional(real(name)) : std::nullopt;
   }
