@@ -115,7 +115,7 @@ damping_ratio | - | damping ratio of the free oscillation
 efficiency | - | power that goes through over the power that goes in
 mean_friction_coefficient | - | mean friction coefficient
 defect | - | change of the motion over the periodic period
-film_defect | - | largest change of any pressure over the periodic period, in units of p_h
+film_defect | - | largest change of any pressure over the periodic period, in units of p_h (of films that feel their heat: root mean square of a field over its largest value)
 periods_used | - | mesh periods marched to find the state
 order | - | mesh periods after which the state repeats
 dT | - | time step over a/u_m

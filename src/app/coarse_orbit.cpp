@@ -13,13 +13,15 @@
 namespace gearfilm {
 namespace {
 
-constexpr double out_of_phase = 1.0;      // of a pair at the end of a mesh period, by the error of its steps
-constexpr double steps_of_a_swing = 180;  // with fewer, by experience, the damping is wrong by more than a tenth
-constexpr double many_node_steps = 4e6;   // in a mesh period of the coarser grid
-constexpr int enough_periods = 12;        // of a search: marches that scatter need not repeat as they should
-constexpr double same_orbit = 0.1;        // between the motions of an orbit on two grids
-constexpr double well_known = 0.1;        // error of a multiplier whose map serves a search
-constexpr double noise_of_decay = 3.0;    // Newton's tolerance for a decay, in that of the case: its errors hardly grow
+constexpr double out_of_phase = 1.0;     // of a pair at the end of a mesh period, by the error of its steps
+constexpr double steps_of_a_swing = 20;  // with fewer the damping is wrong by more than a twentieth, and steps halve
+constexpr double left_by_the_fit = 0.1;  // of the frequency's error: stiffness changes within a step
+constexpr double many_node_steps = 4e6;  // in a mesh period of the coarser grid
+constexpr int enough_periods = 6;        // of a search: marches that scatter need not repeat as they should
+constexpr int brief_periods = 12;        // of one that error bars alone are worth
+constexpr double same_orbit = 0.1;       // between the motions of an orbit on two grids
+constexpr double well_known = 0.1;       // error of a multiplier whose map serves a search
+constexpr double noise_of_decay = 3.0;   // Newton's tolerance for a decay, in that of the case: its errors hardly grow
 
 /// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
 /// in 1.5.
@@ -52,10 +54,10 @@ void add_grid_error(const Case& coarse, FreeDecay& decay) {
   decay.modulus_error = std::hypot(decay.modulus_error, modulus * std::log(modulus) * films.central);
 }
 
-/// For error bars alone: not worth more periods than a search that begins with this grid.
+/// For error bars alone.
 Case searched_briefly(Case problem, const MeshModel& mesh) {
   int& most = problem.search.options.max_periods;
-  most = std::min(most, enough_periods * mesh.periods());
+  most = std::min(most, brief_periods * mesh.periods());
   return problem;
 }
 
@@ -74,18 +76,17 @@ OrbitGuess guess_from(const OrbitRun& run) {
   return {orbit.end.motion, told ? run.decay->map : orbit.monodromy, orbit.end};
 }
 
-/// Steps of dT tell the orbit, and how it damps: formulas of second order have the frequency w wrong by (w dT)^2/3 of
-/// it.
+/// Steps of dT tell the orbit, and how it damps.
 bool resolves_swings(const MeshModel& mesh, double dT) {
   return mesh.inertia == 0.0 || mesh.frequency() * dT * steps_of_a_swing < 1.0;
 }
 
-/// A pair that swings often in a mesh period ends it elsewhere with steps that are too long: by (w dT)^2/3 of all its
-/// phase.
+/// A pair that swings often in a mesh period ends it elsewhere with steps that are too long. Formulas of second order
+/// have the frequency w wrong by (w dT)^2/3 of it, most of which the fit of frequencies takes away.
 bool keeps_phase(const MeshModel& mesh, double dT) {
   if (mesh.inertia == 0.0) return true;
   const double w = 2.0 * std::numbers::pi * mesh.frequency();
-  return w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
+  return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
 /// Words before what is said of a march there.
@@ -103,12 +104,13 @@ public:
         own_step_(coarse),
         mesh_(mesh),
         observers_(observers),
-        in_phase_(keeps_phase(mesh, coarse.numerics.steps.dT)),
+        in_phase_(resolves_swings(mesh, coarse.numerics.steps.dT) && keeps_phase(mesh, coarse.numerics.steps.dT)),
         with_multipliers_(fine.search.with_multipliers),
         newton_of_decay_(fine.numerics.steps.newton),
         films_(discretise(comm, coarse)) {
     newton_of_decay_.tolerance *= noise_of_decay;
-    own_step_.numerics.steps.dT = fine.numerics.steps.dT;
+    own_step_.numerics.steps = fine.numerics.steps;
+    own_step_.numerics.steps.newton = coarse.numerics.steps.newton;
   }
 
   /// With which a search begins: with twice the step, where the pair stays in phase.
@@ -121,19 +123,15 @@ public:
     return orbit(name, problem(), guess);
   }
 
-  /// With the steps of the case itself where twice the step is too long, and with its decay where multipliers are
-  /// asked for.
-  OrbitRun nearest(const OrbitRun& found) {
-    if (!in_phase_ || resolves_swings(mesh_, twice_the_step_.numerics.steps.dT)) return with_decay(problem(), found);
-    const std::optional<OrbitRun> nearer = orbit("coarse_grid", own_step_, [&] { return guess_from(found); });
-    return nearer ? with_decay(own_step_, *nearer) : found;
-  }
+  /// With its decay where multipliers are asked for.
+  OrbitRun nearest(const OrbitRun& found) { return with_decay(problem(), found); }
 
-  /// What an orbit found with the first steps has with twice the step: with that on the case's grid it tells the errors
-  /// of both. Nothing where it has none that is found about as soon.
-  std::optional<OrbitRun> with_twice_the_step(const OrbitRun& found) {
-    if (in_phase_) return found;
-    const Case brief = searched_briefly(twice_the_step_, mesh_);
+  bool has_twice_the_step() const { return in_phase_; }
+  /// What an orbit with the step of the case itself has with a longer one. Nothing where it has none that is found
+  /// about as soon.
+  std::optional<OrbitRun> with_longer_step(const OrbitRun& found) {
+    Case brief = searched_briefly(own_step_, mesh_);
+    brief.numerics.steps.lengthen(FoundOrbit::step_ratio);
     try {
       return orbit("coarse_step", brief, [&] { return guess_from(found); });
     } catch (const NoPeriodicState& error) {
@@ -232,12 +230,29 @@ OrbitGuess first_coarse_guess(const CoarseSearch& search, const MeshModel& mesh,
   return first_guess(problem, search.films(), dry);
 }
 
+/// From the dry orbit given, or else from one that is damped less; nothing where neither leads to one.
+std::optional<OrbitRun> first_coarse_orbit(CoarseSearch& search, const MeshModel& mesh, const DryOrbit& dry,
+                                           const OrbitObservers& observers) {
+  const auto found_from = [&](const std::string& name, const DryOrbit& start) -> std::optional<OrbitRun> {
+    try {
+      return search.orbit(name, [&] { return first_coarse_guess(search, mesh, start, observers); });
+    } catch (const NoPeriodicState& error) {
+      observers.on_trouble(error.what());
+      return {};
+    }
+  };
+  if (std::optional<OrbitRun> found = found_from("coarse", dry)) return found;
+  if (mesh.inertia == 0.0 || expected_film_damping(mesh) <= typical_film_damping) return {};
+  const std::optional<DryOrbit> less_damped = find_dry_orbit_soon(mesh, typical_film_damping);
+  return less_damped ? found_from("coarse_again", *less_damped) : std::nullopt;
+}
+
 /// The guess after a period with twice the step, where that resolves the swings: films of another case need a march to
 /// become those of this one.
 OrbitGuess with_marched_films(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                               const OrbitGuess& guess, const OrbitObservers& observers) {
   Case quick = problem;
-  quick.numerics.steps.dT *= 2.0;
+  quick.numerics.steps.lengthen(2.0);
   if (!guess.neighbour || !resolves_swings(mesh, quick.numerics.steps.dT)) return guess;
   Checkpoint checkpoint = observers.checkpoint.within("coarse_step", films->grid());
   try {
@@ -274,10 +289,10 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
   const std::optional<Case> coarse = coarser_case(problem, mesh, *films);
   if (coarse) {
     CoarseSearch search(*coarse, problem, mesh, observers, films->grid().comm());
-    const std::optional<OrbitRun> first =
-        search.orbit("coarse", [&] { return first_coarse_guess(search, mesh, dry, observers); });
+    const std::optional<OrbitRun> first = first_coarse_orbit(search, mesh, dry, observers);
     if (first) {
-      found.coarse = search.with_twice_the_step(*first);
+      if (!search.has_twice_the_step()) found.longer_step = search.with_longer_step(*first);
+      if (search.has_twice_the_step() || found.longer_step) found.coarse = first;
       nearest = search.nearest(*first);
       guess = guess_on_grid(problem, films, search, *nearest);
     }

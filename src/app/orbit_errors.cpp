@@ -21,8 +21,17 @@ bool has_error(const PeriodFigure& figure) {
   return of(units::metre) || of(units::pascal) || is_force(figure) || of(units::watt);
 }
 
-/// Dimensionless, of the figure at that place; nothing where an orbit has no value, or no spike.
-std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
+/// With the errors of steps in time, where the coarse orbit tells those in space alone.
+Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
+  const Estimate in_time = estimate(coarse, longer_step, FoundOrbit::step_ratio);
+  bar.error += in_time.error;
+  if (bar.extrapolated) *bar.extrapolated += *in_time.extrapolated - coarse;
+  return bar;
+}
+
+/// Dimensionless, of the figure at that place, but for steps in time that the coarse orbit has too; nothing where an
+/// orbit has no value, or no spike.
+std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& found) {
   const PeriodFigures &fine = found.run.figures, &coarse = found.coarse->figures;
   const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
   if (!own || !other) return {};
@@ -40,6 +49,24 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
     bar.error = std::max(bar.error, (smallest ? least_bars.smallest : least_bars.central) * std::abs(bar.value));
   }
   return bar;
+}
+
+/// The same with all errors.
+std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
+  const std::optional<Estimate> bar = error_in_space(place, found);
+  if (!bar || !found.longer_step) return bar;
+  const std::optional<double>&coarse = found.coarse->figures.values[place],
+        &longer = found.longer_step->figures.values[place];
+  if (!longer) return {};
+  return with_error_in_time(*bar, *coarse, *longer);
+}
+
+std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
+  if (!found.coarse) return {};
+  const double coarse = found.coarse->transmission_error.peak_to_peak;
+  const Estimate bar = estimate(found.run.transmission_error.peak_to_peak, coarse, found.ratio);
+  if (!found.longer_step) return bar;
+  return with_error_in_time(bar, coarse, found.longer_step->transmission_error.peak_to_peak);
 }
 
 }  // namespace
@@ -64,11 +91,7 @@ std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& f
     const std::optional<Estimate> bar = found.coarse ? error_of(n, found) : std::nullopt;
     add(std::string(figure.name), bar, figure.unit, is_force(figure) ? 1.0 : 0.0);
   }
-  const double swing = found.run.transmission_error.peak_to_peak;
-  add("transmission_error_peak_to_peak",
-      found.coarse ? std::optional(estimate(swing, found.coarse->transmission_error.peak_to_peak, found.ratio))
-                   : std::nullopt,
-      units::metre, 0.0);
+  add("transmission_error_peak_to_peak", error_of_swing(found), units::metre, 0.0);
   return largest;
 }
 

@@ -14,29 +14,51 @@
 #include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {
 
 constexpr double typical_periods = 4.0;  // of the motion, for the time left
+constexpr double many_swings = 40.0;     // of the pair in a mesh period
 
-/// The undamped dry pair's orbit, for comparison; null where there is none, or where the pair swings so often in a mesh
-/// period that an orbit without damping says nothing.
+/// A pair that swings very often in a mesh period is taken to be in balance at every moment, where the case does not
+/// say how it moves nor ask for what has inertia alone.
+Case without_many_swings(MPI_Comm comm, const Case& given) {
+  ParameterValues values = given.parameters;
+  const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
+  const bool choosable = !values.given("motion") && !multipliers_asked && !values.given("periodic.order") &&
+                         !values.yes("friction.in_motion") && given.march.model == MarchModel::dynamic &&
+                         given.march.geometry == MeshGeometry::moving && !given.march.start_motion && swings(given);
+  const double in_mesh_period = choosable ? mesh_period(given) / natural_period(given) : 0.0;
+  if (in_mesh_period < many_swings) return given;
+  say(comm, std::setprecision(3), "the pair would swing ", in_mesh_period,
+      " times in a mesh period: bodies are taken to be in balance at every moment (motion: quasi_static); -motion "
+      "dynamic follows their swings");
+  values.set("motion", "quasi_static", "the choice of motion by the program");
+  return make_case(values);
+}
+
+/// Of the total force, by which it would swing about the static one after contacts come or go [static forces].
+double swing_left_out(const Summary& summary) {
+  return std::max(summary["total_force_ratio_max"].get<double>() - 1.0,
+                  1.0 - summary["total_force_ratio_min"].get<double>());
+}
+
+/// The undamped dry pair's orbit, for comparison; null where none is found without long marches, or where the pair
+/// swings so often in a mesh period that an orbit without damping says nothing.
 Summary dry_summary(const Case& problem, const MeshModel& mesh) {
   constexpr double most_oscillations = 10.0;
   if (mesh.inertia == 0.0 || mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations)
     return nullptr;
-  try {
-    const DryOrbit dry = find_dry_orbit(mesh, 0.0);
-    Summary summary = {{"H0_after_leaving", dry.start.H0},
-                       {"V0_after_leaving", dry.start.V0},
-                       {"force_ratio_max", dry.largest_integral / problem.scales.static_force}};
-    add_multipliers(mesh, multipliers(dry.monodromy), summary);
-    for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping
-    return summary;
-  } catch (const SolveError&) {
-    return nullptr;
-  }
+  const std::optional<DryOrbit> dry = find_dry_orbit_soon(mesh, 0.0);
+  if (!dry) return nullptr;
+  Summary summary = {{"H0_after_leaving", dry->start.H0},
+                     {"V0_after_leaving", dry->start.V0},
+                     {"force_ratio_max", dry->largest_integral / problem.scales.static_force}};
+  add_multipliers(mesh, multipliers(dry->monodromy), summary);
+  for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping
+  return summary;
 }
 
 /// The fewest mesh periods after which the states repeat; as many as there are states where none does before.
@@ -78,8 +100,9 @@ std::string stability(const Summary& summary) {
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem, const Summary& summary,
                   const std::optional<LargestError>& error, const std::string& advice) {
+  const bool in_balance = problem.march.motion == PairMotion::quasi_static;
   ScreenTable(summary)
-      .text("periodic state", stability(summary))
+      .text("periodic state", in_balance ? "of bodies in balance at every moment" : stability(summary))
       .add("largest force on one contact", "force_ratio_max", 1.0, "static forces")
       .add("total force, largest", "total_force_ratio_max", 1.0, "static forces")
       .add("total force, smallest", "total_force_ratio_min", 1.0, "static forces")
@@ -93,6 +116,11 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
       .add("mean friction coefficient", "mean_friction_coefficient")
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
+  if (in_balance) {
+    say(comm, std::setprecision(2), "left out: swings of the total force by up to ", swing_left_out(summary),
+        " static forces or a little more either way, and of the pressures and films under it, after contacts come and "
+        "go");
+  }
   note_spike(comm, summary);
   if (!advice.empty()) say(comm, advice.substr(1));
   if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
@@ -104,8 +132,9 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
 
 }  // namespace
 
-void run_periodic(MPI_Comm comm, const Case& problem) {
-  require_inertia(problem);
+void run_periodic(MPI_Comm comm, const Case& given) {
+  require_inertia(given);
+  const Case problem = without_many_swings(comm, given);
   require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);

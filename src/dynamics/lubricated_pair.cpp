@@ -36,6 +36,7 @@ LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<LiveCont
       numbers_(numbers_of(contacts)),
       films_(films_of(contacts)),
       share_(share),
+      dry_force_(mesh),
       system_(films_, equation_of_motion({mesh.inertia, mesh.scales.static_force}, films_.size())) {}
 
 Motion LubricatedPair::motion(Vec state) const {
@@ -104,10 +105,28 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
   }
 }
 
+double LubricatedPair::swing(double T, const std::vector<FilmFigures>& figures) const {
+  if (mesh_.inertia == 0.0) return 0.0;
+  std::vector<double> forces(figures.size());
+  std::ranges::transform(figures, forces.begin(),
+                         [](const FilmFigures& film) { return std::max(0.0, film.pressure_integral); });
+  const double stiffness = DryContacts(dry_force_, mesh_, numbers_, T).stiffness(forces) / share_at(T);
+  return std::sqrt(stiffness / mesh_.inertia);
+}
+
+void LubricatedPair::transfer_load(double T0, double T1, double load) {
+  transfer_ = {T0, T1, mesh_.scales.static_force - load};
+}
+
+double LubricatedPair::left_over(double T) const {
+  if (T >= transfer_.end) return 0.0;
+  return transfer_.left_over * (transfer_.end - T) / (transfer_.end - transfer_.begin);
+}
+
 void LubricatedPair::place(double T) {
   for (std::size_t k = 0; k < films_.size(); ++k) move_surfaces(*films_[k], mesh_.contact(numbers_[k], T).conditions);
-  const PairLoad load{mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T)};
-  BodyEquations bodies = equation_of_motion(load, films_.size());
+  const PairLoad load{mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T) - left_over(T)};
+  BodyEquations bodies = fitted(equation_of_motion(load, films_.size()), fit_);
   ReverseFlankForce reverse_flanks;
   if (mesh_.teeth.backlash()) {
     const auto law = [this, T](double H0) {

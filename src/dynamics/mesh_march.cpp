@@ -1,6 +1,8 @@
 #include "gearfilm/dynamics/mesh_march.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "gearfilm/film/validity.hpp"
 #include "gearfilm/mesh/back_flanks.hpp"
@@ -9,9 +11,26 @@
 namespace gearfilm {
 namespace {
 
-/// The scheme begins with a first-order half step. Where nothing happens but that the grid is widened it is to leave no
-/// trace: a step so short does not.
-constexpr double part_after_widening = 1.0 / 8.0;
+/// The scheme begins with a first-order half step. Where nothing happens but that the grid is widened or steps become
+/// longer it is to leave no trace: a step so short does not.
+constexpr double part_without_event = 1.0 / 8.0;
+
+constexpr double time_to_pass = 3.0;  // of what films are given by an event: oil passes the contact in 2
+
+/// A part of the march without inertia between two events.
+struct BalancePhase {
+  double end = 0.0;
+  double dT = 0.0;
+  bool transfers = false;  ///< the load passes to the contacts that are there
+};
+
+BalancePhase balance_phase(const ContactPath& path, double T, const StepOptions& steps) {
+  const double transferred = path.last_event(T) + part_of_transfer * path.mesh_period();
+  const double passed = transferred + time_to_pass;
+  if (T < transferred - 1e-9) return {transferred, std::min(steps.dT, steps.of_transfer), true};
+  if (T < passed - 1e-9) return {passed, steps.dT};
+  return {HUGE_VAL, std::max(steps.dT, steps.without_event)};
+}
 
 }  // namespace
 
@@ -78,9 +97,14 @@ void MeshMarch::exchange_contacts() {
   if (films_.exchange()) observe_present();
 }
 
-void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share) {
+void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share,
+                            std::optional<double> transferred) {
   const ScopedStage stage("Time steps");
   LubricatedPair pair(mesh(), contacts(), share);
+  if (transferred) {
+    const std::vector<double> carried = films_.forces();
+    pair.transfer_load(T(), *transferred, std::accumulate(carried.begin(), carried.end(), 0.0));
+  }
   const FilmSystem& system = pair.system();
   const OwnedVec state = system.create_state();
   for (std::size_t k = 0; k < contacts().size(); ++k) {
@@ -118,13 +142,25 @@ void MeshMarch::run(double T_end) {
     const bool widened = films_.grow_domain();
     double segment_end = std::min(T_end, mesh().path.next_event(T()));
     StepOptions steps = films_.options().steps;
-    if (widened) steps.first_part = part_after_widening;
+    if (widened) steps.first_part = part_without_event;
     const std::optional<LoadSharing::Piece> share = mesh().share_from(T());
     if (share) {
       segment_end = std::min(segment_end, mesh().path.time_at(share->end));
       if (share->jump) steps.dT = std::min(steps.dT, (segment_end - T()) / mesh().load->jump_refinement);
     }
-    run_segment(segment_end, steps, share);
+    std::optional<double> transferred;
+    if (mesh().in_balance()) {
+      const BalancePhase phase = balance_phase(mesh().path, T(), steps);
+      segment_end = std::min(segment_end, phase.end);
+      steps.dT = phase.dT;
+      if (phase.transfers) {
+        transferred = phase.end;
+        steps.tolerance.reset();
+      } else {
+        steps.first_part = part_without_event;
+      }
+    }
+    run_segment(segment_end, steps, share, transferred);
     if (keeper_) keeper_->keep(T(), state(), memory());
   }
 }

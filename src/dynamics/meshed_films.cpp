@@ -228,24 +228,19 @@ std::map<int, double> MeshedFilms::displacement_by_number() const {
   return by_number;
 }
 
-double MeshedFilms::dry_balance(const std::vector<int>& numbers) const {
-  return DryContacts(DryForce(mesh_), mesh_, numbers, T_).balance(mesh_.scales.static_force);
-}
-
 bool MeshedFilms::exchange() {
   const std::vector<int> before = numbers(), after = mesh_.path.contacts_after(T_);
   if (before == after) return false;
   const std::map<int, double> displaced = displacement_by_number();
-  // Without inertia bodies are in balance with what they then stand on at once, about as dry ones are.
-  if (in_balance()) motion_.H0 += dry_balance(after) - dry_balance(before);
   std::erase_if(contacts_,
                 [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
   for (int number : after) {
     if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number, after, forces()));
   }
   // Teeth spring back that a force bent which is gone, and bend under one that is new.
-  if (in_balance() || mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled())
+  if (mesh_.compliance(numbers(), T_).coupled() || mesh_.compliance(before, T_).coupled()) {
     follow(displaced, options_.steps.dT);
+  }
   return true;
 }
 

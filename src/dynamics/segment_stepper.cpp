@@ -20,9 +20,18 @@ constexpr double longest_fall = 0.2;
 constexpr int short_steps = 4;     // that guess the end of a whole one
 constexpr int short_halvings = 2;  // of such a step, before that is given up
 
+// Of w dT, between which motion is fitted to a swing: below there is nothing to fit, above nothing resolves it.
+constexpr double shortest_swing_step = 1e-3, longest_swing_step = 1.5;
+
 }  // namespace
 
-double StepOptions::largest() const { return tolerance ? largest_step * dT : dT; }
+double StepOptions::largest() const { return std::max(tolerance ? largest_step * dT : dT, without_event); }
+
+void StepOptions::lengthen(double ratio) {
+  dT *= ratio;
+  of_transfer *= ratio;
+  without_event *= ratio;
+}
 
 SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOptions options,
                                std::function<void(const StepRecord&)> on_step)
@@ -54,6 +63,7 @@ void SegmentStepper::create_time_scheme() {
       if (of(ts).solved_time_ >= T) of(ts).return_to_start_of_step();
       of(ts).state_time_ = T;
       of(ts).stage_shift_ = 1.5 / (T - begin);
+      of(ts).fit_frequency(begin, T);
     });
   }));
   petsc_check(TSSetPostStage(ts_, [](TS ts, PetscReal T, PetscInt, Vec* stages) -> PetscErrorCode {
@@ -71,6 +81,20 @@ void SegmentStepper::create_time_scheme() {
   petsc_check(TSSetMaxStepRejections(ts_, options_.max_rejections + whole_tries()));
   petsc_check(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
   petsc_check(TSSetMaxSteps(ts_, PETSC_MAX_INT - 1));
+}
+
+// The first step of a segment is a BDF1 step to its middle, and a BDF2 step from there.
+void SegmentStepper::fit_frequency(double begin, double T) {
+  double w = std::min(pair_.swing(solved_time_, solved_films_), longest_swing_step / (T - begin));
+  if (w * (T - begin) < shortest_swing_step) w = 0.0;
+  PetscInt steps = 0;
+  PetscReal before = 0.0;
+  petsc_check(TSGetStepNumber(ts_, &steps));
+  petsc_check(TSGetPrevTime(ts_, &before));
+  const double half = 0.5 * (T - begin);
+  pair_.fit_frequency(frequency_fit(w, at_start_    ? derivative_by_bdf1(w, T - begin)
+                                       : steps == 0 ? derivative_by_bdf2(w, half, half)
+                                                    : derivative_by_bdf2(w, T - begin, begin - before)));
 }
 
 void SegmentStepper::transient(TS, Vec state, Vec values) {
@@ -182,6 +206,9 @@ void SegmentStepper::guess_by_short_steps(Vec state) {
   } catch (const SolveError&) {
     petsc_check(VecCopy(solved_, state));
   }
+  PetscReal begin = 0.0;
+  petsc_check(TSGetTime(ts_, &begin));
+  fit_frequency(begin, state_time_);  // shorter ones had fits of their own
   // They count as the step's own.
   PetscInt newton = 0, krylov = 0;
   petsc_check(TSGetSNESIterations(shorter.ts_, &newton));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/mesh/natural_frequency.hpp"
 
@@ -81,7 +82,9 @@ double time_step(const Case& result) {
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
   const double faster = largest_speed_ratio(result.parameters);  // than at first, where scales are taken
   double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period) / faster;
-  if (swings(result)) step = std::min(step, natural_period(result) / steps_in_swing);
+  if (swings(result)) {
+    step = std::min(step, natural_period(result) / (result.dry() ? steps_in_dry_swing : steps_in_swing));
+  }
   return step;
 }
 
@@ -107,7 +110,7 @@ std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
   NumericsCase coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
   coarse.ny = (numerics.ny - 1) / 2 + 1;
-  coarse.steps.dT = 2.0 * numerics.steps.dT;
+  coarse.steps.lengthen(2.0);
   return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
 }
 
@@ -120,7 +123,7 @@ SlightlyCoarser slightly_coarser(const NumericsCase& numerics) {
   coarse.nx = fewer(numerics.nx);
   coarse.ny = fewer(numerics.ny);
   const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
-  coarse.steps.dT *= ratio;
+  coarse.steps.lengthen(ratio);
   return {coarse, ratio};
 }
 
@@ -158,6 +161,10 @@ void set_time_steps(Case& result) {
   result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
                            .newton = read_step_newton_options(values, result.scales)};
   result.numerics.step_levels = values.integer("time.levels");
+  if (result.march.motion != PairMotion::quasi_static) return;
+  const double period = mesh_period(result) / largest_speed_ratio(values);
+  result.numerics.steps.of_transfer = part_of_transfer * period / steps_of_transfer;
+  if (!values.has("time.dt")) result.numerics.steps.without_event = period / steps_in_mesh_period;
 }
 
 }  // namespace gearfilm

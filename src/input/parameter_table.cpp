@@ -103,7 +103,9 @@ Records march_records() {
               "contacts"),
        choice("motion", {"dynamic", "quasi_static"},
               "of the model dynamic, for `transient` and `periodic`: bodies have inertia, or are in balance with the "
-              "forces of all contacts at every moment, which leaves out the swing after each entering contact"),
+              "forces of all contacts at every moment, which leaves out the swing after each entering contact; "
+              "`periodic` takes them to be so where the pair would swing more than 40 times in a mesh period and "
+              "nothing is said"),
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
@@ -166,9 +168,10 @@ Records time_records() {
   return section(
       "time", Scope::gear_pair,
       {optional("the shortest of the grid's h_x (at least 0.026 where grid.nx is not given), a hundredth of "
-                "a mesh period, a "
-                "fortieth of a free oscillation",
-                number("dt", "dT", "-", closed(1e-6, 1), "time step in units of a/u_m")),
+                "a mesh period, a thirtieth of a free oscillation (a fortieth of a dry pair's)",
+                number("dt", "dT", "-", closed(1e-6, 1),
+                       "time step in units of a/u_m; without inertia a hundredth of a mesh period where that is longer "
+                       "and no event disturbs the films, unless it is given")),
        optional(
            "equal steps",
            number("tolerance", "", "-", closed(1e-12, 0.1),
@@ -204,7 +207,9 @@ Records periodic_records() {
               number("tolerance", "", "-", right_open(1e-15, 1),
                      "on the change over one period of H0, and of V0 times half a free oscillation (at most times 1)")),
        preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
-                                              "on the largest change of any pressure, in units of p_h")),
+                                              "on the largest change of any pressure, in units of p_h (of films that "
+                                              "feel their heat: on the root mean square of "
+                                              "each field over its largest value)")),
        preset(standard.max_periods,
               whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
        preset(1, whole("order", "k", closed(1, 64),

@@ -40,4 +40,10 @@ double ContactPath::next_event(double T) const {
   return std::min(leaving, entry_time(next));
 }
 
+double ContactPath::last_event(double T) const {
+  const std::vector<int> contacts = contacts_after(T);
+  if (geometry_ != MeshGeometry::moving || contacts.empty()) return -std::numeric_limits<double>::infinity();
+  return std::max(entry_time(contacts.back()), exit_time(contacts.front() - 1));
+}
+
 }  // namespace gearfilm

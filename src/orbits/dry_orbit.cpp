@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gearfilm/dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
+#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/orbits/dry_settling.hpp"
 
 namespace gearfilm {
@@ -124,19 +126,32 @@ Motion find_by_marches(const DryMap& map, const Motion& from) {
 
 }  // namespace
 
+std::optional<DryOrbit> find_dry_orbit_soon(const MeshModel& mesh, double damping_ratio) {
+  const DryWatch none;
+  const DryMap map(mesh, damping_ratio, none);
+  try {
+    if (const auto start = find_soon(map)) return describe(map, *start);
+  } catch (const SolveError&) {  // the pair parts for good on the way
+  }
+  return {};
+}
+
 DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWatch& watch) {
   const DryMap map(mesh, damping_ratio, watch);
   if (const auto start = find_soon(map)) return describe(map, *start);
   return describe(map, find_by_marches(map, at_rest(mesh)));
 }
 
+double expected_film_damping(const MeshModel& mesh) {
+  const double swing = 2.0 * std::numbers::pi * mesh.frequency();
+  const double film = ExpectedFilm(mesh.scales).film / mesh.scales.approach;
+  return std::max(weak_damping, 0.6 * film / (1.0 + 5.0 * film) * swing / (0.6 + swing));
+}
+
 DryOrbit dry_start(const MeshModel& mesh) {
   if (mesh.inertia == 0.0) return {.start = at_rest(mesh)};
-  // A slow pair swings often in a mesh period, on thin films that damp it more.
   const DryWatch none;
-  const DryMap map(mesh, typical_film_damping, none);
-  const bool slow = typical_film_damping * map.oscillations() > forgetful;
-  const DryMap damped = slow ? map.at_damping(slow_film_damping) : map;
+  const DryMap damped(mesh, expected_film_damping(mesh), none);
   if (const auto start = find_soon(damped)) return describe(damped, *start);
   return {.start = settle(damped, at_rest(mesh))};
 }

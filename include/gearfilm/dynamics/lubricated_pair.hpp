@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "gearfilm/dynamics/frequency_fit.hpp"
 #include "gearfilm/dynamics/friction_force.hpp"
+#include "gearfilm/mesh/dry_force.hpp"
 #include "gearfilm/solver/film_system.hpp"
 
 namespace gearfilm {
@@ -40,6 +42,14 @@ public:
   /// state.
   void predict_for_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
 
+  /// Circular frequency with which the pair would swing on dry contacts of these forces at T; 0 without inertia.
+  double swing(double T, const std::vector<FilmFigures>& figures) const;
+  /// For the equation of motion of the stage to come.
+  void fit_frequency(const FrequencyFit& fit) { fit_ = fit; }
+
+  /// Without inertia: the contacts, which carry `load` [-] at T0, come to carry the static force at T1.
+  void transfer_load(double T0, double T1, double load);
+
   /// Puts every contact where it is at time T.
   void place(double T);
   /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step.
@@ -58,13 +68,22 @@ public:
 private:
   /// f at time T; 1 where contacts share by themselves.
   double share_at(double T) const;
+  /// What the contacts have not taken over yet of the static force at time T [-].
+  double left_over(double T) const;
 
   const MeshModel& mesh_;
   std::vector<LiveContact> contacts_;  ///< without fields
   std::vector<int> numbers_;
   std::vector<ContactFilm*> films_;
   std::optional<LoadSharing::Piece> share_;
+  DryForce dry_force_;
   ExtrapolatedFriction friction_;
+  FrequencyFit fit_;
+  struct Transfer {
+    double begin = 0.0;
+    double end = 0.0;
+    double left_over = 0.0;  ///< at the beginning [-]
+  } transfer_;
   FilmSystem system_;
 };
 

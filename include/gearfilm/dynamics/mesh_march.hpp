@@ -2,7 +2,8 @@
 //
 // Between events (a contact enters or leaves) a SegmentStepper integrates; at an entry the new contact's film starts as
 // the stationary film at the present H_0; at an exit the old film is dropped.
-// Where one contact bends another's teeth, films follow the change as they follow a jump of H_0.
+// Where one contact bends another's teeth, films follow the change as they follow a jump of H_0. Without inertia the
+// load passes in a straight line to the contacts that an event leaves, and steps become longer once it has died away.
 // Source: Figs. 5 and 6 of doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
@@ -12,6 +13,9 @@
 #include "gearfilm/dynamics/meshed_films.hpp"
 
 namespace gearfilm {
+
+/// Of a mesh period, in which the load of bodies without inertia passes to the contacts that are there after an event.
+constexpr double part_of_transfer = 1.0 / 100.0;
 
 /// Multigrid levels that serve time steps best, by measurement: 1, the smoother alone, on grids of up to 10000 nodes,
 /// and up to 50000 where a step is no longer than a few mesh widths, so that squeezing makes the operator well
@@ -64,7 +68,9 @@ private:
   void show(const StepRecord& record, const std::vector<LiveContact>& contacts);
   void observe(const StepRecord& record);
   void observe_present();
-  void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share);
+  /// transferred: when the load has passed to the present contacts, where it does.
+  void run_segment(double T_end, const StepOptions& steps, const std::optional<LoadSharing::Piece>& share,
+                   std::optional<double> transferred);
 
   MeshedFilms films_;
   StepObserver observer_;

@@ -59,6 +59,8 @@ public:
   EnteringFilm& entering() { return entering_; }
   const EnteringFilm& entering() const { return entering_; }
   PairState state() const;
+  /// Pressure integrals of the contacts [-].
+  std::vector<double> forces() const;
   std::vector<ContactRecord> records() const;
   /// A contact and where it is, for messages.
   std::string label(int number) const;
@@ -72,7 +74,6 @@ public:
 private:
   MPI_Comm comm() const { return discretisation_->grid().comm(); }
   std::vector<int> numbers() const { return numbers_of(contacts_); }
-  std::vector<double> forces() const;
   /// H_k.
   std::vector<double> displacements() const;
   std::map<int, double> displacement_by_number() const;
@@ -91,10 +92,6 @@ private:
   /// A new contact, among those together with it, of which the first ones carry these forces.
   LiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
-  /// Bodies without inertia, on all contacts.
-  bool in_balance() const { return mesh_.inertia == 0.0 && !mesh_.load; }
-  /// H_0 with which the dry contacts of these numbers carry the static force now.
-  double dry_balance(const std::vector<int>& numbers) const;
   /// Makes the present films stationary together.
   void settle(const LoadCondition& load);
   /// Takes the present films within a time to the present motion from where they were displaced before, by number.

@@ -31,6 +31,9 @@ struct ErrorTolerance {
 
 struct StepOptions {
   double dT = 0.026;  ///< nominal time step [-]
+  /// Without inertia: longest steps while the load passes to other contacts, and steps once no event disturbs films any
+  /// more, where longer than dT.
+  double of_transfer = HUGE_VAL, without_event = 0.0;
   NewtonOptions newton{.tolerance = 1e-5,
                        .max_iterations = 30,
                        .krylov_tolerance = 0.05,
@@ -43,6 +46,8 @@ struct StepOptions {
   std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
 
   double largest() const;
+  /// All steps by a factor.
+  void lengthen(double ratio);
 };
 
 class SegmentStepper {
@@ -73,6 +78,8 @@ private:
   void guess(SNES snes, Vec state);
   TSAdapt adapt() const;
   void create_time_scheme();
+  /// For the stage from begin to T.
+  void fit_frequency(double begin, double T);
   void control_errors();
   void configure_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.

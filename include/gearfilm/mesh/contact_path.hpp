@@ -41,6 +41,8 @@ public:
   }
   /// The next time after T at which a contact enters or leaves; infinity where none does.
   double next_event(double T) const;
+  /// The last time up to T at which one did; -infinity where none does.
+  double last_event(double T) const;
 
   /// At the first speed.
   double mesh_period() const { return line_.base_pitch() / velocity_; }

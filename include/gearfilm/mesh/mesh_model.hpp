@@ -43,6 +43,8 @@ struct MeshModel {
   MeshedContact contact_at(int number, double xi) const;
   /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
   Compliance compliance(std::span<const int> numbers, double T) const;
+  /// Bodies without inertia, on all contacts.
+  bool in_balance() const { return inertia == 0.0 && !load; }
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
 

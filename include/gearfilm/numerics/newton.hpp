@@ -21,7 +21,7 @@ struct NewtonOptions {
   double tolerance = 1e-8;  ///< on norm/weight: a root mean square of the scaled residual [-]
   int max_iterations = 60;
   /// Relative, of each linear solve [-]: no solve goes on where three tenths of the tolerance above are left.
-  double krylov_tolerance = 0.05;
+  double krylov_tolerance = 0.01;
   /// The same from the third solve on, where smaller: a norm led by the few nodes that the edge crosses tells little
   /// about all others.
   double late_krylov_tolerance = 1.0;

@@ -13,8 +13,9 @@ namespace gearfilm {
 
 /// About the damping ratio that films give a gear pair (0.007 to 0.009 for the case study at 7000 to 20000 rpm).
 constexpr double typical_film_damping = 0.008;
-/// The same of a pair that swings more than 12 times in a mesh period.
-constexpr double slow_film_damping = 0.03;
+/// Damping ratio that films give a pair, within a factor of two of those of 25 catalogue pairs: by the film over the
+/// approach of the contact, and by the way that oil goes in a swing, 1/w half-axes a.
+double expected_film_damping(const MeshModel& mesh);
 
 struct DryOrbit {
   Motion start;  ///< where the mesh begins
@@ -31,9 +32,12 @@ struct DryOrbit {
 /// Throws SolveError where no orbit is found; it says what the pair comes to instead.
 DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWatch& watch = {});
 
-/// Where a search for the lubricated pair's orbit begins: the dry pair's at a typical damping, by all but long marches.
-/// Where that finds none, what it has come to after a time, with a map that forgets its start: the search then marches
-/// on at first.
+/// The same but for the long marches; nothing where it takes those.
+std::optional<DryOrbit> find_dry_orbit_soon(const MeshModel& mesh, double damping_ratio);
+
+/// Where a search for the lubricated pair's orbit begins: the dry pair's at the expected damping, by all but long
+/// marches. Where that finds none, what it has come to after a time, with a map that forgets its start: the search then
+/// marches on at first.
 DryOrbit dry_start(const MeshModel& mesh);
 
 /// The orbit next to a motion, or what dry_orbit_after() finds. Throws SolveError where there is no orbit.

@@ -18,7 +18,7 @@ namespace gearfilm {
 
 struct PeriodicOptions {
   double tolerance = 1e-4;       ///< on the change of (H_0, V_0) over one period [-]
-  double film_tolerance = 1e-3;  ///< on the largest change of any P over one period [-]
+  double film_tolerance = 1e-3;  ///< on film_change over one period [-]
   int max_periods = 40;          ///< marched before the search fails
   /// Periods after which the best one will do that repeats within four times the tolerances: for a search that is only
   /// to be begun with it. None: never.
