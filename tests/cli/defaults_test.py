@@ -3,9 +3,14 @@
 Environment as for cli_test.py.
 """
 import json
+import re
+import sys
 import unittest
 
-from program import INPUT, ProgramTest
+from program import INPUT, SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from catalogue import write_pair  # noqa: E402
 
 BARBIERI = INPUT / "barbieri2013.yaml"
 HIGH_CONTACT_RATIO = INPUT / "high_contact_ratio.yaml"
@@ -138,6 +143,22 @@ class Defaults(ProgramTest):
         self.assertGreater(fast["steps_in_free_oscillation"], 100)
         self.assertAlmostEqual(slow["steps_in_free_oscillation"], 30, delta=1e-6)
         self.assertLess(slow["dT"], 0.5 * fast["dT"])
+
+    def test_slow_pairs_are_in_balance_unless_the_case_says_how_they_move(self):
+        case, derived = write_pair(self.folder / "pairs", 1, 20)
+        speed = float(re.search(r"(?m)^pinion.speed_rpm: (.*)$", case.read_text(encoding="utf-8"))[1])
+        swings = derived["f_n"] / derived["f_m"]
+        run, slow = self.summary("periodic", case)
+        self.assertEqual(slow["motion"], "quasi_static")
+        self.assertRegex(run.stdout, r"would swing [\d.]+ times in a mesh period.* -motion dynamic follows")
+        self.assertIn("left out: swings of the total force", run.stdout)
+        self.assertNotIn("floquet_modulus", slow)
+        self.assertAlmostEqual(slow["force_ratio_max"], 1, delta=2e-3)
+        # Where it swings 39 times in a mesh period, or is asked for its multipliers, it has inertia.
+        for options in (("-pinion_speed_rpm", speed * swings / 39), ("-periodic_multipliers", "yes")):
+            run = self.run_program("periodic", case, *options, "-time_limit", 0.01)
+            self.assertEqual(run.status, 3, run)
+            self.assertNotIn("in balance", run.stdout)
 
     def test_grid_is_widened_for_a_force_and_says_so(self):
         for ratio, widened in ((1, False), (1.6, True)):
