@@ -130,11 +130,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
        "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
-}  // namespace
-
-void run_periodic(MPI_Comm comm, const Case& given) {
-  require_inertia(given);
-  const Case problem = without_many_swings(comm, given);
+void find_and_write(MPI_Comm comm, const Case& problem) {
   require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
@@ -190,6 +186,13 @@ void run_periodic(MPI_Comm comm, const Case& given) {
   print_result(comm, run.directory().path(), problem, summary, error, advice(problem, found.run));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_validity(comm, summary);
+}
+
+}  // namespace
+
+void run_periodic(MPI_Comm comm, const Case& problem) {
+  require_inertia(problem);
+  find_and_write(comm, without_many_swings(comm, problem));
 }
 
 }  // namespace gearfilm
