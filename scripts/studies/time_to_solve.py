@@ -37,10 +37,13 @@ gear: {module: 2.5e-3, pressure_angle_deg: 20, centre_distance: 97.5e-3, face_wi
 lubricant: {viscosity: 0.02, pressure_viscosity: 2.0e-8}
 """
 FITTED = ("-film_discretisation", "fitted")
-SINGLE = (("case study", "barbieri2013.yaml", (*FITTED, "-grid_nx", 65, "-grid_ny", 33)),
-          ("case study, grid for 2 %", "barbieri2013.yaml", (*FITTED, "-grid_nx", "", "-grid_ny", "")),
-          ("`first_gear`, no multipliers", "first_gear.yaml", ("-periodic_multipliers", "no")),
-          ("slow pair", None, ()))
+CASE_STUDY, FIRST_GEAR = ((SOURCE / "input" / name).read_text(encoding="utf-8")
+                          for name in ("barbieri2013.yaml", "first_gear.yaml"))
+WITHOUT_GRID = "".join(line for line in CASE_STUDY.splitlines(True) if not line.startswith(("  nx:", "  ny:")))
+SINGLE = (("case study", CASE_STUDY, (*FITTED, "-grid_nx", 65, "-grid_ny", 33)),
+          ("case study, grid for 2 %", WITHOUT_GRID, FITTED),
+          ("`first_gear`, no multipliers", FIRST_GEAR, ("-periodic_multipliers", "no")),
+          ("slow pair", SLOW_PAIR, ()))
 COLUMNS = ("pair", "nodes", "steps", "mesh periods", "Newton", "Krylov", "s", "h_c at the pitch point [um]", "its error")
 COMPARED = ("total_force_ratio_max", "transmission_error_peak_to_peak", "pitch_h_central", "h_min")
 
@@ -62,12 +65,8 @@ def cells(summary):
 
 def single_pairs(folder, say):
     say(heading(*COLUMNS))
-    for number, (name, file, options) in enumerate(SINGLE):
+    for number, (name, text, options) in enumerate(SINGLE):
         case = folder / f"single{number}.yaml"
-        text = SLOW_PAIR if file is None else (SOURCE / "input" / file).read_text(encoding="utf-8")
-        if "" in options:  # without the grid that the file has
-            text = "".join(line for line in text.splitlines(True) if not line.startswith(("  nx:", "  ny:")))
-            options = FITTED
         case.write_text(text, encoding="utf-8")
         run, seconds = timed("periodic", case, folder / f"single{number}", *options)
         if run.status != 0:

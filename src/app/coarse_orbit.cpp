@@ -123,8 +123,16 @@ public:
     return orbit(name, problem(), guess);
   }
 
-  /// With its decay where multipliers are asked for.
-  OrbitRun nearest(const OrbitRun& found) { return with_decay(problem(), found); }
+  /// An orbit with its decay, where multipliers are asked for.
+  OrbitRun with_decay(OrbitRun run) {
+    if (!with_multipliers_) return run;
+    Case coarse = problem();
+    coarse.numerics.steps.newton = newton_of_decay_;
+    run.decay = attempt<FreeDecay>(
+        "coarse_decay", coarse, [&](const OrbitObservers& own) { return decay_from(coarse, films_, mesh_, run, own); });
+    if (run.decay) add_grid_error(coarse, *run.decay);
+    return run;
+  }
 
   bool has_twice_the_step() const { return in_phase_; }
   /// What an orbit with the step of the case itself has with a longer one. Nothing where it has none that is found
@@ -141,15 +149,6 @@ public:
   }
 
 private:
-  OrbitRun with_decay(Case coarse, OrbitRun run) {
-    if (!with_multipliers_) return run;
-    coarse.numerics.steps.newton = newton_of_decay_;
-    run.decay = attempt<FreeDecay>(
-        "coarse_decay", coarse, [&](const OrbitObservers& own) { return decay_from(coarse, films_, mesh_, run, own); });
-    if (run.decay) add_grid_error(coarse, *run.decay);
-    return run;
-  }
-
   std::optional<OrbitRun> orbit(const std::string& name, const Case& coarse, const std::function<OrbitGuess()>& guess) {
     return attempt<OrbitRun>(name, coarse,
                              [&](const OrbitObservers& own) { return run_orbit(coarse, films_, mesh_, guess(), own); });
@@ -273,7 +272,7 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
   try {
     const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
     if (!found || mesh.weighted_norm(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};
-    return search.nearest(*found).decay;
+    return search.with_decay(*found).decay;
   } catch (const SolveError&) {
     return {};
   }
@@ -293,7 +292,7 @@ FoundOrbit find_orbit(const Case& problem, const SharedDiscretisation& films, co
     if (first) {
       if (!search.has_twice_the_step()) found.longer_step = search.with_longer_step(*first);
       if (search.has_twice_the_step() || found.longer_step) found.coarse = first;
-      nearest = search.nearest(*first);
+      nearest = search.with_decay(*first);
       guess = guess_on_grid(problem, films, search, *nearest);
     }
   }

@@ -51,7 +51,8 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
   return bar;
 }
 
-/// The same with all errors.
+/// Value, error in space and time, and limit of the figure at that place, dimensionless; nothing where an orbit has no
+/// value.
 std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
   const std::optional<Estimate> bar = error_in_space(place, found);
   if (!bar || !found.longer_step) return bar;

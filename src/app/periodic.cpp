@@ -39,7 +39,8 @@ Case without_many_swings(MPI_Comm comm, const Case& given) {
   return make_case(values);
 }
 
-/// Of the total force, by which it would swing about the static one after contacts come or go [static forces].
+/// How far the total force is from the static one at most [static forces]: without inertia, about the size of the
+/// swings that are left out.
 double swing_left_out(const Summary& summary) {
   return std::max(summary["total_force_ratio_max"].get<double>() - 1.0,
                   1.0 - summary["total_force_ratio_min"].get<double>());

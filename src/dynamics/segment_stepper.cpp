@@ -20,7 +20,8 @@ constexpr double longest_fall = 0.2;
 constexpr int short_steps = 4;     // that guess the end of a whole one
 constexpr int short_halvings = 2;  // of such a step, before that is given up
 
-// Of w dT, between which motion is fitted to a swing: below there is nothing to fit, above nothing resolves it.
+// Motion is fitted to a swing of circular frequency w where w dT is above the first: below there is nothing to fit. It
+// is taken to be at most the second: longer steps resolve no swing.
 constexpr double shortest_swing_step = 1e-3, longest_swing_step = 1.5;
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
       sum += film_figures(contact.figures).pressure_integral;
     }
     // A contact that has just entered carries before the motion knows.
-    const bool passes = record.T < mesh.path.last_event(record.T) + 0.01 * mesh.path.mesh_period();
+    const bool passes = record.T < mesh.path.last_event(record.T) + part_of_transfer * mesh.path.mesh_period();
     EXPECT_NEAR(sum / mesh.scales.static_force, 1.0, passes ? 2e-3 : 1e-5) << record.T;
     const DryContacts contacts(dry, mesh, numbers, record.T);
     const double H0 = contacts.balance(mesh.scales.static_force);

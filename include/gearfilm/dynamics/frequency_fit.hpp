@@ -23,9 +23,9 @@ struct FrequencyFit {
   double damping = 0.0;  ///< c [1/T], over the inertia
 };
 
-/// What BDF1 makes of d/dT at exp(i w T), with steps of dT.
+/// What BDF1 makes of d/dT at exp(i w T), with steps of dT [1/T].
 std::complex<double> derivative_by_bdf1(double w, double dT);
-/// The same of BDF2, after a step of dT_before.
+/// What BDF2 makes of d/dT at exp(i w T), with a step of dT after one of dT_before [1/T].
 std::complex<double> derivative_by_bdf2(double w, double dT, double dT_before);
 
 /// For a formula that makes D of i w.

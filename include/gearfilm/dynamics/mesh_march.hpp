@@ -14,7 +14,7 @@
 
 namespace gearfilm {
 
-/// Of a mesh period, in which the load of bodies without inertia passes to the contacts that are there after an event.
+/// Time in which, without inertia, the load passes to the contacts that are there after an event, over a mesh period.
 constexpr double part_of_transfer = 1.0 / 100.0;
 
 /// Multigrid levels that serve time steps best, by measurement: 1, the smoother alone, on grids of up to 10000 nodes,
