@@ -22,10 +22,14 @@ def domain_of(M):
     return LONG_DOMAIN if M < SHORT_FROM else SHORT_DOMAIN
 
 
-def case_text(M, L, D, viscosity=VISCOSITY, pressure_viscosity=PRESSURE_VISCOSITY):
-    """A case file with these groups: U = 2 eta_0 u_m/(E' R_x) = (L/(alpha E'))^4, w = M E' R_x^2 U^(3/4)."""
+def case_text(M, L, D, viscosity=VISCOSITY, pressure_viscosity=PRESSURE_VISCOSITY, own_domain=False):
+    """A case file with these groups: U = 2 eta_0 u_m/(E' R_x) = (L/(alpha E'))^4, w = M E' R_x^2 U^(3/4).
+
+    With own_domain the program chooses the domain.
+    """
     U = (L / (pressure_viscosity * REDUCED_MODULUS)) ** 4
     x_min, x_max, y_half = domain_of(M)
+    domain = "" if own_domain else f"grid: {{x_min: {x_min!r}, x_max: {x_max!r}, y_half: {y_half!r}}}\n"
     return f"""
 case: {{kind: contact}}
 contact:
@@ -35,8 +39,7 @@ contact:
   load: {M * REDUCED_MODULUS * RADIUS_X ** 2 * U ** 0.75!r}
   entrainment_velocity: {U * REDUCED_MODULUS * RADIUS_X / (2 * viscosity)!r}
 lubricant: {{viscosity: {viscosity!r}, pressure_viscosity: {pressure_viscosity!r}}}
-grid: {{x_min: {x_min!r}, x_max: {x_max!r}, y_half: {y_half!r}}}
-"""
+{domain}"""
 
 
 def grid_of(D, nx):

@@ -42,9 +42,8 @@ class Film(NamedTuple):
 
 
 def contact(M, L, D, rows):
-    text = case_text(M, L, D).partition("grid:")[0]
     return Film(f"contact, M = {M:g}, L = {L:g}, D = {D:g}, {rows} rows", f"contact_{M:g}_{L:g}_{D:g}",
-                text, ("-grid_domain", "auto", "-grid_ny", rows), CONTACT_LINES)
+                case_text(M, L, D, own_domain=True), ("-grid_ny", rows), CONTACT_LINES)
 
 
 def studied():

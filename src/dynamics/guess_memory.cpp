@@ -47,7 +47,10 @@ GuessMemory::GuessMemory(ValueReader values)
 }
 
 void GuessMemory::append_to(std::vector<double>& values) const {
+  std::size_t all = values.size();
+  for (const auto& [place, miss] : misses_) all += 6 + values_for(miss.pressures.size());
   append(values, shape_);
+  values.reserve(all + values.size());
   values.insert(values.end(), {marched_, trusted_ ? 1.0 : 0.0});
   for (const auto& [place, miss] : misses_) {
     const std::size_t count = miss.pressures.size();

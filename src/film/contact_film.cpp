@@ -200,9 +200,14 @@ FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, St
   enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
   double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.total_pressure), -INFINITY, -INFINITY, -INFINITY};
   if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
-    const int i_centre = static_cast<int>(std::lround(-grid_.shape().x_min / grid_.h_x()));
-    maxima[central_pressure] = state_.total_pressure.row(i_centre)[central];
-    maxima[central_film] = state_.thickness.row(i_centre)[central];
+    // Linear between the lines beside X = 0: in thick films H and P have a slope there.
+    const double place = -grid_.shape().x_min / grid_.h_x();
+    const int before = std::clamp(static_cast<int>(place), 0, grid_.nx() - 2);
+    const auto at_centre = [&](const Field<double>& field) {
+      return std::lerp(field.row(before)[central], field.row(before + 1)[central], place - before);
+    };
+    maxima[central_pressure] = at_centre(state_.total_pressure);
+    maxima[central_film] = at_centre(state_.thickness);
   }
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {

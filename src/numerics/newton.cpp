@@ -19,7 +19,7 @@ constexpr double growth_of_relaxed = 3.0;  // of the merit
 constexpr double shortest_step = 1e-3;
 constexpr double least_part = 0.25;  // of a length that was too long: rows grow faster than the parabola through them
 
-constexpr PetscInt full_restart = 60;
+constexpr PetscInt full_restart = 24;
 constexpr PetscInt short_restart = 6;
 
 /// Limits each pressure's part of the change (the new state is state - change).

@@ -136,7 +136,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     }
     if (!solved) {
       result.solution = dry_guess(present, load);
-      solved = solve_through_pseudo_time(newton, load, result.solution);
+      solved = solve_from(newton, load, result.solution);
     }
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
