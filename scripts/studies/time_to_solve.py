@@ -80,6 +80,10 @@ def percentile(values, part):
     return sorted(values)[min(len(values) - 1, int(part * len(values)))]
 
 
+def median(values):
+    return f"{statistics.median(values):g}" if values else "no"
+
+
 def catalogue(folder, seed, pairs, time_limit, say):
     """Case files of the pairs that were solved, with their summaries."""
     seconds, newton, krylov, solved, failed = [], [], [], [], []
@@ -97,7 +101,7 @@ def catalogue(folder, seed, pairs, time_limit, say):
             failed.append((case.stem, run.message))
     say(f"\nSeed {seed}, {pairs} pairs: median {statistics.median(seconds):.1f} s, 95th percentile "
         f"{percentile(seconds, 0.95):.1f} s; {len(solved)} solved; a stationary film: median "
-        f"{statistics.median(newton):g} Newton and {statistics.median(krylov):g} Krylov iterations on the finest grid.\n")
+        f"{median(newton)} Newton and {median(krylov)} Krylov iterations on the finest grid.\n")
     for name, message in failed:
         say(f"- {name}: {message}")
     return solved

@@ -21,12 +21,37 @@ Domain read_domain(const ParameterValues& values, const Scales& scales) {
   return domain;
 }
 
+/// For the contact of such scales, in units of its own half axes.
+Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, double accuracy) {
+  ExpectedFilm film(scales);
+  film.film = std::max(film.film, thinnest_film / scales.thickness);
+  return steps_for(discretisation, film, accuracy);
+}
+
+/// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static force
+/// at the ends of the path, where flanks may be much more curved.
+Steps steps_on_path(const Case& problem, double accuracy) {
+  constexpr double accuracy_at_ends = 0.3;
+  const FilmDiscretisation discretisation = problem.numerics.discretisation;
+  Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
+  if (!problem.pair.line) return steps;
+  const LineOfAction& line = *problem.pair.line;
+  for (const double xi : {line.entry(), line.exit()}) {
+    ContactSolids solids = problem.scales.solids;
+    ContactOperation operation = problem.scales.operation;
+    solids.radius_x = line.radius_x(xi);
+    operation.entrainment_velocity = line.entrainment_velocity(xi, problem.pair.pinion_speed);
+    const Scales scales = make_scales(solids, problem.scales.oil, operation);
+    const double own = steps_of_contact(discretisation, scales, std::max(accuracy, accuracy_at_ends)).x;
+    steps.x = std::min(steps.x, own * scales.hertz.a / problem.scales.hertz.a);
+  }
+  return steps;
+}
+
 void set_nodes(Case& result) {
   const ParameterValues& values = result.parameters;
   const Domain& domain = result.numerics.domain;
-  ExpectedFilm film(result.scales);
-  film.film = std::max(film.film, thinnest_film / result.scales.thickness);
-  const Steps steps = steps_for(result.numerics.discretisation, film, values.real("grid.accuracy"));
+  const Steps steps = steps_on_path(result, values.real("grid.accuracy"));
   const auto nodes = [&](const std::string& name, int chosen) {
     return values.has(name) ? values.integer(name) : std::min(chosen, most_nodes);
   };

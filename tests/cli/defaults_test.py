@@ -160,6 +160,14 @@ class Defaults(ProgramTest):
             self.assertEqual(run.status, 3, run)
             self.assertNotIn("in balance", run.stdout)
 
+    def test_pair_whose_ends_of_the_path_are_far_more_curved_has_films_there(self):
+        case, _ = write_pair(self.folder / "pairs", 1, 38)  # R_x where it enters: a seventh of that at the pitch point
+        run = self.run_program("periodic", case, "-output_dir", "out")
+        self.assertEqual(run.status, 0, run)
+        found = json.loads((self.folder / "out/summary.json").read_text(encoding="utf-8"))
+        self.assertGreater(found["h_min"], 0.0)
+        self.assertLess(found["h_min_error"], found["h_min"])
+
     def test_grid_is_widened_for_a_force_and_says_so(self):
         for ratio, widened in ((1, False), (1.6, True)):
             run, summary = self.summary("steady", BARBIERI, "-steady_load_ratio", ratio)

@@ -1,8 +1,8 @@
 // The stationary film of one contact under a prescribed force, or at a prescribed displacement.
 //
-// From nothing: on a coarse grid from the dry (Hertz) pressure through pseudo-time (the squeeze term with a growing
-// step), then grid by grid with the coarser film as first guess; pseudo-time again wherever Newton alone fails, and
-// from the dry pressure where that fails too.
+// From nothing: on a coarse grid from the dry (Hertz) pressure, then grid by grid with the coarser film as first guess,
+// and from the dry pressure where that fails. Where Newton's method alone does not lead from a guess to the film,
+// through pseudo-time (the squeeze term with a growing step).
 #pragma once
 
 #include <optional>
