@@ -1,8 +1,10 @@
 #include "app/coarse_orbit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/expected_errors.hpp"
@@ -19,6 +21,7 @@ constexpr double left_by_the_fit = 0.1;  // of the frequency's error: stiffness 
 constexpr double many_node_steps = 4e6;  // in a mesh period of the coarser grid
 constexpr int enough_periods = 6;        // of a search: marches that scatter need not repeat as they should
 constexpr int brief_periods = 12;        // of one that error bars alone are worth
+constexpr double more_damping = 3.0;     // of a search, over what films are expected to give, where that finds nothing
 constexpr double same_orbit = 0.1;       // between the motions of an orbit on two grids
 constexpr double well_known = 0.1;       // error of a multiplier whose map serves a search
 constexpr double noise_of_decay = 3.0;   // Newton's tolerance for a decay, in that of the case: its errors hardly grow
@@ -229,7 +232,7 @@ OrbitGuess first_coarse_guess(const CoarseSearch& search, const MeshModel& mesh,
   return first_guess(problem, search.films(), dry);
 }
 
-/// From the dry orbit given, or else from one that is damped less; nothing where neither leads to one.
+/// From the dry orbit given, or else from one that is damped less or more; nothing where none leads to one.
 std::optional<OrbitRun> first_coarse_orbit(CoarseSearch& search, const MeshModel& mesh, const DryOrbit& dry,
                                            const OrbitObservers& observers) {
   const auto found_from = [&](const std::string& name, const DryOrbit& start) -> std::optional<OrbitRun> {
@@ -241,9 +244,17 @@ std::optional<OrbitRun> first_coarse_orbit(CoarseSearch& search, const MeshModel
     }
   };
   if (std::optional<OrbitRun> found = found_from("coarse", dry)) return found;
-  if (mesh.inertia == 0.0 || expected_film_damping(mesh) <= typical_film_damping) return {};
-  const std::optional<DryOrbit> less_damped = find_dry_orbit_soon(mesh, typical_film_damping);
-  return less_damped ? found_from("coarse_again", *less_damped) : std::nullopt;
+  if (mesh.inertia == 0.0) return {};
+  const double expected = expected_film_damping(mesh);
+  const std::array others = {std::pair("coarse_less_damped", std::min(typical_film_damping, expected)),
+                             std::pair("coarse_more_damped", more_damping * expected)};
+  for (const auto& [name, damping] : others) {
+    if (damping == expected) continue;
+    const std::optional<DryOrbit> start = find_dry_orbit_soon(mesh, damping);
+    if (!start) continue;
+    if (std::optional<OrbitRun> found = found_from(name, *start)) return found;
+  }
+  return {};
 }
 
 /// The guess after a period with twice the step, where that resolves the swings: films of another case need a march to

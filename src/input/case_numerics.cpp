@@ -28,8 +28,8 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
   return steps_for(discretisation, film, accuracy);
 }
 
-/// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static force
-/// at the ends of the path, where flanks may be much more curved.
+/// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
+/// force at the ends of the path, where flanks may be much more curved.
 Steps steps_on_path(const Case& problem, double accuracy) {
   constexpr double accuracy_at_ends = 0.3;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
