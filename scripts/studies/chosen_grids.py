@@ -7,10 +7,10 @@ Bare contacts of steel are drawn at random: M in 20..3e5, L in 3..30, D in 5e-4.
 of 0.009 to 0.075 Pa s; those of Hertz pressures outside 0.3..3 GPa or of films below 5 nm (by the formula of
 Nijenbanning, Venner and Moes) are drawn again. `steady` solves each on the domain and grid of its choice, and on the
 same domain with --finer times as many intervals along and across, twice as many where that would be more than three
-million nodes. A deviation of the central or the smallest film from
-the finer one by more than the accuracy is a miss. The deviations are printed, and a table of the misses with the
-number of contacts that have one, of those whose deviations exceed 1.1 error bars, and of those not solved is written
-to FOLDER/chosen_grids.md. Runs stay in FOLDER/runs, and one that was made is not repeated. About an hour.
+million nodes. A deviation of the central or the smallest film from the finer one by more than the accuracy is a miss.
+The deviations are printed. A table of the misses, with their number and those of contacts whose deviations exceed 1.1
+error bars and of those not solved, is written to FOLDER/chosen_grids.md. Runs stay in FOLDER/runs, and one that was
+made is not repeated, so take a new folder when the program has changed. About twenty minutes.
 
 Environment: GEARFILM, the binary; GEARFILM_LAUNCHER, words before it. Exit status 1, with one line, where a run cannot
 be made or a file not be written.

@@ -1,10 +1,8 @@
 #include "app/coarse_orbit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/expected_errors.hpp"
@@ -246,15 +244,14 @@ std::optional<OrbitRun> first_coarse_orbit(CoarseSearch& search, const MeshModel
   if (std::optional<OrbitRun> found = found_from("coarse", dry)) return found;
   if (mesh.inertia == 0.0) return {};
   const double expected = expected_film_damping(mesh);
-  const std::array others = {std::pair("coarse_less_damped", std::min(typical_film_damping, expected)),
-                             std::pair("coarse_more_damped", more_damping * expected)};
-  for (const auto& [name, damping] : others) {
-    if (damping == expected) continue;
+  const auto found_at_damping = [&](const std::string& name, double damping) {
     const std::optional<DryOrbit> start = find_dry_orbit_soon(mesh, damping);
-    if (!start) continue;
-    if (std::optional<OrbitRun> found = found_from(name, *start)) return found;
+    return start ? found_from(name, *start) : std::nullopt;
+  };
+  if (expected > typical_film_damping) {
+    if (std::optional<OrbitRun> found = found_at_damping("coarse_less_damped", typical_film_damping)) return found;
   }
-  return {};
+  return found_at_damping("coarse_more_damped", more_damping * expected);
 }
 
 /// The guess after a period with twice the step, where that resolves the swings: films of another case need a march to

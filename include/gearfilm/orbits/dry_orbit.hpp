@@ -27,7 +27,8 @@ struct DryOrbit {
 /// The mesh starts (T = 0) just after a contact has left; damping_ratio: of a viscous damper beside the contacts,
 /// relative to the linear natural frequency. Where it begins, in turn:
 ///   - a pair that forgets its start within a few mesh periods: what it comes to from rest;
-///   - others: a strongly damped pair, which does so too; the damping is lowered, each orbit starting from the last;
+///   - others, and where that is no orbit: a strongly damped pair, which forgets its start too; the damping is lowered,
+///     each orbit starting from the last;
 ///   - of an order above 1: pushed off the orbit of first order;
 ///   - long marches, from rest and from three motions beside it, and at last unstable orbits that they pass by.
 /// Throws SolveError where no orbit is found; it says what the pair comes to instead.
