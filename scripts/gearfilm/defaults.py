@@ -106,6 +106,7 @@ continuation.parameter = speed
 continuation.points = 5000
 continuation.follow_flips = yes
 continuation.largest_order = 2
+solver.processes = useful
 solver.newton_tolerance = 1e-8
 solver.newton_max_iterations = 60
 solver.krylov_tolerance = 0.01

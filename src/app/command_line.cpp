@@ -15,7 +15,10 @@
 #include "input/memory.hpp"
 #include "input/oddities.hpp"
 #include "input/options.hpp"
+#include "input/useful_processes.hpp"
 #include "output/provenance.hpp"
+#include "parallel/agreement.hpp"
+#include "parallel/first_processes.hpp"
 
 namespace gearfilm {
 namespace {
@@ -62,8 +65,23 @@ void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& comma
   for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
   const bool films = command.name != std::string_view("static") && !problem.dry();
   if (const std::string remark = thin_film_remark(problem); films && !remark.empty()) warn(comm, remark);
-  command.run(comm, problem);
-  for (const std::string& option : unused_options()) warn(comm, "option " + option + " was not used");
+  const int present = processes_in(comm);
+  const bool all = !films || command.shares_out || problem.run.all_processes;
+  const FirstProcesses working(comm,
+                               all ? present : useful_processes(case_grid(problem), heated_points(problem), present));
+  if (!working.contain_this()) return;
+  if (const int count = processes_in(working.comm()); count < present) {
+    say(working.comm(), "on ", count, " of ", present, " processes: more do not shorten the work on ",
+        problem.numerics.nx, " x ", problem.numerics.ny, " nodes (-solver_processes all uses them)");
+  }
+  try {
+    command.run(working.comm(), problem);
+  } catch (const NothingLeft& reason) {
+    say(working.comm(), reason.what());
+  }
+  for (const std::string& option : unused_options()) {
+    warn(working.comm(), "option " + option + " was not used");
+  }
 }
 
 }  // namespace

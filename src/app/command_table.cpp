@@ -14,16 +14,17 @@ namespace {
 std::string all_figures() { return figures_markdown() + derived_markdown(); }
 
 constexpr std::array<Command, 9> case_commands = {{
-    {"info", run_info, false, "derived quantities of a case, no field solve"},
-    {"steady", run_steady, false, "stationary film of one contact"},
-    {"static", run_static, false, "transmission error, load shares and mesh stiffness of the dry pair turned slowly"},
-    {"transient", run_transient, true, "the gear pair marched in time"},
-    {"periodic", run_periodic, true, "periodic state by shooting, with Floquet multipliers"},
-    {"eigen", run_eigen, true, "natural frequencies and damping of the pair, dry and on its films"},
-    {"sweep", run_sweep, true, "periodic states over a range of speeds, torques or masses"},
-    {"continuation", run_continuation, true,
+    {"info", run_info, false, false, "derived quantities of a case, no field solve"},
+    {"steady", run_steady, false, false, "stationary film of one contact"},
+    {"static", run_static, false, false,
+     "transmission error, load shares and mesh stiffness of the dry pair turned slowly"},
+    {"transient", run_transient, true, false, "the gear pair marched in time"},
+    {"periodic", run_periodic, true, false, "periodic state by shooting, with Floquet multipliers"},
+    {"eigen", run_eigen, true, false, "natural frequencies and damping of the pair, dry and on its films"},
+    {"sweep", run_sweep, true, true, "periodic states over a range of speeds, torques or masses"},
+    {"continuation", run_continuation, true, false,
      "branches of periodic states through folds and flips, all bifurcations located"},
-    {"bench", run_bench, false, "speed of the kernels, of stationary films and of a mesh period"},
+    {"bench", run_bench, false, true, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 
 constexpr std::array<TextCommand, 4> printing_commands = {{

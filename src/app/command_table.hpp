@@ -14,7 +14,8 @@ struct Case;
 struct Command {
   const char* name;
   void (*run)(MPI_Comm, const Case&);
-  bool resumable;  ///< can be stopped and continued
+  bool resumable;   ///< can be stopped and continued
+  bool shares_out;  ///< gives every process work of its own, however small the grid
   const char* meaning;
 };
 

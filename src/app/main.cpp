@@ -16,18 +16,23 @@
 
 namespace {
 
-enum ExitStatus { done = 0, wrong_input = 1, not_solved = 2, stopped = 3 };
-
+using gearfilm::Ending;
 using Session = std::optional<gearfilm::Session>;  // absent where PETSc did not start
 
-ExitStatus end(const Session& session, const char* kind, const std::exception& error, ExitStatus status) {
+int end(const Session& session, const char* kind, const std::exception& error, Ending ending) {
   const std::string line = std::string("gearfilm: ") + kind + ": " + gearfilm::one_line(error.what());
   if (session) {
-    session->end_together(line, status);
+    session->end_together(line, ending);
   } else {
     if (gearfilm::rank_in(MPI_COMM_WORLD) == 0) std::fprintf(stderr, "%s\n", line.c_str());
   }
-  return status;
+  return exit_status(ending);
+}
+
+/// HDF5 can neither close nor give up a file that it could not write, and would crash in MPI_Finalize.
+[[noreturn]] void leave_without_finalize() {
+  std::fflush(stdout);
+  std::_Exit(exit_status(Ending::not_written));
 }
 
 }  // namespace
@@ -36,35 +41,33 @@ int main(int argc, char** argv) {
   // MPI and PETSc would not start, and say something else.
   if (std::error_code gone; std::filesystem::current_path(gone).empty()) {
     std::fprintf(stderr, "gearfilm: wrong input: the working directory is gone; change to one that exists\n");
-    return wrong_input;
+    return exit_status(Ending::wrong_input);
   }
   const gearfilm::CommandLine command_line(argc, argv);
   Session session;  // outlives the messages, which only one process gives
   try {
     session.emplace(command_line.petsc_arguments);
     gearfilm::run(PETSC_COMM_WORLD, command_line);
-    gearfilm::require_standard_output(PETSC_COMM_WORLD);
-    return done;
-  } catch (const gearfilm::NothingLeft& reason) {
-    (void)PetscPrintf(PETSC_COMM_WORLD, "%s\n", reason.what());
-    return done;
+    // Those that had nothing to do hear here how the others ended.
+    const Ending ending = session->wait_for_end();
+    if (ending == Ending::not_written) leave_without_finalize();
+    if (ending == Ending::done) gearfilm::require_standard_output(PETSC_COMM_WORLD);
+    return exit_status(ending);
   } catch (const gearfilm::InputError& error) {
-    return end(session, "wrong input", error, wrong_input);
+    return end(session, "wrong input", error, Ending::wrong_input);
   } catch (const gearfilm::SolveError& error) {
-    return end(session, "not solved", error, not_solved);
+    return end(session, "not solved", error, Ending::not_solved);
   } catch (const gearfilm::OutputError& error) {
-    end(session, "not written", error, not_solved);
-    // HDF5 can neither close nor give up a file that it could not write, and would crash in MPI_Finalize.
-    std::fflush(stdout);
-    std::_Exit(not_solved);
+    end(session, "not written", error, Ending::not_written);
+    leave_without_finalize();
   } catch (const gearfilm::Stopped& reason) {
-    return end(session, "stopped", reason, stopped);
+    return end(session, "stopped", reason, Ending::stopped);
   } catch (const std::bad_alloc&) {
     const gearfilm::SolveError error(
         "there is no more memory for this process; lower grid.nx and grid.ny, raise its limit (ulimit -v, or that of "
         "the batch system), or use more processes");
-    return end(session, "not solved", error, not_solved);
+    return end(session, "not solved", error, Ending::not_solved);
   } catch (const std::exception& error) {
-    return end(session, "internal error", error, not_solved);
+    return end(session, "internal error", error, Ending::not_solved);
   }
 }

@@ -10,10 +10,10 @@ namespace gearfilm {
 namespace {
 
 // Where the viscosity of oils has been measured, roughly: an assumption.
-constexpr double hottest_oil = 473.0;       // [K]
-constexpr double largest_pressure = 4e9;    // [Pa]
-constexpr double tolerable_heating = 0.8;   // factor of the film
-constexpr double tolerable_missing = 0.01;  // part of the nodes
+constexpr double hottest_oil = 473.0;           // [K]
+constexpr double largest_sound_pressure = 4e9;  // [Pa]
+constexpr double tolerable_heating = 0.8;       // factor of the film
+constexpr double tolerable_missing = 0.01;      // part of the nodes
 
 const auto three_digits = std::setprecision(3);
 
@@ -43,9 +43,10 @@ void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating)
 }
 
 void warn_of_validity(MPI_Comm comm, const Summary& summary) {
-  if (const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"}); pressure && *pressure > largest_pressure) {
+  if (const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"});
+      pressure && *pressure > largest_sound_pressure) {
     warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above ",
-         1e-9 * largest_pressure, " GPa: more than hardened steel bears");
+         1e-9 * largest_sound_pressure, " GPa: more than hardened steel bears");
   }
   const auto temperature = value_of(summary, {"film_temperature_max"});
   if (temperature && *temperature > hottest_oil) {

@@ -9,11 +9,17 @@ namespace gearfilm {
 namespace {
 
 // What says nothing of the results.
-const std::vector<std::string> conduct = {"output.dir", "restart", "time_limit", "keep_checkpoint"};
+const std::vector<std::string> conduct = {"output.dir", "restart", "time_limit", "keep_checkpoint", "solver.processes"};
 
 // What may differ between a run and its continuation. A march can go on beyond its first end.
-const std::vector<std::string> free_parameters = {
-    "output.dir", "restart", "time_limit", "keep_checkpoint", "mesh_periods", "output.spectrum_periods", "case.name"};
+const std::vector<std::string> free_parameters = {"output.dir",
+                                                  "restart",
+                                                  "time_limit",
+                                                  "keep_checkpoint",
+                                                  "solver.processes",
+                                                  "mesh_periods",
+                                                  "output.spectrum_periods",
+                                                  "case.name"};
 
 std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& more) {
   names.insert(names.end(), more.begin(), more.end());

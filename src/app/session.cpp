@@ -10,6 +10,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/parallel/mpi_settings.hpp"
+#include "output/stop_request.hpp"
 #include "parallel/agreement.hpp"
 #include "parallel/events.hpp"
 
@@ -75,14 +76,31 @@ void require_standard_output(MPI_Comm comm) {
   if (!reason.empty()) throw OutputError("cannot write to standard output: " + reason + "; results in files are whole");
 }
 
-void Session::end_together(const std::string& line, int status) const {
-  const int rank = rank_in(ending_);
-  if (rank == 0) std::fprintf(stderr, "%s\n", line.c_str());
-  MPI_Request all_here = MPI_REQUEST_NULL;
-  MPI_Ibarrier(ending_, &all_here);
-  if (wait_briefly(all_here)) return;
-  if (rank != 0) std::fprintf(stderr, "%s\n", line.c_str());
-  MPI_Abort(ending_, status);
+int exit_status(Ending ending) {
+  return ending == Ending::not_written ? exit_status(Ending::not_solved) : static_cast<int>(ending);
+}
+
+void Session::begin_to_end(Ending own, CommonEnd& common) const {
+  const int place = own == Ending::done ? 0 : processes_in(ending_) - rank_in(ending_);
+  common.values = {static_cast<int>(own), place};
+  MPI_Iallreduce(MPI_IN_PLACE, common.values.data(), 2, MPI_INT, MPI_MAX, ending_, &common.request);
+}
+
+void Session::end_together(const std::string& line, Ending ending) const {
+  const int place = processes_in(ending_) - rank_in(ending_);
+  CommonEnd common;
+  begin_to_end(ending, common);
+  const bool together = wait_briefly(common.request);
+  if (!together || common.values[1] == place) std::fprintf(stderr, "%s\n", line.c_str());
+  if (!together) MPI_Abort(ending_, exit_status(ending));
+}
+
+Ending Session::wait_for_end() const {
+  const StopRequest signals_are_for_others({});
+  CommonEnd common;
+  begin_to_end(Ending::done, common);
+  wait_asleep(common.request);
+  return static_cast<Ending>(common.values[0]);
 }
 
 }  // namespace gearfilm

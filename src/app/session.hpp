@@ -3,10 +3,17 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace gearfilm {
+
+/// How a run ends, from good to bad.
+enum class Ending { done, wrong_input, not_solved, stopped, not_written };
+
+/// What the shell is told: 0 done, 1 wrong input, 2 not solved or not written, 3 stopped.
+int exit_status(Ending ending);
 
 class Session {
 public:
@@ -17,12 +24,24 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Prints the last line of a run that ends early, once. Where not all processes come here, since what went wrong has
-  /// struck some of them alone, the others, who would wait for these for ever, are ended with that status.
-  void end_together(const std::string& line, int status) const;
+  /// Prints the last line of a run that ends early, once. Where not all processes come here or to wait_for_end(), since
+  /// what went wrong has struck some of them alone, the others, who would wait for these for ever, are ended with that
+  /// status.
+  void end_together(const std::string& line, Ending ending) const;
+
+  /// Sleeps until all processes are done, here or in end_together(), and says how: done where none has failed. Signals
+  /// are left to those at work.
+  Ending wait_for_end() const;
 
 private:
+  /// How all end, and which process is the first that does so: begun by each, known when the request is done.
+  struct CommonEnd {
+    std::array<int, 2> values{};
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+
   void start_petsc();
+  void begin_to_end(Ending own, CommonEnd& common) const;
 
   std::vector<std::string> arguments_;  ///< PETSc keeps pointers to them
   std::vector<char*> pointers_;

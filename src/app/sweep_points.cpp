@@ -11,8 +11,8 @@ namespace gearfilm {
 namespace {
 
 // What may differ between a sweep and its continuation.
-const std::vector<std::string> free_parameters = {"output.dir", "sweep.groups", "restart", "time_limit",
-                                                  "keep_checkpoint"};
+const std::vector<std::string> free_parameters = {"output.dir", "sweep.groups",    "restart",
+                                                  "time_limit", "keep_checkpoint", "solver.processes"};
 
 std::string name_of(const SweepPoint& point) {
   char name[32];

@@ -326,6 +326,7 @@ Case make_case(const ParameterValues& values) {
   const Lubricant oil = read_lubricant(values);
   const ReferenceContact reference =
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
+  result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
     check_strain(result);

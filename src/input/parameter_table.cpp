@@ -294,7 +294,10 @@ Records solver_records() {
   if (standard.multigrid.precision == Precision::double_precision) precision.fallback = "double";
   return section(
       "solver", Scope::any,
-      {preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
+      {choice("processes", {"useful", "all"},
+              "of those started under mpiexec: as many as shorten the work on a grid of that size, while the others "
+              "sleep, or all"),
+       preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
                                                 "on the root mean square of the scaled residual")),
        preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),

@@ -7,8 +7,8 @@ namespace gearfilm {
 namespace {
 
 constexpr double smallest_step = 1.0 / 128;  // parts of the way
-constexpr double largest_turn = 0.3;         // of the tangent in a step [rad]
-constexpr double farthest = 0.2;             // from prediction to motion, of a step's length along the branch
+constexpr double turn_in_a_step = 0.3;       // of the tangent in a step [rad]
+constexpr double distance_of_a_step = 0.2;   // from prediction to motion, of a step's length along the branch
 constexpr double other_branch = 0.3;         // in (H_0, V_0) from the prediction, however long the step
 constexpr double same_motion = 1e-3;         // in (H_0, V_0)
 constexpr double tolerance = 2e-8;           // of |P(x) - x|, as for branches of the dry pair
@@ -22,7 +22,7 @@ Motion ahead(const BranchPoint& from, double parts) {
 bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const Motion& predicted, double step) {
   const double turn = std::acos(std::clamp(here.tangent.dot(there.tangent), -1.0, 1.0));
   const double away = length(difference(there.state.motion, predicted));
-  return turn < largest_turn && away < std::min(other_branch, farthest * step / here.tangent[2]);
+  return turn < turn_in_a_step && away < std::min(other_branch, distance_of_a_step * step / here.tangent[2]);
 }
 
 }  // namespace

@@ -43,13 +43,17 @@ void broadcast(MPI_Comm comm, std::string& text) {
   MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, comm);
 }
 
-void wait_asleep(MPI_Comm comm) {
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibarrier(comm, &request);
+void wait_asleep(MPI_Request& request) {
   for (int done = 0; !done;) {
     MPI_Test(&request, &done, MPI_STATUS_IGNORE);
     if (!done) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+}
+
+void wait_asleep(MPI_Comm comm) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(comm, &request);
+  wait_asleep(request);
 }
 
 bool wait_briefly(MPI_Request& request) {

@@ -19,7 +19,10 @@ void broadcast(MPI_Comm comm, std::string& text);
 /// whether they did.
 bool wait_briefly(MPI_Request& request);
 
-/// A barrier at which early processes sleep: others may be done minutes later.
+/// Waits for a request asleep: others may be done minutes later.
+void wait_asleep(MPI_Request& request);
+
+/// A barrier at which early processes sleep.
 void wait_asleep(MPI_Comm comm);
 
 /// The text of the lowest process that has one; empty where none has.

@@ -71,10 +71,12 @@ class Disk(FaultTest):
     @unittest.skipUnless("GEARFILM_FULL_DISK" in os.environ, "needs the library of full_disk.c")
     def test_full_disk_ends_a_march_that_can_go_on(self):
         self.run_well(*MARCH, "-output_dir", "whole")
-        for processes, size in [(1, 263000), (1, 300000), (1, 500000), (1, 900000), (2, 300000), (2, 600000)]:
+        for processes, at_work, size in [(1, "all", 263000), (1, "all", 300000), (1, "all", 500000), (1, "all", 900000),
+                                         (2, "all", 300000), (2, "useful", 600000)]:
             with self.subTest(processes=processes, size=size):
                 shutil.rmtree(self.output, ignore_errors=True)
-                failed = self.run_on_disk(size, *MARCH, "-output_dir", self.output, processes=processes)
+                failed = self.run_on_disk(size, *MARCH, "-output_dir", self.output, "-solver_processes", at_work,
+                                          processes=processes)
                 stderr = before_notice_of_mpiexec(failed.stderr)
                 self.assertEqual(failed.returncode, 2, failed)
                 self.assertRegex(stderr, r"\Agearfilm: not written: cannot write '[^']*/out/[^']*': the disk is full; "

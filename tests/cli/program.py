@@ -19,6 +19,8 @@ RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
 MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/mpiexec.sh")))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
+# Grids of tests are small, and all processes are to share them.
+TOGETHER = {"PETSC_OPTIONS": "-solver_processes all"}
 # Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start.
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_btl": "self"}
 
@@ -29,7 +31,8 @@ def command_of(arguments, processes):
 
 def environment_of(processes, scratch):
     """With a temporary folder that no other run has: where two of Open MPI begin at once, one may fail."""
-    return os.environ | {"TMPDIR": str(scratch)} | (ALONE if processes == 1 else {})
+    own = ALONE if processes == 1 else TOGETHER
+    return own | os.environ | {"TMPDIR": str(scratch)}
 
 
 class Outcome:

@@ -9,18 +9,6 @@
 namespace gearfilm {
 namespace {
 
-double largest_of(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-  return largest;
-}
-
-double largest_difference(std::vector<double> a, const std::vector<double>& b) {
-  for (std::size_t n = 0; n < a.size(); ++n) a[n] -= b[n];
-  return largest_of(a);
-}
-
 const std::vector<double>& pressure(const PairState& state, std::size_t contact) {
   return values_of(state.films[contact], field::pressure);
 }

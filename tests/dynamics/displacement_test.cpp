@@ -7,13 +7,6 @@
 namespace gearfilm {
 namespace {
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t n = 0; n < a.size(); ++n) largest = std::max(largest, std::abs(a[n] - b[n]));
-  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-  return largest;
-}
-
 /// Two contacts, the second of which entered a little while ago.
 class Displacement : public testing::Test {
 protected:

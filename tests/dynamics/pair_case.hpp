@@ -1,6 +1,8 @@
 // What the dynamics tests share: the pairs of input/, and marches that keep what they pass through.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -127,6 +129,14 @@ inline MarchStatistics statistics_of(const RecordedMarch& march) {
   MarchStatistics statistics(march.path().mesh_period(), march.static_force());
   for (const StepRecord& record : march.records()) statistics.add(record, {});
   return statistics;
+}
+
+/// Of fields that are cut among all processes.
+inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < a.size(); ++n) largest = std::max(largest, std::abs(a[n] - b[n]));
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+  return largest;
 }
 
 }  // namespace gearfilm

@@ -15,6 +15,7 @@
 #include "gearfilm/parallel/petsc.hpp"
 #include "input/case_file.hpp"
 #include "input/options.hpp"
+#include "input/useful_processes.hpp"
 
 namespace gearfilm {
 namespace {
@@ -216,6 +217,18 @@ TEST(CommandLine, petsc_options_pass_and_are_reported_when_unused) {
   const std::vector<std::string> unused = unused_options();
   ASSERT_EQ(unused.size(), 1u);
   EXPECT_EQ(unused.front(), "-ksp_tpye cg");
+}
+
+TEST(UsefulProcesses, have_eight_rows_and_4096_points_each) {
+  const auto useful = [](int nx, int ny, int heated_points, int present) {
+    return useful_processes(rectangle(nx, ny, -2.5, 1.5, 2.0), heated_points, present);
+  };
+  EXPECT_EQ(useful(129, 65, 0, 64), 1);
+  EXPECT_EQ(useful(129, 129, 0, 64), 2);
+  EXPECT_EQ(useful(129, 65, 16, 64), 4) << "by rows";
+  EXPECT_EQ(useful(257, 257, 0, 64), 8);
+  EXPECT_EQ(useful(257, 257, 0, 2), 2);
+  EXPECT_EQ(useful(17, 9, 0, 2), 1);
 }
 
 TEST(BadInput, yaml_beyond_keys_and_values_is_refused) {

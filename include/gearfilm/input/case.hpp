@@ -104,6 +104,7 @@ struct RunCase {
   bool restart = false;              ///< go on where the run stopped
   std::optional<double> time_limit;  ///< [s] of wall-clock time
   bool keep_checkpoint = false;      ///< when the run is complete
+  bool all_processes = false;        ///< even where fewer are as fast
   std::filesystem::path directory;   ///< of the results
 };
 
