@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "gearfilm/dynamics/meshed_films.hpp"
-#include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/mesh/dry_force.hpp"
@@ -84,7 +83,7 @@ void MeshedFilms::adapt_pressures() {
 
 // By Reynolds' equation, in which the rate stands alone.
 void MeshedFilms::adapt_rates() {
-  if (!corrects_films(mesh_)) return;
+  if (!mesh_.corrects_films()) return;
   const std::vector<double> displaced = displacements();
   const std::vector<ContactFilm*> films = present_films();
   std::vector<double> rows(discretisation_->grid().local_size());

@@ -23,7 +23,7 @@ std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
 std::vector<LiveContact> without_fields(const std::vector<LiveContact>& contacts) {
   std::vector<LiveContact> bare;
   bare.reserve(contacts.size());
-  for (const LiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.heat});
+  for (const LiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.processes});
   return bare;
 }
 
@@ -158,9 +158,14 @@ std::vector<FilmFigures> LubricatedPair::film_figures(Vec state, double T) {
   return system_.figures(state);
 }
 
-std::vector<ContactRecord> LubricatedPair::records(Vec state, double T, double dT) {
-  place(T);
-  return contact_records(mesh_, contacts_, T, system_.figures(state), dT);
+void LubricatedPair::advance_processes(double dT) {
+  for (const LiveContact& contact : contacts_) {
+    for (const auto& process : contact.processes) process->advance(*contact.film, dT);
+  }
+}
+
+std::vector<ContactRecord> LubricatedPair::records(double T, const std::vector<FilmFigures>& figures) const {
+  return contact_records(mesh_, contacts_, T, figures);
 }
 
 }  // namespace gearfilm

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/film/validity.hpp"
@@ -76,7 +75,7 @@ void MeshedFilms::move_to(const GridShape& shape) {
   for (LiveContact& contact : contacts_) {
     contact.film = free_film();
     for (auto& [name, values] : contact.fields) values = remapped(values, before->grid(), discretisation_->grid());
-    take_up_heat(mesh_, contact);
+    restore_processes(contact);
   }
 }
 
@@ -84,7 +83,7 @@ void MeshedFilms::set_fields(std::size_t contact, std::vector<double> pressure, 
   LiveContact& live = contacts_[contact];
   values_of(live.fields, field::pressure) = std::move(pressure);
   values_of(live.fields, field::rate) = std::move(rate);
-  put_down_heat(mesh_, live);
+  save_processes(live);
 }
 
 // The force grows with the power 3/2 of the approach, the half-axes with its root; where flanks have a local shape, the
@@ -284,8 +283,7 @@ void MeshedFilms::take_up(double T, const PairState& state, const std::vector<in
   if (!numbers.empty()) move_to(enclosing(discretisation_->grid().shape(), state.shape));
   const PairState here = remapped(state, comm(), discretisation_->grid().shape());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    contacts_.push_back({numbers[k], free_film(), here.films[k], {}});
-    take_up_heat(mesh_, contacts_.back());
+    contacts_.push_back(continue_contact(mesh_, numbers[k], free_film(), here.films[k]));
   }
 }
 

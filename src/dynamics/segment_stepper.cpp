@@ -4,7 +4,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearfilm/dynamics/warm_contact.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/mesh/back_flanks.hpp"
 
@@ -188,7 +187,7 @@ void SegmentStepper::set_failures(int failures) {
 int SegmentStepper::whole_tries() const {
   const MeshModel& mesh = pair_.mesh();
   const bool by_short_steps =
-      options_.guess_by_short_steps && !options_.tolerance && !mesh.friction_couples_dynamics && !corrects_films(mesh);
+      options_.guess_by_short_steps && !options_.tolerance && !mesh.friction_couples_dynamics && !mesh.corrects_films();
   return by_short_steps ? 2 : 1;
 }
 
@@ -263,7 +262,9 @@ void SegmentStepper::finish_step() {
   record.T = T;
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);
-  record.contacts = pair_.records(state, T, record.dT);
+  const std::vector<FilmFigures> figures = pair_.film_figures(state, T);
+  pair_.advance_processes(record.dT);
+  record.contacts = pair_.records(T, figures);
   record.back_force = back_force(pair_.mesh(), record.motion.H0, T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
@@ -312,7 +313,8 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   stopped_ = false;
   set_failures(0);
   wall_start_ = MPI_Wtime();
-  if (pair_.mesh().friction_couples_dynamics) pair_.begin_friction(T0, pair_.records(state, T0));
+  if (pair_.mesh().friction_couples_dynamics)
+    pair_.begin_friction(T0, pair_.records(T0, pair_.film_figures(state, T0)));
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));

@@ -4,9 +4,9 @@ namespace gearfilm {
 namespace {
 
 void add_traction(const MeshModel& mesh, const LiveContact& live, ContactSnapshot& snapshot) {
-  const bool known = live.heat && live.heat->traction;
-  const TractionFields fields = known ? live.heat->traction->fields : traction(*mesh.traction, *live.film).fields;
-  for (NamedField& field : traction_fields(live.film->grid(), fields)) snapshot.fields.push_back(std::move(field));
+  const std::shared_ptr<const Traction> traction = traction_of(*mesh.traction, live);
+  for (NamedField& field : traction_fields(live.film->grid(), traction->fields))
+    snapshot.fields.push_back(std::move(field));
 }
 
 }  // namespace

@@ -62,8 +62,10 @@ public:
 
   /// Of the film of every contact, placed at T. Collective.
   std::vector<FilmFigures> film_figures(Vec state, double T);
-  /// Of every contact, placed at T, after a step of dT. Collective.
-  std::vector<ContactRecord> records(Vec state, double T, double dT = 0.0);
+  /// Lets what follows the films follow them over a step of dT, at whose end film_figures() has put them. Collective.
+  void advance_processes(double dT);
+  /// Of every contact at T, where film_figures() has put them and found these figures. Collective.
+  std::vector<ContactRecord> records(double T, const std::vector<FilmFigures>& figures) const;
 
 private:
   /// f at time T; 1 where contacts share by themselves.

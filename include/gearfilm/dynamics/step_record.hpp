@@ -2,12 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
-#include "gearfilm/dynamics/contact_fields.hpp"
 #include "gearfilm/dynamics/contact_figures.hpp"
-#include "gearfilm/dynamics/live_heat.hpp"
+#include "gearfilm/dynamics/live_contact.hpp"
 #include "gearfilm/mesh/mesh_model.hpp"
 #include "gearfilm/mesh/motion.hpp"
 
@@ -21,18 +19,10 @@ struct ContactRecord {
 
 /// The record of a dry contact that gave these figures at time T.
 ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures);
-/// A tooth contact that is being computed.
-struct LiveContact {
-  int number = 0;
-  ContactFilm* film = nullptr;       ///< at its present state; null in the dry model
-  ContactFields fields{};            ///< as the last segment left them
-  std::shared_ptr<LiveHeat> heat{};  ///< of a film that feels it; null without
-};
 
-/// Of contacts, on films at their present state and with their figures. Films that feel their heat get that of a step
-/// of dT, and the flow of the next. Collective.
+/// Of contacts, on films at their present state and with their figures. Collective.
 std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<LiveContact>& contacts, double T,
-                                           const std::vector<FilmFigures>& figures, double dT = 0.0);
+                                           const std::vector<FilmFigures>& figures);
 
 struct StepRecord {
   double T = 0.0;   ///< end of the step
@@ -58,9 +48,6 @@ private:
     return sum;
   }
 };
-
-/// Of the contacts.
-std::vector<int> numbers_of(const std::vector<LiveContact>& contacts);
 
 /// Receives every accepted step, and the state after every entering, leaving or jump (dT = 0 there).
 using StepObserver = std::function<void(const StepRecord&, const std::vector<LiveContact>&)>;

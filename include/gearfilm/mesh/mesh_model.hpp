@@ -43,6 +43,8 @@ struct MeshModel {
   MeshedContact contact_at(int number, double xi) const;
   /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
   Compliance compliance(std::span<const int> numbers, double T) const;
+  /// Films feel their heat or their shear.
+  bool corrects_films() const { return traction && traction->corrects_film(); }
   /// Bodies without inertia, on all contacts.
   bool in_balance() const { return inertia == 0.0 && !load; }
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.

@@ -1,0 +1,46 @@
+#include "gearfilm/dynamics/live_contact.hpp"
+
+#include <algorithm>
+
+namespace gearfilm {
+
+LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
+                          const SolverOptions& options, StationaryResult& found) {
+  LiveContact contact{number, film, {}, film_processes(mesh)};
+  for (const auto& process : contact.processes) process->begin(*film, load, options, found);
+  const std::vector<double>& pressure = found.solution.pressure;
+  contact.fields.emplace(field::pressure.name, pressure);
+  contact.fields.emplace(field::rate.name, std::vector<double>(pressure.size(), 0.0));
+  save_processes(contact);
+  return contact;
+}
+
+LiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields) {
+  LiveContact contact{number, film, std::move(fields), film_processes(mesh)};
+  restore_processes(contact);
+  return contact;
+}
+
+void restore_processes(LiveContact& contact) {
+  for (const auto& process : contact.processes) process->restore(*contact.film, contact.fields);
+}
+
+void save_processes(LiveContact& contact) {
+  for (const auto& process : contact.processes) process->save(contact.film->grid(), contact.fields);
+  restore_processes(contact);
+}
+
+std::shared_ptr<const Traction> traction_of(const TractionModel& model, const LiveContact& contact) {
+  for (const auto& process : contact.processes) {
+    if (auto known = process->traction(*contact.film)) return known;
+  }
+  return std::make_shared<Traction>(traction(model, *contact.film));
+}
+
+std::vector<int> numbers_of(const std::vector<LiveContact>& contacts) {
+  std::vector<int> numbers(contacts.size());
+  std::ranges::transform(contacts, numbers.begin(), &LiveContact::number);
+  return numbers;
+}
+
+}  // namespace gearfilm
