@@ -59,7 +59,7 @@ BranchBeginning film_beginning(const Case& problem, const SharedDiscretisation& 
   const DryOrbit dry = dry_start(mesh_after_leaving(first));
   FilmBranchOptions options{
       .unit = problem.continuation.options.corrector.unit, .lost = lost_force_ratio, .film_shift = 0.0, .films = {}};
-  options.film_shift = dry_guess(first, films_there, dry).motion.H0 - dry.start.H0;
+  options.film_shift = dry_guess(first, films_there, dry).motion.H0() - dry.start.H0();
   BranchState state{problem.march.start_motion.value_or(dry.start), from};
   if (!problem.march.start_motion) {
     const PeriodicOrbit orbit = orbit_at(first, films_there, dry, run);

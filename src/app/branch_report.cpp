@@ -29,8 +29,8 @@ const char* name_of(BranchEnd end) {
 }
 
 std::string place(const BranchState& state, const std::string& unit) {
-  return worded(std::setprecision(digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5), state.motion.H0,
-                ", V0 ", state.motion.V0);
+  return worded(std::setprecision(digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5), state.motion.H0(),
+                ", V0 ", state.motion.V0());
 }
 
 }  // namespace
@@ -107,8 +107,8 @@ void BranchReport::finish(const std::vector<Branch>& branches) {
 Summary BranchReport::branch_summary(const Branch& branch) {
   Summary summary = {{"number", branch.number}, {"order", branch.order},      {"born_on", branch.parent},
                      {"points", branch.points}, {"end", name_of(branch.end)}, {"last_value", branch.last.parameter}};
-  summary["last_H0"] = branch.last.motion.H0;
-  summary["last_V0"] = branch.last.motion.V0;
+  summary["last_H0"] = branch.last.motion.H0();
+  summary["last_V0"] = branch.last.motion.V0();
   if (branch.parent == 0) summary["born_on"] = nullptr;
   summary["born_at"] = branch.born ? Summary(branch.born->parameter) : Summary();
   return summary;

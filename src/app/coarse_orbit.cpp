@@ -194,9 +194,9 @@ OrbitGuess guess_on_grid(const Case& problem, const SharedDiscretisation& films,
                          const OrbitRun& coarse) {
   OrbitGuess guess = guess_from(coarse);
   const double shift = film_shift(search, problem, films);
-  guess.motion.H0 += shift;
+  guess.motion.H0() += shift;
   guess.neighbour = refined(*coarse.orbit.before, films->grid().comm());
-  guess.neighbour->motion.H0 += shift;
+  guess.neighbour->motion.H0() += shift;
   guess.lead = search.problem().search.options.lead;
   if (coarse.decay) guess.lead_map = coarse.decay->lead_map;
   return guess;
@@ -276,7 +276,7 @@ std::optional<FreeDecay> coarse_decay(const Case& problem, const SharedDiscretis
   if (!coarse) return {};
   CoarseSearch search(*coarse, problem, mesh, observers, films->grid().comm());
   OrbitGuess guess{orbit.start.motion, orbit.monodromy, {}};
-  guess.motion.H0 -= film_shift(search, problem, films);
+  guess.motion.H0() -= film_shift(search, problem, films);
   try {
     const std::optional<OrbitRun> found = search.orbit("coarse", [&] { return guess; });
     if (!found || mesh.weighted_norm(difference(found->orbit.start.motion, guess.motion)) > same_orbit) return {};

@@ -10,10 +10,10 @@
 namespace gearfilm {
 
 struct FoundOrbit {
-  OrbitRun run;
-  std::optional<OrbitRun> coarse;  ///< the same with longer steps in space and time; absent where that has too few
-                                   ///< nodes or no films
-  double ratio = 2.0;              ///< of those steps to the case's own
+  OrbitRun run{};
+  std::optional<OrbitRun> coarse{};  ///< the same with longer steps in space and time; absent where that has too few
+                                     ///< nodes or no films
+  double ratio = 2.0;                ///< of those steps to the case's own
   /// Where the coarse one has longer steps in space alone: the orbit on its grid with longer steps in time.
   std::optional<OrbitRun> longer_step{};
   static constexpr double step_ratio = 1.4;  ///< of those to the case's own

@@ -63,12 +63,13 @@ public:
     const Lubricant& oil = here.scales.oil;
     table_->append({static_cast<double>(branch.number), static_cast<double>(branch.order), static_cast<double>(kind),
                     speed, here.pair.torque, mass, oil.viscosity, mesh.mesh_frequency_si(), mesh.frequency_si(),
-                    point.state.motion.H0, point.state.motion.V0, point.value.largest_force, point.value.smallest_force,
-                    mu[0].real(), mu[0].imag(), mu[1].real(), mu[1].imag(), static_cast<double>(point.stable())});
+                    point.state.motion.H0(), point.state.motion.V0(), point.value.largest_force,
+                    point.value.smallest_force, mu[0].real(), mu[0].imag(), mu[1].real(), mu[1].imag(),
+                    static_cast<double>(point.stable())});
     Summary summary = {
         {"speed_rpm", speed}, {"torque", here.pair.torque}, {"m_ge", mass}, {"viscosity", oil.viscosity}};
-    summary["H0_after_leaving"] = point.state.motion.H0;
-    summary["V0_after_leaving"] = point.state.motion.V0;
+    summary["H0_after_leaving"] = point.state.motion.H0();
+    summary["V0_after_leaving"] = point.state.motion.V0();
     summary["force_ratio_max"] = point.value.largest_force;
     summary["total_force_ratio_min"] = point.value.smallest_force;
     summary["floquet"] = mu;

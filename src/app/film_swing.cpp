@@ -74,7 +74,7 @@ RestingPair::RestingPair(const Case& problem, const SharedDiscretisation& discre
     pair_->system().set_field(state_, k, values_of(at_rest.films[k], field::pressure));
   }
   pair_->set_motion(state_, at_rest.motion);
-  H0_ = at_rest.motion.H0;
+  H0_ = at_rest.motion.H0();
 }
 
 double FilmSwing::cells_in_wave() const { return 2.0 * std::numbers::pi / (mode.swings_in_passage * steps.x); }

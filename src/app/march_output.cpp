@@ -122,9 +122,9 @@ void MarchOutput::describe_recurrence(Summary& summary) {
   if (lubricated_) columns.push_back({"h_min", "m"});
   std::vector<double> rows;
   for (const PoincarePoint& point : points) {
-    rows.insert(rows.end(),
-                {point.T, scales.time * point.T, mesh_.path.distance(point.T), mesh_.path.rpm(point.T), point.motion.H0,
-                 point.motion.V0, scales.force(point.largest_force), scales.force(point.smallest_force)});
+    rows.insert(rows.end(), {point.T, scales.time * point.T, mesh_.path.distance(point.T), mesh_.path.rpm(point.T),
+                             point.motion.H0(), point.motion.V0(), scales.force(point.largest_force),
+                             scales.force(point.smallest_force)});
     if (lubricated_) rows.push_back(scales.thickness * point.smallest_film);
   }
   write_table(file_, "/history/poincare", columns, rows);
@@ -226,8 +226,8 @@ Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchSta
                                  {"contact", event.contact},
                                  {"T", event.T},
                                  {"distance", mesh.path.distance(event.T)},
-                                 {"H0", event.motion.H0},
-                                 {"V0", event.motion.V0}});
+                                 {"H0", event.motion.H0()},
+                                 {"V0", event.motion.V0()}});
   }
   summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodFigures& period) {
     return period["back_force_ratio_max"].value_or(0.0) > 0.0;

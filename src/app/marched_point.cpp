@@ -13,8 +13,8 @@ namespace gearfilm {
 PairState rescaled(const PairState& state, const Scales& from, const Scales& to) {
   PairState result = state;
   const double thickness = from.thickness / to.thickness;
-  result.motion.H0 *= thickness;
-  result.motion.V0 *= thickness * to.time / from.time;
+  result.motion.H0() *= thickness;
+  result.motion.V0() *= thickness * to.time / from.time;
   return result;
 }
 
@@ -56,7 +56,7 @@ Summary marched_summary(const Case& problem, const MarchedPoint& point) {
   constexpr double tolerance = 1e-3;  // in (H_0, V_0)
   const Scales& scales = problem.scales;
   double largest = 0.0, smallest = HUGE_VAL, film = HUGE_VAL;
-  Summary summary = {{"H0_after_leaving", point.end.motion.H0}, {"V0_after_leaving", point.end.motion.V0}};
+  Summary summary = {{"H0_after_leaving", point.end.motion.H0()}, {"V0_after_leaving", point.end.motion.V0()}};
   summary["poincare"] = Summary::array();
   for (const PoincarePoint& at : point.points) {
     const double force_max = at.largest_force / scales.static_force,
@@ -64,7 +64,7 @@ Summary marched_summary(const Case& problem, const MarchedPoint& point) {
     largest = std::max(largest, force_max);
     smallest = std::min(smallest, force_min);
     film = std::min(film, scales.thickness * at.smallest_film);
-    Summary entry = {at.motion.H0, at.motion.V0, force_max, force_min};
+    Summary entry = {at.motion.H0(), at.motion.V0(), force_max, force_min};
     if (!problem.dry()) entry.push_back(scales.thickness * at.smallest_film);
     summary["poincare"].push_back(std::move(entry));
   }

@@ -74,7 +74,7 @@ FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, con
   return free_decay(march, run.orbit, {.lead = problem.search.options.lead});
 }
 
-void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary) {
+void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary) {
   const std::optional<FreeOscillation> oscillation =
       free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si());
   summary["floquet"] = pair;
@@ -94,8 +94,8 @@ Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run) {
   summary["defect"] = run.orbit.defect;
   if (lubricated) summary["film_defect"] = run.orbit.film_defect;
   summary["states_after_leaving"] = run.states_after_leaving;
-  summary["H0_after_leaving"] = run.orbit.start.motion.H0;
-  summary["V0_after_leaving"] = run.orbit.start.motion.V0;
+  summary["H0_after_leaving"] = run.orbit.start.motion.H0();
+  summary["V0_after_leaving"] = run.orbit.start.motion.V0();
   summary.update(period_summary(scales, run.figures));
   summary["contact_lost"] = run.contact_lost;
   summary["back_contact"] = run.figures["back_force_ratio_max"].value_or(0.0) > 0.0;

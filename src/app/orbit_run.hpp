@@ -54,6 +54,6 @@ FreeDecay decay_from(const Case& problem, const SharedDiscretisation& films, con
 Summary orbit_summary(const MeshModel& mesh, const OrbitRun& run);
 
 /// Multipliers, and the free oscillation they mean, added to a summary.
-void add_multipliers(const MeshModel& mesh, const std::array<std::complex<double>, 2>& pair, Summary& summary);
+void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary);
 
 }  // namespace gearfilm

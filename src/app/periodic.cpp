@@ -54,8 +54,8 @@ Summary dry_summary(const Case& problem, const MeshModel& mesh) {
     return nullptr;
   const std::optional<DryOrbit> dry = find_dry_orbit_soon(mesh, 0.0);
   if (!dry) return nullptr;
-  Summary summary = {{"H0_after_leaving", dry->start.H0},
-                     {"V0_after_leaving", dry->start.V0},
+  Summary summary = {{"H0_after_leaving", dry->start.H0()},
+                     {"V0_after_leaving", dry->start.V0()},
                      {"force_ratio_max", dry->largest_integral / problem.scales.static_force}};
   add_multipliers(mesh, multipliers(dry->monodromy), summary);
   for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping

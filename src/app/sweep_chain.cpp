@@ -22,7 +22,7 @@ constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better 
 constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
 constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
 
-double distance(const Motion& a, const Motion& b) { return std::hypot(a.H0 - b.H0, a.V0 - b.V0); }
+double distance(const Motion& a, const Motion& b) { return std::hypot(a.H0() - b.H0(), a.V0() - b.V0()); }
 
 const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
 
@@ -34,15 +34,27 @@ struct Neighbour {
 };
 
 /// Row by row.
-Summary monodromy_json(const Monodromy& map) { return {{map(0, 0), map(0, 1)}, {map(1, 0), map(1, 1)}}; }
+Summary monodromy_json(const Monodromy& map) {
+  Summary rows = Summary::array();
+  for (const auto& row : map.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
+  return rows;
+}
+
+Monodromy read_monodromy(const Summary& rows) {
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  Monodromy map(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) map(i, j) = rows[i][j].get<double>();
+  }
+  return map;
+}
 
 /// The same from a point on disk, but for its films.
 Neighbour read_neighbour(const Summary& point) {
   Neighbour neighbour{point["value"].get<double>(), {}, {}};
   neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
   if (!point.contains("monodromy")) return neighbour;  // of a march
-  const auto entry = [&](int row, int column) { return point["monodromy"][row][column].get<double>(); };
-  neighbour.guess.monodromy << entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1);
+  neighbour.guess.monodromy = read_monodromy(point["monodromy"]);
   if (point.contains("dry_motion")) neighbour.dry.emplace().start = point["dry_motion"].get<Motion>();
   return neighbour;
 }
@@ -86,7 +98,7 @@ private:
   };
 
   void keep(std::optional<Neighbour> found) {
-    if (found && found->dry) film_shift_ = found->guess.motion.H0 - found->dry->start.H0;
+    if (found && found->dry) film_shift_ = found->guess.motion.H0() - found->dry->start.H0();
     before_ = found ? std::move(last_) : std::nullopt;
     last_ = std::move(found);
   }
@@ -100,14 +112,13 @@ private:
     const std::optional<StateFile> found = read_state(group_, points_.file(point, ".films"));
     if (!found) return;
     const Summary& description = found->description;
-    last_->guess.neighbour = {{description["H0"].get<double>(), description["V0"].get<double>()},
-                              films_from(found->fields, description["films"]),
+    last_->guess.neighbour = {description["motion"].get<Motion>(), films_from(found->fields, description["films"]),
                               found->shape};
   }
 
   void write_films(const SweepPoint& point, const PairState& state) const {
     write_state(Grid(group_, state.shape), points_.file(point, ".films"),
-                {{"H0", state.motion.H0}, {"V0", state.motion.V0}, {"films", field_names(state)}}, fields_of(state));
+                {{"motion", state.motion}, {"films", field_names(state)}}, fields_of(state));
   }
 
   /// What only a point that is still to be computed needs.
@@ -151,8 +162,8 @@ private:
     std::optional<PairState> from;
     if (here.sweep.kind == SweepKind::basins) {
       const Motion& start = here.sweep.starts[point.index];
-      result["H0"] = start.H0;
-      result["V0"] = start.V0;
+      result["H0"] = start.H0();
+      result["V0"] = start.V0();
       from = PairState{start, {}};
     } else if (last_) {
       const PairState& state = last_->guess.neighbour.value_or(PairState{last_->guess.motion, {}});
@@ -204,7 +215,7 @@ private:
 
   /// The dry orbit next to a lubricated one, if there is any.
   std::optional<DryOrbit> dry_beside(const MeshModel& mesh, const Motion& motion) const {
-    const Motion near{motion.H0 - film_shift_, motion.V0};
+    const Motion near{motion.H0() - film_shift_, motion.V0()};
     std::optional<DryOrbit> dry = follow_dry_orbit(mesh, typical_film_damping, near);
     if (dry && distance(dry->start, near) > beside) dry.reset();
     return dry;
@@ -246,8 +257,8 @@ private:
       const Motion before = last_->dry->start;
       dry = follow_dry_orbit(at.mesh, typical_film_damping, before);
       if (dry && distance(dry->start, before) < same_branch) {
-        guess.motion.H0 += dry->start.H0 - before.H0;
-        guess.motion.V0 += dry->start.V0 - before.V0;
+        guess.motion.H0() += dry->start.H0() - before.H0();
+        guess.motion.V0() += dry->start.V0() - before.V0();
         guess.monodromy = dry->monodromy;
         return guess;
       }
@@ -263,9 +274,9 @@ private:
     if (!before_) return last;
     const double part = (value - last_->value) / (last_->value - before_->value);
     const Motion before = before_->guess.motion;
-    const Motion step{part * (last.H0 - before.H0), part * (last.V0 - before.V0)};
+    const Motion step{part * (last.H0() - before.H0()), part * (last.V0() - before.V0())};
     if (distance(step, {}) >= beside) return last;
-    return {last.H0 + step.H0, last.V0 + step.V0};
+    return {last.H0() + step.H0(), last.V0() + step.V0()};
   }
 
   MPI_Comm group_;

@@ -27,7 +27,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   const std::vector<double> rates = values(field::rate);
   std::vector<double> mass = oil;
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
-  const LoadCondition load = LoadCondition::displacement(motion_.H0, compliance);
+  const LoadCondition load = LoadCondition::displacement(motion_.H0(), compliance);
   const auto solved = [&](double part, const NewtonOptions& options) {
     const std::vector<ContactFilm*> films = present_films();
     for (std::size_t k = 0; k < films.size(); ++k) {
@@ -35,7 +35,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
       conditions.gap_offset += part * held_back[k];
       move_surfaces(*films[k], conditions);
     }
-    FilmSolution moved{values(field::pressure), motion_.H0};
+    FilmSolution moved{values(field::pressure), motion_.H0()};
     if (!StationaryNewton(films, options).solve(load, moved, ImplicitStep{shift, mass})) return false;
     set_values(field::pressure, moved.pressure);
     return true;
@@ -70,8 +70,8 @@ void MeshedFilms::adapt_pressures() {
   constexpr double shift = 1e-3;
   std::vector<double> rate = values(field::rate), mass = rate;
   for (double& value : mass) value /= -shift;
-  FilmSolution films{values(field::pressure), motion_.H0};
-  const LoadCondition load = LoadCondition::displacement(motion_.H0, mesh_.compliance(numbers(), T_));
+  FilmSolution films{values(field::pressure), motion_.H0()};
+  const LoadCondition load = LoadCondition::displacement(motion_.H0(), mesh_.compliance(numbers(), T_));
   if (!StationaryNewton(present_films(), options_.films.newton).solve(load, films, ImplicitStep{shift, mass})) {
     throw SolveError(label(contacts_.front().number) + ": no films have the rates of those of another grid");
   }
@@ -99,7 +99,7 @@ std::vector<double> MeshedFilms::rescaled_pressures(const std::vector<double>& d
   const std::vector<double> before = forces();
   DryContacts dry(DryForce(mesh_), mesh_, numbers(), T_);
   dry.stand_for(before, displaced);
-  const std::vector<double> after = dry.forces(motion_.H0);
+  const std::vector<double> after = dry.forces(motion_.H0());
   std::vector<double> all;
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     std::vector<double> own = values_of(contacts_[k].fields, field::pressure);

@@ -55,7 +55,7 @@ public:
 
   /// From s on.
   DryFlowRun(const DryFlow& flow, const Motion& start, Kind kind, double s = 0.0)
-      : flow_(flow), values_{start.H0, start.V0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, kind_(kind), s_(s) {
+      : flow_(flow), values_{start.H0(), start.V0(), 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, kind_(kind), s_(s) {
     forget_extremes();
     const int size = kind == Kind::map ? whole_size : motion_size;
     petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, values_.data(), state_.put()));
@@ -105,39 +105,39 @@ public:
 
 private:
   /// T_m dV_0/dT, and its derivative by H_0 on demand.
-  double acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, double* slope) const {
+  double acceleration(const DryFlow::Pair& pair, double s, double H0, double V0, double* slope) const {
     const double T = s * pair.period;
     const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
-    const std::vector<double> forces = contacts.forces(motion.H0);
-    const BackForce back = back_force(pair.mesh, motion.H0, T);
+    const std::vector<double> forces = contacts.forces(H0);
+    const BackForce back = back_force(pair.mesh, H0, T);
     const double total = std::accumulate(forces.begin(), forces.end(), -back.value);
     if (slope) *slope = -pair.period * (contacts.stiffness(forces) + back.slope) / pair.mesh.inertia;
-    return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * motion.V0);
+    return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * V0);
   }
 
   void rates(TS, PetscReal s, Vec in, Vec out) {
     const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
     const VecReading x(in);
     const VecWriting rate(out);
-    const Motion motion{x[0], x[1]};
+    const double H0 = x[0], V0 = x[1];
     double slope = 0.0;
-    rate[0] = here.period * motion.V0;
-    rate[1] = acceleration(here, s, motion, kind_ == Kind::map ? &slope : nullptr);
+    rate[0] = here.period * V0;
+    rate[1] = acceleration(here, s, H0, V0, kind_ == Kind::map ? &slope : nullptr);
     if (kind_ != Kind::map) return;
     // Columns of Phi, then w.
     for (const auto& [first, second] : {std::pair{2, 4}, std::pair{3, 5}, std::pair{6, 7}}) {
       rate[first] = here.period * x[second];
       rate[second] = slope * x[first] - here.period * here.damping * x[second];
     }
-    rate[6] += (beside.period - here.period) * motion.V0 / flow_.part_;
-    rate[7] += (acceleration(beside, s, motion, nullptr) - rate[1]) / flow_.part_;
+    rate[6] += (beside.period - here.period) * V0 / flow_.part_;
+    rate[7] += (acceleration(beside, s, H0, V0, nullptr) - rate[1]) / flow_.part_;
   }
 
   void step_done(TS, PetscInt, PetscReal s, Vec state) {
     const VecReading x(state);
     const Motion motion{x[0], x[1]};
     if (!begins_) look_between(s, motion);
-    look_at(s, motion.H0);
+    look_at(s, motion.H0());
     if (s > seen_s_ && !begins_) step_ = s - seen_s_;
     begins_ = false;
     seen_s_ = s;
@@ -147,7 +147,7 @@ private:
   /// H_0 has its extremes between steps.
   void look_between(double s, const Motion& motion) {
     const double ds = s - seen_s_, dT = ds * flow_.here_.period;
-    const Cubic cubic{seen_.H0, motion.H0, dT * seen_.V0, dT * motion.V0};
+    const Cubic cubic{seen_.H0(), motion.H0(), dT * seen_.V0(), dT * motion.V0()};
     if (const std::optional<double> part = cubic.turning()) look_at(seen_s_ + *part * ds, cubic(*part));
   }
 

@@ -20,11 +20,11 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.T = T_;
   record.dT = dT;
   record.motion = motion_;
-  record.back_force = back_force(mesh_, motion_.H0, T_).value;
+  record.back_force = back_force(mesh_, motion_.H0(), T_).value;
   record.wall_seconds = wall_seconds;
   std::vector<LiveContact> live;
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
-  const std::vector<double> forces = DryContacts(force_, mesh_, numbers, T_).forces(motion_.H0);
+  const std::vector<double> forces = DryContacts(force_, mesh_, numbers, T_).forces(motion_.H0());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const int contact = numbers[k];
     const ContactConditions conditions = mesh_.contact(contact, T_).conditions;

@@ -37,8 +37,7 @@ GuessMemory::GuessMemory(ValueReader values)
   while (!values.at_end()) {
     Miss& miss = misses_[static_cast<int>(values.value())];
     miss.learnt = values.value();
-    miss.motion.H0 = values.value();
-    miss.motion.V0 = values.value();
+    miss.motion = values.motion();
     miss.unit = values.value();
     miss.pressures.resize(values.count());
     const std::span<const double> packed = values.values(values_for(miss.pressures.size()));
@@ -50,13 +49,15 @@ void GuessMemory::append_to(std::vector<double>& values) const {
   append(values, shape_);
   // All at once: a list that grows takes up to three times as much while it does.
   std::size_t more = 2;
-  for (const auto& [place, miss] : misses_) more += 6 + values_for(miss.pressures.size());
+  for (const auto& [place, miss] : misses_)
+    more += 5 + 2 * static_cast<std::size_t>(miss.motion.freedoms()) + values_for(miss.pressures.size());
   values.reserve(values.size() + more);
   values.insert(values.end(), {marched_, trusted_ ? 1.0 : 0.0});
   for (const auto& [place, miss] : misses_) {
     const std::size_t count = miss.pressures.size();
-    values.insert(values.end(), {static_cast<double>(place), miss.learnt, miss.motion.H0, miss.motion.V0, miss.unit,
-                                 static_cast<double>(count)});
+    values.insert(values.end(), {static_cast<double>(place), miss.learnt});
+    append(values, miss.motion);
+    values.insert(values.end(), {miss.unit, static_cast<double>(count)});
     const std::size_t begin = values.size();
     values.resize(begin + values_for(count));
     std::memcpy(values.data() + begin, miss.pressures.data(), count * sizeof(std::int16_t));
@@ -86,7 +87,7 @@ void GuessMemory::correct(const LubricatedPair& pair, Vec guess, double T) {
     for (std::size_t n = 0; n < guessed_.size(); ++n)
       values[n] = std::max(0.0, guessed_[n] + miss->unit * miss->pressures[n]);
   }
-  pair.set_motion(guess, {guessed_motion_.H0 + miss->motion.H0, guessed_motion_.V0 + miss->motion.V0});
+  pair.set_motion(guess, {guessed_motion_.H0() + miss->motion.H0(), guessed_motion_.V0() + miss->motion.V0()});
 }
 
 void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, double T) {

@@ -45,7 +45,7 @@ Motion LubricatedPair::motion(Vec state) const {
 }
 
 void LubricatedPair::set_motion(Vec state, const Motion& motion) const {
-  system_.set_scalars(state, std::array{motion.H0, motion.V0});
+  system_.set_scalars(state, std::array{motion.H0(), motion.V0()});
 }
 
 OwnedVec LubricatedPair::allowed_errors(double of_motion, double of_pressures) const {
@@ -70,7 +70,7 @@ void LubricatedPair::predict_for_load_share(Vec state, double T0, double T1) con
     return mesh_.scales.approach * std::cbrt(share * share) + compliance * share * mesh_.scales.static_force;
   };
   const double sinking = approach_at(T1) - approach_at(T0);
-  set_motion(state, {motion(state).H0 - sinking, -sinking / (T1 - T0)});
+  set_motion(state, {motion(state).H0() - sinking, -sinking / (T1 - T0)});
 }
 
 // The pressures of the guess are still those from before: bodies that sink by more than a film would touch.
@@ -80,8 +80,8 @@ void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
   const Motion last = motion(state);
   double thinnest = HUGE_VAL;
   for (const FilmFigures& film : figures) thinnest = std::min(thinnest, film.central_film);
-  const double change = std::max((T1 - T0) * last.V0, -crossed * thinnest);
-  set_motion(state, {last.H0 + change, last.V0});
+  const double change = std::max((T1 - T0) * last.V0(), -crossed * thinnest);
+  set_motion(state, {last.H0() + change, last.V0()});
 }
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks

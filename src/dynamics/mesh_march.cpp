@@ -88,7 +88,7 @@ void MeshMarch::observe_present() {
   StepRecord record;
   record.T = T();
   record.motion = motion();
-  record.back_force = back_force(mesh(), motion().H0, T()).value;
+  record.back_force = back_force(mesh(), motion().H0(), T()).value;
   record.contacts = films_.records();
   observe(record);
 }

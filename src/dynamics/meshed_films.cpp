@@ -25,7 +25,7 @@ std::vector<double> MeshedFilms::forces() const {
 }
 
 std::vector<double> MeshedFilms::displacements() const {
-  return mesh_.compliance(numbers(), T_).displacements(motion_.H0, forces());
+  return mesh_.compliance(numbers(), T_).displacements(motion_.H0(), forces());
 }
 
 std::vector<ContactFilm*> MeshedFilms::present_films() const {
@@ -92,7 +92,7 @@ DomainMargins MeshedFilms::required_margins(int number, double pressure_integral
   if (!options_.margins || pressure_integral <= 0.0) return {};
   const ContactConditions conditions = mesh_.contact(number, T_).conditions;
   const double approach = dry_contact(mesh_.scales, conditions, pressure_integral).approach / mesh_.scales.thickness;
-  const double sinking = std::max(0.0, -motion_.V0) * 2.0 * options_.steps.largest();
+  const double sinking = std::max(0.0, -motion_.V0()) * 2.0 * options_.steps.largest();
   const double growth = std::sqrt(1.0 + std::min(0.5, sinking / approach));
   const auto room_of = [&](const ContactConditions& in) {
     return gearfilm::required_margins(*options_.margins, mesh_.scales, in, pressure_integral, label(number), growth);
@@ -127,7 +127,7 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
   carried.resize(together.size());
   carried[own] = 0.0;
   const Compliance compliance = mesh_.compliance(together, T_);
-  const double displaced = compliance.displacements(motion_.H0, carried)[own];
+  const double displaced = compliance.displacements(motion_.H0(), carried)[own];
   const LoadCondition load = LoadCondition::displacement(displaced, compliance.alone(own));
   for (;;) {
     ContactFilm* film = free_film();
@@ -169,7 +169,7 @@ void MeshedFilms::balance_at_rest() {
     StationaryResult found = located(label(numbers[k]), [&] { return solve_stationary(*film, load, options_.films); });
     contacts_.push_back(located(label(numbers[k]),
                                 [&] { return begin_contact(mesh_, numbers[k], film, load, options_.films, found); }));
-    if (carries) motion_.H0 += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
+    if (carries) motion_.H0() += (found.solution.H0 - (displaced[k] - dry_H0)) * dry_forces[k] / force;
   }
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
 }
@@ -178,10 +178,10 @@ void MeshedFilms::balance_at_rest() {
 void MeshedFilms::settle(const LoadCondition& load) {
   const ScopedStage stage("Stationary film");
   const FilmSolution settled = located(label(contacts_.front().number) + " and its neighbours", [&] {
-    return solve_together(present_films(), load, options_.films, {values(field::pressure), motion_.H0});
+    return solve_together(present_films(), load, options_.films, {values(field::pressure), motion_.H0()});
   });
   set_values(field::pressure, settled.pressure);
-  motion_.H0 = settled.H0;
+  motion_.H0() = settled.H0;
 }
 
 void MeshedFilms::start(const std::optional<Motion>& motion) {
@@ -191,10 +191,10 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
     contacts_.clear();
     // What films carry that do not exist yet, their dry contacts tell.
     const std::vector<int> numbers = mesh_.path.contacts_after(T_);
-    const std::vector<double> dry = DryContacts(DryForce(mesh_), mesh_, numbers, T_).forces(motion_.H0);
+    const std::vector<double> dry = DryContacts(DryForce(mesh_), mesh_, numbers, T_).forces(motion_.H0());
     for (int number : numbers) contacts_.push_back(enter(number, numbers, dry));
     const Compliance compliance = mesh_.compliance(numbers, T_);
-    if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0, compliance));
+    if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0(), compliance));
   } else {
     balance_at_rest();
   }
@@ -245,7 +245,7 @@ bool MeshedFilms::exchange() {
 
 void MeshedFilms::displace(const Motion& motion, double duration) {
   const std::map<int, double> before = displacement_by_number();
-  const bool jumps = motion.H0 != motion_.H0;
+  const bool jumps = motion.H0() != motion_.H0();
   motion_ = motion;
   if (jumps) follow(before, std::max(options_.steps.dT, duration));
   grow_domain();

@@ -265,7 +265,7 @@ void SegmentStepper::finish_step() {
   const std::vector<FilmFigures> figures = pair_.film_figures(state, T);
   pair_.advance_processes(record.dT);
   record.contacts = pair_.records(T, figures);
-  record.back_force = back_force(pair_.mesh(), record.motion.H0, T).value;
+  record.back_force = back_force(pair_.mesh(), record.motion.H0(), T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = MPI_Wtime() - wall_start_;

@@ -9,6 +9,12 @@ void append(std::vector<double>& values, const GridShape& shape) {
   values.insert(values.end(), rows.y().begin(), rows.y().end());
 }
 
+void append(std::vector<double>& values, const Motion& motion) {
+  values.push_back(static_cast<double>(motion.freedoms()));
+  values.insert(values.end(), motion.q.begin(), motion.q.end());
+  values.insert(values.end(), motion.v.begin(), motion.v.end());
+}
+
 std::span<const double> ValueReader::values(std::size_t count) {
   const std::span<const double> taken = rest_.first(count);
   rest_ = rest_.subspan(count);
@@ -21,6 +27,11 @@ GridShape ValueReader::shape() {
   const Edge lower = v[3] != 0.0 ? Edge::symmetry : Edge::ambient;
   return {static_cast<int>(v[0]), v[1], v[2],
           y.empty() ? RowAxis() : RowAxis({y.begin(), y.end()}, lower, Edge::ambient)};
+}
+
+Motion ValueReader::motion() {
+  const std::span<const double> x = values(2 * count());
+  return to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
 }
 
 }  // namespace gearfilm

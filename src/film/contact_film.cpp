@@ -60,8 +60,8 @@ void ContactFilm::set_entrained() {
   }
 }
 
-void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVersion version) {
-  if (version != 0 && version == shown_ && H0 == shown_H0_) return;
+void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVersion state_version) {
+  if (state_version != 0 && state_version == shown_ && H0 == shown_H0_) return;
   state_.total_pressure.load(pressure);
   deformation_.apply(state_.total_pressure, state_.thickness);
   ++convolutions_;
@@ -72,20 +72,21 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVer
   }
   properties_.evaluate(state_, flow_factors_);
   exchange_ghosts(discretisation_->halo(), state_);
-  shown_ = version;
+  shown_ = state_version;
   shown_H0_ = H0;
   at_linearised_ = false;
 }
 
 void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
-                           StateVersion version) {
-  evaluate(pressure, H0, version);
+                           StateVersion state_version) {
+  evaluate(pressure, H0, state_version);
   at_linearised_ = false;
   reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze, rows);
 }
 
-void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version) {
-  evaluate(pressure, H0, version);
+void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass,
+                       StateVersion state_version) {
+  evaluate(pressure, H0, state_version);
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* density = state_.density.row(i);
     const double* thickness = state_.thickness.row(i);
@@ -110,8 +111,8 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 }
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
-                            StateVersion version) {
-  evaluate(pressure, H0, version);
+                            StateVersion state_version) {
+  evaluate(pressure, H0, state_version);
   reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze,
                     displacement_column_);  // for the full nodes
   linearised_ = &linearisation_for(shift);
@@ -193,8 +194,8 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
 
 void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
 
-FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, StateVersion version) {
-  evaluate(pressure, H0, version);
+FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, StateVersion state_version) {
+  evaluate(pressure, H0, state_version);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
   enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };

@@ -23,7 +23,7 @@ void check_strain(const Scales& scales, double load_ratio, const std::string& na
 // A displacement at the start beyond what a contact with such a pressure has: p_h grows with the root of the approach.
 void check_start_motion(const Case& result) {
   if (!result.march.start_motion) return;
-  const double depth = -result.march.start_motion->H0 / result.scales.approach;
+  const double depth = -result.march.start_motion->H0() / result.scales.approach;
   if (depth <= 1.0) return;
   check_strain(result.scales, std::pow(depth, 1.5), "-start_H0, which stands for a force");
 }

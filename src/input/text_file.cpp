@@ -9,7 +9,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr std::streamsize largest = 1 << 20;
+constexpr std::streamsize longest_file = 1 << 20;
 
 // The first byte that is no text. A carriage return ends a line only together with a line feed.
 std::size_t first_wrong_byte(const std::string& text) {
@@ -28,11 +28,11 @@ TextFile read_text_file(const std::string& file) {
   if (!std::filesystem::is_regular_file(status)) return {"", "is not a regular file; give the path of one on disk"};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {"", "cannot be opened; check its permissions"};
-  std::string text(largest + 1, '\0');
-  stream.read(text.data(), largest + 1);
+  std::string text(longest_file + 1, '\0');
+  stream.read(text.data(), longest_file + 1);
   text.resize(stream.gcount());
   if (stream.bad()) return {"", "cannot be read; check the disk"};
-  if (stream.gcount() > largest) return {"", "is larger than 1 MB, which no such file is; check its path"};
+  if (stream.gcount() > longest_file) return {"", "is larger than 1 MB, which no such file is; check its path"};
   if (const std::size_t wrong = first_wrong_byte(text); wrong != std::string::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(wrong), '\n');
     return {"", "is not plain text: line " + std::to_string(line) +

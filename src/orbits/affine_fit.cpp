@@ -11,30 +11,34 @@ namespace gearfilm {
 AffineFit::AffineFit(const std::vector<Return>& returns) {
   for (const Return& one : returns) scale_ = std::max(scale_, length(one.from));
   const auto count = static_cast<Eigen::Index>(returns.size());
-  Eigen::MatrixX3d X(count, 3);
-  Eigen::MatrixX2d y(count, 2);
+  const auto unknowns = static_cast<Eigen::Index>(AffineFit::unknowns(returns.front().to));
+  Eigen::MatrixXd X(count, unknowns), y(count, unknowns - 1);
   for (Eigen::Index n = 0; n < count; ++n) {
-    X.row(n) << returns[n].from.H0, returns[n].from.V0, scale_;
-    y.row(n) << returns[n].to.H0, returns[n].to.V0;
+    X.row(n) << to_vector(returns[n].from).transpose(), scale_;
+    y.row(n) = to_vector(returns[n].to).transpose();
   }
   inverse_ = (X.transpose() * X).inverse();
   solution_ = inverse_ * (X.transpose() * y);
-  const double spare = static_cast<double>(count) - 3.0;
-  if (spare > 0.0) variance_ = (y - X * solution_).colwise().squaredNorm() / spare;
+  const Eigen::Index spare = count - unknowns;
+  variance_ = Eigen::VectorXd::Zero(unknowns - 1);
+  if (spare > 0) variance_ = (y - X * solution_).colwise().squaredNorm().transpose() / static_cast<double>(spare);
 }
 
 Motion AffineFit::fixed_point() const {
-  return to_motion((Monodromy::Identity() - map()).inverse() * (scale_ * solution_.row(2).transpose()));
+  const Eigen::Index size = solution_.cols();
+  return to_motion((Monodromy::Identity(size, size) - map()).inverse() * (scale_ * solution_.row(size).transpose()));
 }
 
 double AffineFit::deviation(const std::complex<double>& mu) const {
   const Eigen::EigenSolver<Monodromy> eigen(map());
   if (eigen.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Index size = solution_.cols();
   Eigen::Index n = 0;
   (eigen.eigenvalues().array() - mu).abs().minCoeff(&n);
-  const Eigen::Vector2cd v = eigen.eigenvectors().col(n);
-  const Eigen::RowVector2cd w = eigen.eigenvectors().inverse().row(n);  // w.v = 1
-  const double spread = v.dot(inverse_.topLeftCorner<2, 2>() * v).real();
+  const Eigen::MatrixXcd vectors = eigen.eigenvectors();
+  const Eigen::VectorXcd v = vectors.col(n);
+  const Eigen::RowVectorXcd w = vectors.inverse().row(n);  // w.v = 1
+  const double spread = v.dot(inverse_.topLeftCorner(size, size) * v).real();
   return std::sqrt(w.cwiseAbs2().dot(variance_) * spread);
 }
 

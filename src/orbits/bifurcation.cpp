@@ -1,6 +1,7 @@
 #include "gearfilm/orbits/bifurcation.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,14 +18,40 @@ struct Test {
 
 constexpr auto always = [](const BranchPoint&) { return true; };
 
-// A pair of real multipliers whose product is 1 passes the test of Neimark and Sacker, but not the unit circle.
-constexpr std::array<Test, 4> tests = {{
-    {PointKind::fold, [](const BranchPoint& point) { return point.tangent[2]; }, always},
+double neimark_sacker(const BranchPoint& point) {
+  const Multipliers mu = point.multipliers();
+  std::complex<double> product = 1.0;
+  for (std::size_t i = 0; i < mu.size(); ++i) {
+    for (std::size_t j = i + 1; j < mu.size(); ++j) product *= 1.0 - mu[i] * mu[j];
+  }
+  return product.real();
+}
+
+// Two real multipliers whose product is 1 pass the test of Neimark and Sacker, but not the unit circle.
+bool complex_pair_on_the_circle(const BranchPoint& point) {
+  const Multipliers mu = point.multipliers();
+  double nearest = HUGE_VAL;
+  bool complex = false;
+  for (std::size_t i = 0; i < mu.size(); ++i) {
+    for (std::size_t j = i + 1; j < mu.size(); ++j) {
+      const double away = std::abs(1.0 - mu[i] * mu[j]);
+      if (away >= nearest) continue;
+      nearest = away;
+      complex = mu[i].imag() != 0.0;
+    }
+  }
+  return complex;
+}
+
+const std::array<Test, 4> tests = {{
+    {PointKind::fold, [](const BranchPoint& point) { return point.tangent[point.tangent.size() - 1]; }, always},
     {PointKind::flip,
-     [](const BranchPoint& point) { return 1.0 + point.value.by_motion.trace() + point.value.by_motion.determinant(); },
+     [](const BranchPoint& point) {
+       const Monodromy& map = point.value.by_motion;
+       return (map + Monodromy::Identity(map.rows(), map.rows())).determinant();
+     },
      always},
-    {PointKind::neimark_sacker, [](const BranchPoint& point) { return point.value.by_motion.determinant() - 1.0; },
-     [](const BranchPoint& point) { return std::abs(point.value.by_motion.trace()) < 2.0; }},
+    {PointKind::neimark_sacker, neimark_sacker, complex_pair_on_the_circle},
     {PointKind::grazing, [](const BranchPoint& point) { return point.value.least_approach; }, always},
 }};
 
@@ -89,12 +116,11 @@ bool meets_half_order(const BranchPoint& before, const BranchPoint& after) {
   return half(before).dot(half(after)) < 0.0;
 }
 
-// (M + I) v = 0: v is normal to the longer row.
+// (M + I) v = 0: the last right singular vector.
 Motion flip_direction(const Monodromy& monodromy) {
-  const Monodromy singular = monodromy + Monodromy::Identity();
-  Eigen::Index longer = 0;
-  if (singular.rowwise().squaredNorm().maxCoeff(&longer) == 0.0) return {1.0, 0.0};
-  return to_motion(singular.row(longer).transpose().unitOrthogonal());
+  const Eigen::Index size = monodromy.rows();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> factors(monodromy + Monodromy::Identity(size, size), Eigen::ComputeFullV);
+  return to_motion(factors.matrixV().col(size - 1));
 }
 
 }  // namespace gearfilm

@@ -1,7 +1,7 @@
 #include "gearfilm/orbits/branch_point.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <cmath>
 #include <utility>
 
@@ -11,10 +11,18 @@ namespace gearfilm {
 namespace {
 
 /// The derivatives of P(x, lambda) - x in u.
-Eigen::Matrix<double, 2, 3> rows_of(const MapValue& value, double unit) {
-  Eigen::Matrix<double, 2, 3> rows;
-  rows << value.by_motion - Monodromy::Identity(), unit * to_vector(value.by_parameter);
+Eigen::MatrixXd rows_of(const MapValue& value, double unit) {
+  const Eigen::Index size = value.by_motion.rows();
+  Eigen::MatrixXd rows(size, size + 1);
+  rows << value.by_motion - Monodromy::Identity(size, size), unit * to_vector(value.by_parameter);
   return rows;
+}
+
+/// The direction orthogonal to one row less than there are columns; nothing where there are several.
+std::optional<BranchVector> orthogonal_to(const Eigen::MatrixXd& rows) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(rows.transpose());
+  if (factors.rank() < rows.rows()) return {};
+  return factors.householderQ() * BranchVector::Unit(rows.cols(), rows.rows());
 }
 
 }  // namespace
@@ -25,11 +33,9 @@ bool BranchCorrector::finish(BranchPoint& point, const BranchVector& normal) con
   } catch (const SolveError&) {
     return false;
   }
-  const auto rows = rows_of(point.value, options_.unit);
-  const BranchVector along = rows.row(0).cross(rows.row(1));
-  const double size = std::copysign(along.norm(), along.dot(normal));
-  if (size == 0.0) return false;
-  point.tangent = along / size;
+  const std::optional<BranchVector> along = orthogonal_to(rows_of(point.value, options_.unit));
+  if (!along) return false;
+  point.tangent = std::copysign(1.0, along->dot(normal)) * *along;
   return true;
 }
 
@@ -47,12 +53,14 @@ std::optional<BranchCorrector::Corrected> BranchCorrector::correct(const BranchV
     } catch (const SolveError&) {
       return {};
     }
-    Eigen::Matrix3d equations;
+    Eigen::MatrixXd equations(u.size(), u.size());
     equations << rows_of(point.value, options_.unit), normal.transpose();
-    const Eigen::PartialPivLU<Eigen::Matrix3d> factors(equations);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(equations);
     if (factors.determinant() == 0.0) return {};
     const Motion defect = difference(point.value.image(), point.state.motion);
-    const BranchVector step = factors.solve(BranchVector(-defect.H0, -defect.V0, normal.dot(predicted - u)));
+    BranchVector right(u.size());
+    right << -to_vector(defect), normal.dot(predicted - u);
+    const BranchVector step = factors.solve(right);
     if (length(defect) < tolerance || step.norm() < tolerance) {
       if (!finish(point, normal)) return {};
       return Corrected{std::move(point), iteration};
@@ -64,7 +72,8 @@ std::optional<BranchCorrector::Corrected> BranchCorrector::correct(const BranchV
 }
 
 std::optional<BranchCorrector::Corrected> BranchCorrector::at_parameter(const BranchState& guess) const {
-  return correct(coordinates(guess), {0.0, 0.0, 1.0});
+  const BranchVector u = coordinates(guess);
+  return correct(u, BranchVector::Unit(u.size(), u.size() - 1));
 }
 
 }  // namespace gearfilm

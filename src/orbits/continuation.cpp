@@ -54,8 +54,9 @@ public:
 
   /// The first point of a branch born at a flip.
   std::optional<BranchPoint> beside(const BranchPoint& flip) const {
-    const Motion v = flip_direction(flip.value.by_motion);
-    const BranchVector across = {v.H0, v.V0, 0.0}, at = corrector_.coordinates(flip.state);
+    const BranchVector at = corrector_.coordinates(flip.state);
+    BranchVector across = BranchVector::Zero(at.size());
+    across.head(at.size() - 1) = to_vector(flip_direction(flip.value.by_motion));
     double step = options_.first_step;
     while (step > options_.smallest_step) {
       const BranchVector predicted = at + step * across;
@@ -125,9 +126,9 @@ private:
     happened(std::move(before));
     const double bound = next.state.parameter > options_.highest ? options_.highest : options_.lowest;
     const double part = (bound - here.state.parameter) / (next.state.parameter - here.state.parameter);
-    const BranchState guess{{std::lerp(here.state.motion.H0, next.state.motion.H0, part),
-                             std::lerp(here.state.motion.V0, next.state.motion.V0, part)},
-                            bound};
+    const BranchVector from = corrector_.coordinates(here.state), to = corrector_.coordinates(next.state);
+    BranchState guess = corrector_.state(from + part * (to - from));
+    guess.parameter = bound;
     if (auto last = at_parameter(guess)) {
       if (last->tangent.dot(here.tangent) < 0.0) last->tangent = -last->tangent;
       report(PointKind::regular, *last);
@@ -194,8 +195,8 @@ std::vector<Branch> follow_branches(const BranchMap& map, int order, const Branc
   std::optional<BranchPoint> start = BranchRun(map, options, observer, trunk).at_parameter(guess);
   if (!start) {
     throw SolveError(
-        "no periodic motion of order ", order, " found next to the start of the branch: H0 = ", guess.motion.H0,
-        ", V0 = ", guess.motion.V0, " where the parameter is ", guess.parameter,
+        "no periodic motion of order ", order, " found next to the start of the branch: H0 = ", guess.motion.H0(),
+        ", V0 = ", guess.motion.V0(), " where the parameter is ", guess.parameter,
         "; begin at another value (continuation.from), or at a motion that `gearfilm periodic` finds there "
         "(start.H0, start.V0)");
   }

@@ -16,13 +16,15 @@ constexpr double tolerance = 2e-8;           // of |P(x) - x|, as for branches o
 /// Signed parts of the way are the unit of the parameter, so that a tangent's last component is positive.
 Motion ahead(const BranchPoint& from, double parts) {
   const BranchVector& t = from.tangent;
-  return {from.state.motion.H0 + parts * t[0] / t[2], from.state.motion.V0 + parts * t[1] / t[2]};
+  const Eigen::Index last = t.size() - 1;
+  return to_motion(to_vector(from.state.motion) + parts / t[last] * t.head(last));
 }
 
 bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const Motion& predicted, double step) {
   const double turn = std::acos(std::clamp(here.tangent.dot(there.tangent), -1.0, 1.0));
   const double away = length(difference(there.state.motion, predicted));
-  return turn < turn_in_a_step && away < std::min(other_branch, distance_of_a_step * step / here.tangent[2]);
+  return turn < turn_in_a_step &&
+         away < std::min(other_branch, distance_of_a_step * step / here.tangent[here.tangent.size() - 1]);
 }
 
 }  // namespace

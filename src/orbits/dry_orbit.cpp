@@ -20,7 +20,7 @@ constexpr double narrowest_ratio = 0.97;
 // Of H_0, off an orbit of first order: the way to where the pair settles may be a long one without order.
 constexpr std::array pushes = {0.05, -0.05, 0.2, -0.2, 0.02, -0.02};
 // Off the balance, of marches: as large as motions that lose contact.
-constexpr std::array<Motion, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {0.0, 2.0}}};
+const std::array<Motion, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {0.0, 2.0}}};
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
@@ -80,7 +80,7 @@ std::optional<Motion> find_beside_first_order(const DryMap& map) {
   try {
     const Motion first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch()).start;
     for (const double push : pushes) {
-      if (auto start = shoot(map, settle(map, {first_order.H0 + push, first_order.V0}))) return start;
+      if (auto start = shoot(map, settle(map, {first_order.H0() + push, first_order.V0()}))) return start;
     }
   } catch (const SolveError&) {  // there is none of first order
   }
@@ -109,7 +109,7 @@ Motion find_by_marches(const DryMap& map, const Motion& from) {
   std::string trouble;
   for (const Motion& push : far_pushes) {
     try {
-      marches.push_back(settle_for_long(map, {from.H0 + push.H0, from.V0 + push.V0}));
+      marches.push_back(settle_for_long(map, {from.H0() + push.H0(), from.V0() + push.V0()}));
     } catch (const SolveError& error) {
       trouble = error.what();
       continue;
@@ -151,11 +151,11 @@ double expected_film_damping(const MeshModel& mesh) {
 }
 
 DryOrbit dry_start(const MeshModel& mesh) {
-  if (mesh.inertia == 0.0) return {.start = at_rest(mesh)};
+  if (mesh.inertia == 0.0) return {at_rest(mesh), {}};
   const DryWatch none;
   const DryMap damped(mesh, expected_film_damping(mesh), none);
   if (const auto start = find_soon(damped)) return describe(damped, *start);
-  return {.start = settle(damped, at_rest(mesh))};
+  return {settle(damped, at_rest(mesh)), {}};
 }
 
 DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motion& near, const DryWatch& watch) {

@@ -21,7 +21,7 @@ int patterns_to_settle(const DryMap& map, double damping_ratio) {
 /// Thrown to end a march that has come to repeat.
 struct Repeats {};
 
-Motion middle(const Motion& a, const Motion& b) { return {0.5 * (a.H0 + b.H0), 0.5 * (a.V0 + b.V0)}; }
+Motion middle(const Motion& a, const Motion& b) { return {0.5 * (a.H0() + b.H0()), 0.5 * (a.V0() + b.V0())}; }
 
 }  // namespace
 
@@ -89,7 +89,7 @@ std::string what_it_does(const DrySettling& settling, const MeshModel& mesh) {
   if (mesh.order % settling.settles_on == 0) {
     return "left to itself it comes to a motion that repeats after " + found +
            ", on which Newton's method does not converge; begin there: start.H0 = " +
-           std::to_string(settling.limit.H0) + ", start.V0 = " + std::to_string(settling.limit.V0);
+           std::to_string(settling.limit.H0()) + ", start.V0 = " + std::to_string(settling.limit.V0());
   }
   return "left to itself it comes to a motion that repeats after " + found + "; try -periodic_order " +
          std::to_string(settling.settles_on);

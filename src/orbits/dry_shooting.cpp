@@ -21,8 +21,8 @@ public:
     const VecReading x(in);
     const VecWriting r(out);
     const Motion end = at({x[0], x[1]}).states.back();
-    r[0] = end.H0 - x[0];
-    r[1] = end.V0 - x[1];
+    r[0] = end.H0() - x[0];
+    r[1] = end.V0() - x[1];
   }
 
   void slope(SNES, Vec in, Mat, Mat out) {
@@ -39,7 +39,7 @@ public:
 
 private:
   const DryFlowEnd& at(const Motion& motion) {
-    if (!value_ || motion.H0 != motion_.H0 || motion.V0 != motion_.V0) value_ = map_(motion);
+    if (!value_ || motion.H0() != motion_.H0() || motion.V0() != motion_.V0()) value_ = map_(motion);
     motion_ = motion;
     return *value_;
   }
@@ -78,8 +78,8 @@ std::optional<Motion> solve(const DryMap& map, const Motion& guess) {
   petsc_check(SNESSetFromOptions(snes));
   {
     const VecWriting x(state);
-    x[0] = guess.H0;
-    x[1] = guess.V0;
+    x[0] = guess.H0();
+    x[1] = guess.V0();
   }
   petsc_check(SNESSolve(snes, nullptr, state));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;

@@ -13,9 +13,6 @@ namespace {
 // Between two states, from which derivatives are told: above the noise of marches, and of one linear map.
 constexpr double shortest_secant = 1e-3, longest_secant = 1.0;
 
-/// What is to be added to the derivatives of the dry map, in (H_0, V_0, lambda/unit).
-using Correction = Eigen::Matrix<double, 2, 3>;
-
 /// Of the forces in a march, over the static one.
 struct ForceRange {
   double largest = 0.0;                                  ///< on one contact
@@ -76,15 +73,19 @@ private:
   }
 
   void set_derivatives(const BranchState& at, int order, MapValue& value) {
-    const MapValue dry = dry_({{at.motion.H0 - options_.film_shift, at.motion.V0}, at.parameter}, order);
-    const BranchVector u = {at.motion.H0, at.motion.V0, at.parameter / options_.unit};
-    Correction whole;
+    BranchState dry_state = at;
+    dry_state.motion.H0() -= options_.film_shift;
+    const MapValue dry = dry_(dry_state, order);
+    const Eigen::Index size = dry.by_motion.rows();
+    BranchVector u(size + 1);
+    u << to_vector(at.motion), at.parameter / options_.unit;
+    Eigen::MatrixXd whole(size, size + 1);
     whole << dry.by_motion, options_.unit * to_vector(dry.by_parameter);
-    if (order != last_order_) correction_.setZero();
+    if (order != last_order_) correction_ = Eigen::MatrixXd::Zero(size, size + 1);
     whole += correction_;
     if (order == last_order_) update(u, value.image(), whole);
-    value.by_motion = whole.leftCols<2>();
-    value.by_parameter = to_motion(whole.col(2) / options_.unit);
+    value.by_motion = whole.leftCols(size);
+    value.by_parameter = to_motion(whole.col(size) / options_.unit);
     last_order_ = order;
     last_ = u;
     last_image_ = value.image();
@@ -94,17 +95,17 @@ private:
   void measure(const BranchState& at, int order, const PeriodicOrbit& orbit, MapValue& value) {
     MeshMarch march = march_at_(at.parameter, order, unseen);
     const Monodromy map = free_decay(march, orbit, {}).map;
-    if (map == Monodromy::Zero()) return;  // the push was gone at once
-    correction_.leftCols<2>() += map - value.by_motion;
+    if (map.size() == 0) return;  // the push was gone at once
+    correction_.leftCols(map.cols()) += map - value.by_motion;
     value.by_motion = map;
   }
 
   /// Broyden: the least change by which the derivatives agree with the last two marches.
-  void update(const BranchVector& u, const Motion& image, Correction& whole) {
+  void update(const BranchVector& u, const Motion& image, Eigen::MatrixXd& whole) {
     const BranchVector step = u - last_;
     if (step.norm() < shortest_secant || step.norm() > longest_secant) return;
-    const Eigen::Vector2d error = to_vector(difference(image, last_image_)) - whole * step;
-    const Correction least = error * step.transpose() / step.squaredNorm();
+    const Eigen::VectorXd error = to_vector(difference(image, last_image_)) - whole * step;
+    const Eigen::MatrixXd least = error * step.transpose() / step.squaredNorm();
     whole += least;
     correction_ += least;
   }
@@ -112,9 +113,9 @@ private:
   MarchAt march_at_;
   BranchMap dry_;
   FilmBranchOptions options_;  ///< its films: those that the last march ended with
-  Correction correction_ = Correction::Zero();
+  Eigen::MatrixXd correction_;  ///< of the dry map's derivatives in u
   int last_order_ = 0;
-  BranchVector last_ = BranchVector::Zero();
+  BranchVector last_;
   Motion last_image_;
 };
 

@@ -15,7 +15,7 @@ constexpr double smallest_disturbance = 5e-3;  // that has a direction well abov
 constexpr double largest_disturbance = 5e-2;   // that the linearised map still describes
 
 /// The linearised map. Vectors hold the compared fields of all contacts, divided by sqrt(their number) so that they
-/// weigh as a root mean square, and on the first process H_0 and V_0.
+/// weigh as a root mean square, and on the first process q and v.
 class PeriodMap {
 public:
   PeriodMap(MeshMarch& march, const PeriodicOrbit& orbit, double size_of_difference)
@@ -36,15 +36,19 @@ public:
     weight_ = 1.0 / std::sqrt(static_cast<double>(all));
   }
 
-  PetscInt local_size() const { return values_ + (rank_ == 0 ? 2 : 0); }
+  PetscInt local_size() const { return values_ + (rank_ == 0 ? motion_size() : 0); }
+  /// 2 n.
+  PetscInt motion_size() const { return static_cast<PetscInt>(2 * start_.motion.freedoms()); }
   MPI_Comm comm() const { return march_.comm(); }
 
   /// What distinguishes a state from the orbit's end.
   void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
-  /// What a displacement of H_0 has become after one period, which the films have followed.
+  /// What a displacement of the first q has become after one period, which the films have followed.
   void displacement(Vec vec) {
     march_.resume(mesh_.next_period(march_.T()), start_);
-    march_.displace({start_.motion.H0 + difference_, start_.motion.V0});
+    Motion displaced = start_.motion;
+    displaced.q[0] += difference_;
+    march_.displace(displaced);
     difference_of(map(march_.state()), end_, vec);
   }
 
@@ -74,10 +78,10 @@ private:
         for (double& value : field) value = std::max(kind.smallest, value + step / weight_ * values[next++]);
       }
     }
-    double motion[2] = {0.0, 0.0};
-    if (rank_ == 0) std::copy_n(&values.values()[next], 2, motion);
-    MPI_Bcast(motion, 2, MPI_DOUBLE, 0, comm());
-    state.motion = {state.motion.H0 + step * motion[0], state.motion.V0 + step * motion[1]};
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(motion_size());
+    if (rank_ == 0) std::copy_n(&values.values()[next], motion.size(), motion.data());
+    MPI_Bcast(motion.data(), motion_size(), MPI_DOUBLE, 0, comm());
+    state.motion = to_motion(to_vector(state.motion) + step * motion);
     return state;
   }
 
@@ -93,8 +97,7 @@ private:
       }
     }
     if (rank_ != 0) return;
-    values[next] = a.motion.H0 - b.motion.H0;
-    values[next + 1] = a.motion.V0 - b.motion.V0;
+    for (const double change : to_vector(difference(a.motion, b.motion))) values[next++] = change;
   }
 
   MeshMarch& march_;
@@ -136,14 +139,14 @@ FloquetMultipliers floquet_multipliers(MeshMarch& march, const PeriodicOrbit& or
   petsc_check(EPSSolve(eps));
   PetscInt found = 0;
   petsc_check(EPSGetConverged(eps, &found));
-  if (found < 2) throw SolveError("the Floquet multipliers did not converge");
+  if (found < map.motion_size()) throw SolveError("the Floquet multipliers did not converge");
   FloquetMultipliers result;
   for (PetscInt n = 0; n < found; ++n) {
     PetscScalar real = 0.0, imaginary = 0.0;
     petsc_check(EPSGetEigenvalue(eps, n, &real, &imaginary));
     const std::complex<double> multiplier(real, imaginary);
-    if (n < 2) {
-      result.gear_pair[n] = multiplier;
+    if (n < map.motion_size()) {
+      result.gear_pair.push_back(multiplier);
     } else {
       result.film_bound = std::max(result.film_bound.value_or(0.0), std::abs(multiplier));
     }

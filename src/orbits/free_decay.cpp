@@ -28,7 +28,9 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
   const MeshModel& mesh = march.mesh();
   const Motion& begin = orbit.start.motion;
   march.resume(mesh.next_period(march.T()), orbit.start);
-  march.displace({begin.H0 + push, begin.V0});
+  Motion pushed = begin;
+  pushed.q[0] += push;
+  march.displace(pushed);
   Returns motions = {march.motion()};
   for (int n = 1; n <= options.periods; ++n) {
     const std::optional<PairState> before = march_period(march, options.lead);
@@ -46,7 +48,7 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
 }  // namespace
 
 FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end) {
-  std::vector<Return> returns = {{{}, difference(end, begin)}};
+  std::vector<Return> returns = {{difference(begin, begin), difference(end, begin)}};
   for (const Returns& motions : pushes) {
     // The first period's films have not followed the push: it counts only where there is nothing better.
     for (std::size_t n = motions.size() > 3 ? 1 : 0; n + 1 < motions.size(); ++n) {
@@ -55,9 +57,9 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
   }
   const AffineFit fit(returns);
   FreeDecay decay{fit.map(), multipliers(fit.map()), 0.0};
-  const auto& mu = decay.multipliers;
-  const std::complex<double> larger = std::abs(mu[0]) >= std::abs(mu[1]) ? mu[0] : mu[1];
-  decay.modulus_error = returns.size() > 3 ? 2.0 * fit.deviation(larger) : std::abs(larger);
+  const std::complex<double> larger = largest_multiplier(decay.multipliers);
+  const bool spare = returns.size() > AffineFit::unknowns(begin);
+  decay.modulus_error = spare ? 2.0 * fit.deviation(larger) : std::abs(larger);
   return decay;
 }
 
@@ -66,7 +68,8 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
   const auto near = [&](const Returns& motions) {
     return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
   };
-  std::vector<Return> leads = {{}};  // the orbit's own
+  const Motion none = difference(begin, begin);
+  std::vector<Return> leads = {{none, none}};  // the orbit's own
   double push = options.push;
   Returns first = returns_of(march, orbit, push, options, leads);
   while (!near(first) && 0.1 * push >= smallest_push) {
@@ -78,14 +81,17 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
     // Nothing is left to be fitted; how little, the first two returns say.
     const auto change = [&](int n) { return march.mesh().weighted_norm(difference(first[n], first[n - 1])); };
     const double kept = change(2) / change(1);
-    return {Monodromy::Zero(), {kept, 0.0}, kept};
+    Multipliers small(static_cast<std::size_t>(2 * begin.freedoms()));
+    small.front() = kept;
+    return {{}, small, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
   if (decay.modulus_error >= well_known) {
     const Returns other_way = returns_of(march, orbit, -push, options, leads);
     decay = fit_decay({first, other_way}, begin, orbit.end.motion);
   }
-  if (leads.size() > 3 && decay.modulus_error < well_known) decay.lead_map = AffineFit(leads).map();
+  if (leads.size() > AffineFit::unknowns(begin) && decay.modulus_error < well_known)
+    decay.lead_map = AffineFit(leads).map();
   return decay;
 }
 

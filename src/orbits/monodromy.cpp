@@ -1,23 +1,34 @@
 #include "gearfilm/orbits/monodromy.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gearfilm {
 
-std::array<std::complex<double>, 2> multipliers(const Monodromy& monodromy) {
-  const double half_trace = 0.5 * monodromy.trace();
-  const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - monodromy.determinant()));
-  return {half_trace + root, half_trace - root};
+Multipliers multipliers(const Monodromy& monodromy) {
+  if (monodromy.rows() == 2) {
+    const double half_trace = 0.5 * monodromy.trace();
+    const std::complex<double> root =
+        std::sqrt(std::complex<double>(half_trace * half_trace - monodromy.determinant()));
+    return {half_trace + root, half_trace - root};
+  }
+  const Eigen::VectorXcd values = monodromy.eigenvalues();
+  Multipliers mu(values.begin(), values.end());
+  std::ranges::sort(mu, [](const std::complex<double>& a, const std::complex<double>& b) {
+    return std::pair(std::abs(a), a.imag()) > std::pair(std::abs(b), b.imag());
+  });
+  return mu;
 }
 
-double largest_modulus(const std::array<std::complex<double>, 2>& mu) {
-  return std::max(std::abs(mu[0]), std::abs(mu[1]));
+std::complex<double> largest_multiplier(const Multipliers& mu) {
+  return *std::ranges::max_element(mu, {}, [](const std::complex<double>& one) { return std::abs(one); });
 }
 
-std::optional<FreeOscillation> free_oscillation(const std::array<std::complex<double>, 2>& mu, double mesh_frequency,
+std::optional<FreeOscillation> free_oscillation(const Multipliers& mu, double mesh_frequency,
                                                 double natural_frequency) {
   if (mu[0].imag() == 0.0) return {};
   const double turn = std::abs(std::arg(mu[0])) / (2.0 * std::numbers::pi);

@@ -8,6 +8,7 @@
 
 #include "gearfilm/error.hpp"
 #include "gearfilm/grid/remap.hpp"
+#include "gearfilm/orbits/map_jacobian.hpp"
 
 namespace gearfilm {
 namespace {
@@ -22,38 +23,10 @@ constexpr int settling_periods = 3;     // marched on before Newton's method is 
 // and a mesh period the one after which films repeat best.
 constexpr double time_to_follow = 0.2;
 
-Motion moved(const Motion& from, double by, const Motion& step) {
-  return to_motion(to_vector(from) + by * to_vector(step));
-}
+Motion moved(const Motion& from, double by, const Motion& step) { return {from.q + by * step.q, from.v + by * step.v}; }
 
 /// x with map x = right.
 Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.inverse() * to_vector(right)); }
-
-/// Approximate Jacobian of the map, kept good by Broyden's update, which changes it least where velocities count by
-/// their worth.
-class MapJacobian {
-public:
-  MapJacobian(const MeshModel& mesh, Monodromy monodromy) : mesh_(mesh), entries_(std::move(monodromy)) {}
-
-  const Monodromy& monodromy() const { return entries_; }
-  /// The step by which map(x) - x would vanish.
-  Motion newton_step(const Motion& defect) const {
-    const Motion step = solved(Monodromy::Identity() - entries_, defect);
-    return moved({}, std::min(1.0, largest_change / mesh_.weighted_norm(step)), step);
-  }
-  /// The map changed by map_change over a step of its argument.
-  void update(const Motion& step, const Motion& map_change) {
-    const double worth = mesh_.velocity_weight();
-    const Eigen::Vector2d x = to_vector(step), weighted(step.H0, worth * worth * step.V0);
-    const double square = x.dot(weighted);
-    if (square == 0.0) return;
-    entries_ += (to_vector(map_change) - entries_ * x) / square * weighted.transpose();
-  }
-
-private:
-  const MeshModel& mesh_;
-  Monodromy entries_;
-};
 
 /// What a field has changed by over its nodes.
 struct FieldChange {
@@ -118,7 +91,7 @@ public:
         options_(options),
         observer_(observer),
         lead_(options.lead),
-        jacobian_(mesh_, guess.monodromy) {
+        jacobian_(guess.motion.freedoms(), mesh_.velocity_weight(), guess.monodromy) {
     const bool same_films =
         guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
     if (same_films && guess.lead > 0.0) {
@@ -141,7 +114,8 @@ public:
 
   OrbitGuess improved() {
     march_period();
-    return {moved(last_.start.motion, 1.0, jacobian_.newton_step(last_.defect)), jacobian_.monodromy(), last_.end};
+    return {moved(last_.start.motion, 1.0, jacobian_.newton_step(last_.defect, largest_change)), jacobian_.monodromy(),
+            last_.end};
   }
 
 private:
@@ -224,7 +198,7 @@ private:
     for (; shortening_ >= shortest_step || !measured_; shortening_ *= 0.5) {
       try {
         if (shortening_ < shortest_step) measure_jacobian();
-        begin_at(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect)));
+        begin_at(moved(best_->start.motion, shortening_, jacobian_.newton_step(best_->defect, largest_change)));
         return;
       } catch (const SolveError& error) {
         if (periods_ > options_.max_periods) throw;
@@ -253,7 +227,12 @@ private:
   void measure_jacobian() {
     measured_ = true;
     shortening_ = 1.0;
-    for (int column = 0; column < 2; ++column) measure(*best_, column);
+    for (Eigen::Index k = 0; k < best_->defect.freedoms(); ++k) {
+      measure(
+          *best_, [k](Motion& step) -> double& { return step.q[k]; }, difference_step);
+      measure(
+          *best_, [k](Motion& step) -> double& { return step.v[k]; }, difference_step / mesh_.velocity_weight());
+    }
   }
 
   void march_on() {
@@ -262,11 +241,12 @@ private:
     march_.resume(mesh_.next_period(march_.T()), best_->end);
   }
 
-  /// One column of the Jacobian, by a period with disturbed motion.
-  void measure(const Trial& base, int column) {
+  /// One column of the Jacobian, by a period with a disturbed part of the motion.
+  template <class Part>
+  void measure(const Trial& base, Part part, double disturbance) {
     count_period();
-    Motion step{};
-    (column == 0 ? step.H0 : step.V0) = column == 0 ? difference_step : difference_step / mesh_.velocity_weight();
+    Motion step = difference(base.start.motion, base.start.motion);
+    part(step) = disturbance;
     march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));
     gearfilm::march_period(march_, lead_);
@@ -321,7 +301,9 @@ std::optional<PairState> march_period(MeshMarch& march, double lead) {
 }
 
 OrbitGuess guess_from(const DryOrbit& dry, double film_shift) {
-  return {{dry.start.H0 + film_shift, dry.start.V0}, dry.monodromy, {}};
+  OrbitGuess guess{dry.start, dry.monodromy, {}};
+  guess.motion.H0() += film_shift;
+  return guess;
 }
 
 OrbitGuess improved_guess(MeshMarch& march, const OrbitGuess& guess, const SearchObserver& observer) {

@@ -9,10 +9,10 @@
 namespace gearfilm {
 namespace {
 
-constexpr int longest = 8;                    // mesh periods
-constexpr double bends_beyond = 1.0;          // in (H_0, V_0) from the last point: beyond it maps bend
-constexpr double noise = 3e-5;                // of a march
-constexpr std::size_t fewest = 5, most = 12;  // points that are fitted
+constexpr int longest = 8;                  // mesh periods
+constexpr double bends_beyond = 1.0;        // of the motion, from the last point: beyond it maps bend
+constexpr double noise = 3e-5;              // of a march
+constexpr std::size_t spare = 2, most = 4;  // points that are fitted: beyond as many as unknowns, times those
 
 double defect_of(const std::vector<PoincarePoint>& points, std::size_t period) {
   double largest = 0.0;
@@ -27,18 +27,17 @@ std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, 
   if (points.size() <= period) return {};
   const Motion& last = points.back().motion;
   std::vector<Return> returns;
-  for (std::size_t n = points.size() - 1; n >= period && returns.size() < most; n -= period) {
+  for (std::size_t n = points.size() - 1; n >= period && returns.size() < most * AffineFit::unknowns(last);
+       n -= period) {
     const Return one{difference(points[n - period].motion, last), difference(points[n].motion, last)};
     if (length(one.from) > bends_beyond) break;
     if (std::max(length(one.from), length(one.to)) > noise) returns.push_back(one);
   }
-  if (returns.size() < fewest) return {};
+  if (returns.size() < AffineFit::unknowns(last) + spare) return {};
   const AffineFit fit(returns);
-  const auto mu = multipliers(fit.map());
-  const std::complex<double> larger = std::abs(mu[0]) >= std::abs(mu[1]) ? mu[0] : mu[1];
+  const std::complex<double> larger = largest_multiplier(multipliers(fit.map()));
   const Motion rest = fit.fixed_point();
-  return Settling{
-      static_cast<int>(period), larger, 2.0 * fit.deviation(larger), {last.H0 + rest.H0, last.V0 + rest.V0}};
+  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger), {last.q + rest.q, last.v + rest.v}};
 }
 
 }  // namespace

@@ -19,12 +19,12 @@ void MotionSignal::add(const StepRecord& record) {
 double MotionSignal::value(double T) const {
   const auto after = std::lower_bound(samples_.begin(), samples_.end(), T,
                                       [](const Sample& sample, double time) { return sample.T < time; });
-  if (after == samples_.begin()) return after->motion.H0;
-  if (after == samples_.end()) return samples_.back().motion.H0;
+  if (after == samples_.begin()) return after->motion.H0();
+  if (after == samples_.end()) return samples_.back().motion.H0();
   const Sample &a = *(after - 1), &b = *after;
   const double step = b.T - a.T, s = (T - a.T) / step, r = 1.0 - s;
-  return r * r * (1.0 + 2.0 * s) * a.motion.H0 + s * s * (1.0 + 2.0 * r) * b.motion.H0 +
-         step * s * r * (r * a.motion.V0 - s * b.motion.V0);
+  return r * r * (1.0 + 2.0 * s) * a.motion.H0() + s * s * (1.0 + 2.0 * r) * b.motion.H0() +
+         step * s * r * (r * a.motion.V0() - s * b.motion.V0());
 }
 
 std::vector<double> MotionSignal::uniform(double T_begin, double T_end) const {

@@ -19,6 +19,13 @@ constexpr std::size_t states_kept = 2;
 // A run done again on another number of processes begins with the same motion within the solvers' tolerance.
 constexpr double same_begin = 1e-6;
 
+/// Both: T and the motion.
+bool same_run_begin(const Summary& kept, const Summary& now) {
+  const auto motion = [](const Summary& begin) { return begin[1].get<Motion>(); };
+  return std::abs(kept[0].get<double>() - now[0].get<double>()) < same_begin &&
+         length(difference(motion(kept), motion(now))) < same_begin;
+}
+
 /// What the journal has of a contact, in its order.
 Summary figure_names() {
   Summary names = Summary::array();
@@ -148,7 +155,7 @@ void Checkpoint::forget_from(std::size_t first) {
 
 std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
   ++run_;
-  run_begin_ = {{"T", T}, {"H0", motion.H0}, {"V0", motion.V0}};
+  run_begin_ = {T, motion};
   waiting_.clear();
   attached_.clear();
   recalled_.clear();
@@ -162,16 +169,14 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
     const std::optional<StateFile> found = read_state(grid_.comm(), file(*state));
     if (!found) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
     const Summary& description = found->description;
-    const Summary& begin = description["begin"];
-    for (const auto& [name, value] : run_begin_.items()) {
-      if (std::abs(begin[name].get<double>() - value.get<double>()) < same_begin) continue;
+    if (!same_run_begin(description["begin"], run_begin_)) {
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
       return {};
     }
     read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, recalled_);
     if (!last) continue;
     kept.T = description["T"].get<double>();
-    kept.state.motion = {description["H0"].get<double>(), description["V0"].get<double>()};
+    kept.state.motion = description["motion"].get<Motion>();
     kept.state.films = films_from(found->fields, description["films"]);
     kept.state.shape = found->shape;
     if (end == kept_.end()) kept.memory = memory_;
@@ -205,8 +210,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   next.steps = journal_.write(steps_before, waiting_);
   const OwnFilesMark guesses_mark = write_own(grid_.comm(), own_file(next), memory);
   Summary description = {{"T", T},
-                         {"H0", state.motion.H0},
-                         {"V0", state.motion.V0},
+                         {"motion", state.motion},
                          {"begin", run_begin_},
                          {"steps_end", next.steps.end},
                          {"steps_checksum", next.steps.checksum},

@@ -78,7 +78,7 @@ private:
   std::vector<KeptState> kept_;
   std::vector<double> memory_;  ///< of the last state that was found
   int run_ = -1;
-  Summary run_begin_;                ///< T, H_0, V_0
+  Summary run_begin_;                ///< T and the motion
   std::vector<StepRecord> waiting_;  ///< since the last state
   std::vector<FilmSnapshot> attached_;
   std::deque<FilmSnapshot> recalled_;

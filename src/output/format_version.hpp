@@ -12,7 +12,7 @@
 namespace gearfilm {
 
 /// Of what a run goes on from: run.json, with the steps beside it; sweep.json, with the points; every state file.
-constexpr int restart_format = 8;
+constexpr int restart_format = 9;
 /// Of results.h5, attribute "format_version" at "/". FORMAT of scripts/gearfilm/folder.py is the same.
 constexpr int results_format = 1;
 

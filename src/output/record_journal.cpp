@@ -13,9 +13,10 @@ namespace gearfilm {
 namespace {
 
 void pack(const StepRecord& record, std::vector<double>& values) {
+  values.insert(values.end(), {static_cast<double>(record.contacts.size()), record.T, record.dT});
+  append(values, record.motion);
   values.insert(values.end(),
-                {static_cast<double>(record.contacts.size()), record.T, record.dT, record.motion.H0, record.motion.V0,
-                 record.back_force, static_cast<double>(record.newton), static_cast<double>(record.krylov),
+                {record.back_force, static_cast<double>(record.newton), static_cast<double>(record.krylov),
                  static_cast<double>(record.halvings), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
     values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
@@ -28,8 +29,7 @@ StepRecord unpack(ValueReader& values) {
   record.contacts.resize(values.count());
   record.T = values.value();
   record.dT = values.value();
-  record.motion.H0 = values.value();
-  record.motion.V0 = values.value();
+  record.motion = values.motion();
   record.back_force = values.value();
   record.newton = values.whole();
   record.krylov = values.whole();

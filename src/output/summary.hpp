@@ -14,8 +14,15 @@ namespace gearfilm {
 using Summary = nlohmann::ordered_json;
 
 /// (H_0, V_0), and back from the first two of a list.
-inline void to_json(Summary& json, const Motion& motion) { json = {motion.H0, motion.V0}; }
-inline void from_json(const Summary& json, Motion& motion) { motion = {json[0].get<double>(), json[1].get<double>()}; }
+/// A motion is the list of its q and its v.
+inline void to_json(Summary& json, const Motion& motion) {
+  const Eigen::VectorXd x = to_vector(motion);
+  json = std::vector<double>(x.begin(), x.end());
+}
+inline void from_json(const Summary& json, Motion& motion) {
+  const auto x = json.get<std::vector<double>>();
+  motion = to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+}
 
 /// Writes the file (first process); throws SolveError, and writes nothing, where a number is not finite.
 void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary& values);

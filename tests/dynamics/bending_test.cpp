@@ -32,15 +32,15 @@ TEST(BendingFilms, a_gap_everywhere_shifts_the_motion_and_nothing_else) {
   const Settings common = with(shortly_after_an_entry(), bending());
   RecordedMarch without(table3_case(common));
   const double shift = gap / without.problem().scales.thickness;
-  const double H0 = without.problem().march.start_motion->H0 - shift;
+  const double H0 = without.problem().march.start_motion->H0() - shift;
   RecordedMarch shifted(table3_case(with(common, {{"pinion.pitch_errors", errors}, {"start.H0", std::to_string(H0)}})));
   for (RecordedMarch* march : {&without, &shifted}) {
     march->start();
     march->run(0.3);
   }
   const PairState a = without.march().state(), b = shifted.march().state();
-  EXPECT_NEAR(b.motion.H0, a.motion.H0 - shift, 2e-6);
-  EXPECT_NEAR(b.motion.V0, a.motion.V0, 2e-6);
+  EXPECT_NEAR(b.motion.H0(), a.motion.H0() - shift, 2e-6);
+  EXPECT_NEAR(b.motion.V0(), a.motion.V0(), 2e-6);
   for (std::size_t k = 0; k < 2; ++k) EXPECT_LT(largest_difference(pressure(a, k), pressure(b, k)), 2e-5);
 }
 
@@ -58,7 +58,7 @@ TEST(BendingFilms, at_rest_carry_the_static_force_each_at_its_own_displacement) 
   EXPECT_GT(*std::ranges::min_element(forces), 0.2 * march.static_force());
   const Compliance compliance = march.mesh().compliance(numbers, 0.0);
   for (std::size_t k = 0; k < 2; ++k) {
-    const double displaced = state.motion.H0 + compliance(k, 0) * forces[0] + compliance(k, 1) * forces[1];
+    const double displaced = state.motion.H0() + compliance(k, 0) * forces[0] + compliance(k, 1) * forces[1];
     ContactFilm film(march.discretisation(), march.problem().scales, march.problem().numerics.solver.multigrid);
     move_surfaces(film, march.mesh().contact(numbers[k], 0.0).conditions);
     const StationaryResult alone =
@@ -82,7 +82,7 @@ TEST(BendingFilms, quasi_static_fields_do_not_depend_on_the_teeth) {
   const double force = integral(bent.grid(), pressure(b, 0));
   const int number = bent.march().contacts().front().number;
   const double c = bent.mesh().compliance(std::vector{number}, bent.march().T())(0, 0);
-  EXPECT_NEAR(b.motion.H0, a.motion.H0 - c * force, 1e-5);
+  EXPECT_NEAR(b.motion.H0(), a.motion.H0() - c * force, 1e-5);
   EXPECT_GT(c * force, 0.3);
 }
 
@@ -100,7 +100,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
   march.start({});
   march.run(mesh.path.mesh_period());
   const DryForce dry(mesh);
-  const double shift = records.front().motion.H0 -
+  const double shift = records.front().motion.H0() -
                        DryContacts(dry, mesh, mesh.path.contacts_after(0.0), 0.0).balance(mesh.scales.static_force);
   int both = 0;
   for (const StepRecord& record : records) {
@@ -116,7 +116,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
     const DryContacts contacts(dry, mesh, numbers, record.T);
     const double H0 = contacts.balance(mesh.scales.static_force);
     const std::vector<double> forces = contacts.forces(H0);
-    EXPECT_NEAR(record.motion.H0 - shift, H0, 0.04) << record.T;  // 1.1 um of 75; the films are 1.1 um thick
+    EXPECT_NEAR(record.motion.H0() - shift, H0, 0.04) << record.T;  // 1.1 um of 75; the films are 1.1 um thick
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       EXPECT_NEAR(film_figures(record.contacts[k].figures).pressure_integral / mesh.scales.static_force,
                   forces[k] / mesh.scales.static_force, 0.02)
@@ -152,7 +152,7 @@ TEST(BendingFilms, a_film_is_pressed_and_not_crushed_when_its_neighbour_leaves) 
   report("springs back by %.3f, force + %.3f, dry + %.3f", back, now.pressure_integral - old.pressure_integral,
          expected);
   EXPECT_NEAR(now.pressure_integral - old.pressure_integral, expected, 0.2 * expected);
-  EXPECT_EQ(alone->motion.H0, before.motion.H0);
+  EXPECT_EQ(alone->motion.H0(), before.motion.H0());
 }
 
 // sigma and chi of a parabolic relief shift and narrow the contact: R = 1/(1/R_x + chi), x_0 = -sigma R.
@@ -181,7 +181,7 @@ TEST(BackFlanks, push_the_motion_back) {
   march.start();
   const double jbar = 20e-6 / march.problem().scales.thickness;
   EXPECT_EQ(back_force(march.mesh(), jbar - 1e-9, 0.0).value, 0.0);
-  const double step = 1e-6, H0 = march.motion().H0;
+  const double step = 1e-6, H0 = march.motion().H0();
   const BackForce here = back_force(march.mesh(), H0, 0.0);
   const double slope =
       (back_force(march.mesh(), H0 + step, 0.0).value - back_force(march.mesh(), H0 - step, 0.0).value) / (2.0 * step);
@@ -189,7 +189,7 @@ TEST(BackFlanks, push_the_motion_back) {
   EXPECT_NEAR(here.slope / slope, 1.0, 1e-6);
   // I_n dV_0/dT = -F_b - F*: the films are far apart.
   march.run(0.02);
-  const double rate = march.motion().V0 / 0.02;
+  const double rate = march.motion().V0() / 0.02;
   EXPECT_NEAR(march.mesh().inertia * rate, -here.value - march.static_force(), 0.02 * march.static_force());
   LubricatedPair pair(march.mesh(), march.march().contacts());
   pair.place(0.0);
@@ -199,7 +199,7 @@ TEST(BackFlanks, push_the_motion_back) {
   pair.linearise(state, {}, 0.0);
   pair.set_motion(change, {1.0, 0.0});
   system.multiply(change, rows);
-  EXPECT_NEAR(pair.motion(rows).V0 / system.weight(), here.slope / march.static_force(),
+  EXPECT_NEAR(pair.motion(rows).V0() / system.weight(), here.slope / march.static_force(),
               1e-9 * here.slope / march.static_force());
 }
 

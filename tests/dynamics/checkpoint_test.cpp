@@ -47,7 +47,7 @@ protected:
     StepRecord record;
     record.T = T;
     record.dT = 0.1 / 3.0;
-    record.motion = {-1.0 / 3.0, T / 7.0};
+    record.motion = Motion(Eigen::Vector2d(-1.0 / 3.0, T), Eigen::Vector2d(T / 7.0, -T));
     record.newton = 3;
     record.krylov = 17;
     record.halvings = 2;
@@ -201,13 +201,15 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
     ASSERT_TRUE(kept);
     const double T = run + 0.2 * 4;
     EXPECT_EQ(kept->T, T);
-    EXPECT_EQ(kept->state.motion.H0, T / 3.0);
+    EXPECT_EQ(kept->state.motion.H0(), T / 3.0);
     EXPECT_EQ(kept->state.films.front().at("pressure"), field(T));
     EXPECT_EQ(kept->state.films.front().at("rate"), field(T + 0.5));
     // Those of a run that another one followed nobody goes on from.
     EXPECT_EQ(kept->memory, run == 2 ? std::vector<double>({T, 2.0 * T}) : std::vector<double>());
     ASSERT_EQ(kept->records.size(), 8U);
-    EXPECT_EQ(kept->records.back().motion.V0, T / 7.0);
+    EXPECT_EQ(kept->records.back().motion.V0(), T / 7.0);
+    EXPECT_EQ(kept->records.back().motion.freedoms(), 2);
+    EXPECT_EQ(kept->records.back().motion.v[1], -T);
     EXPECT_EQ(kept->records.back().contacts.front().figures["h_min"], T / 11.0);
   }
   EXPECT_TRUE(checkpoint.caught_up());

@@ -23,7 +23,7 @@ struct Step {
 BranchMap repeated(Step (*step)(const Motion&, double)) {
   return [step](const BranchState& at, int order) {
     MapValue value;
-    value.by_motion.setIdentity();
+    value.by_motion = Monodromy::Identity(2, 2);
     Motion x = at.motion;
     for (int n = 0; n < order; ++n) {
       const Step one = step(x, at.parameter);
@@ -72,44 +72,46 @@ constexpr double located = 2e-6;
 // x' = x + lambda - x^2, y' = y/2: x = +-sqrt(lambda), a fold at 0; the multiplier 1 - 2x is -1 at x = 1, lambda = 1.
 TEST(Continuation, passes_the_fold_of_a_quadratic_map) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
-    return Step{
-        {x.H0 + lambda - x.H0 * x.H0, 0.5 * x.V0}, Monodromy{{1.0 - 2.0 * x.H0, 0.0}, {0.0, 0.5}}, {1.0, 0.0}, 1.0};
+    return Step{{x.H0() + lambda - x.H0() * x.H0(), 0.5 * x.V0()},
+                Monodromy{{1.0 - 2.0 * x.H0(), 0.0}, {0.0, 0.5}},
+                {1.0, 0.0},
+                1.0};
   });
   const Followed found = follow(map, {{0.71, 0.0}, 0.5}, false, {.lowest = -1.0, .highest = 0.5});
   const std::vector<Found> folds = found.of(PointKind::fold, 1);
   ASSERT_EQ(folds.size(), 1u);
-  EXPECT_NEAR(folds[0].point.state.motion.H0, 0.0, located);
+  EXPECT_NEAR(folds[0].point.state.motion.H0(), 0.0, located);
   EXPECT_NEAR(folds[0].point.state.parameter, 0.0, located);
   EXPECT_TRUE(found.of(PointKind::flip, 1).empty());
   for (const Found& at : found.points) {
-    EXPECT_NEAR(at.point.state.parameter, at.point.state.motion.H0 * at.point.state.motion.H0, 1e-8);
+    EXPECT_NEAR(at.point.state.parameter, at.point.state.motion.H0() * at.point.state.motion.H0(), 1e-8);
     if (at.kind == PointKind::regular) {
-      EXPECT_EQ(at.point.stable(), at.point.state.motion.H0 > 0.0);
+      EXPECT_EQ(at.point.stable(), at.point.state.motion.H0() > 0.0);
     }
   }
   ASSERT_EQ(found.branches.size(), 1u);
   EXPECT_EQ(found.branches[0].end, BranchEnd::at_bound);
-  EXPECT_NEAR(found.branches[0].last.motion.H0, -std::sqrt(0.5), 1e-8);
+  EXPECT_NEAR(found.branches[0].last.motion.H0(), -std::sqrt(0.5), 1e-8);
 }
 
 // The logistic map r x (1 - x) beside a coordinate that decays: a flip at r = 3, x = 2/3; the orbit of period 2 is
 // x = (r + 1 +- sqrt((r - 3) (r + 1)))/(2 r), and flips at r = 1 + sqrt(6).
 TEST(Continuation, follows_the_doubled_period_of_the_logistic_map) {
   const BranchMap map = repeated([](const Motion& x, double r) {
-    return Step{{r * x.H0 * (1.0 - x.H0), -0.3 * x.V0 + x.H0},
-                Monodromy{{r * (1.0 - 2.0 * x.H0), 0.0}, {1.0, -0.3}},
-                {x.H0 * (1.0 - x.H0), 0.0},
+    return Step{{r * x.H0() * (1.0 - x.H0()), -0.3 * x.V0() + x.H0()},
+                Monodromy{{r * (1.0 - 2.0 * x.H0()), 0.0}, {1.0, -0.3}},
+                {x.H0() * (1.0 - x.H0()), 0.0},
                 1.0};
   });
   const Followed found = follow(map, {{0.6, 0.4}, 2.5}, true, {.lowest = 2.5, .highest = 3.5, .largest_order = 4});
   const std::vector<Found> first = found.of(PointKind::flip, 1), second = found.of(PointKind::flip, 2);
   ASSERT_EQ(first.size(), 1u);
   EXPECT_NEAR(first[0].point.state.parameter, 3.0, located);
-  EXPECT_NEAR(first[0].point.state.motion.H0, 2.0 / 3.0, located);
+  EXPECT_NEAR(first[0].point.state.motion.H0(), 2.0 / 3.0, located);
   ASSERT_EQ(second.size(), 1u);
   EXPECT_NEAR(second[0].point.state.parameter, 1.0 + std::sqrt(6.0), 10 * located);
   for (const Found& at : found.of(PointKind::regular, 2)) {
-    const double r = at.point.state.parameter, x = at.point.state.motion.H0;
+    const double r = at.point.state.parameter, x = at.point.state.motion.H0();
     EXPECT_EQ(at.order, 2);
     EXPECT_NEAR(std::abs(2.0 * r * x - r - 1.0), std::sqrt((r - 3.0) * (r + 1.0)), 1e-6);
     EXPECT_EQ(at.point.stable(), r < 1.0 + std::sqrt(6.0));
@@ -124,9 +126,9 @@ TEST(Continuation, follows_the_doubled_period_of_the_logistic_map) {
 TEST(Continuation, a_branch_of_doubled_period_ends_where_it_meets_the_other_flip) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
     const double r = 3.2 - lambda * lambda;
-    return Step{{r * x.H0 * (1.0 - x.H0), 0.2 * x.V0},
-                Monodromy{{r * (1.0 - 2.0 * x.H0), 0.0}, {0.0, 0.2}},
-                {-2.0 * lambda * x.H0 * (1.0 - x.H0), 0.0},
+    return Step{{r * x.H0() * (1.0 - x.H0()), 0.2 * x.V0()},
+                Monodromy{{r * (1.0 - 2.0 * x.H0()), 0.0}, {0.0, 0.2}},
+                {-2.0 * lambda * x.H0() * (1.0 - x.H0()), 0.0},
                 1.0};
   });
   const Followed found = follow(map, {{0.54, 0.0}, -1.0}, true, {.lowest = -1.0, .highest = 1.0, .largest_order = 2});
@@ -144,12 +146,12 @@ TEST(Continuation, a_branch_of_doubled_period_ends_where_it_meets_the_other_flip
 // the unit circle at 1. The same pair as real numbers, lambda and 1/2, is no Neimark-Sacker bifurcation at lambda = 2.
 TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
   const BranchMap rotation = repeated([](const Motion& x, double lambda) {
-    const double c = lambda * std::cos(1.0), s = lambda * std::sin(1.0), X = x.H0 - 0.3 * lambda;
-    return Step{
-        {0.3 * lambda + c * X - s * x.V0, s * X + c * x.V0},
-        Monodromy{{c, -s}, {s, c}},
-        {0.3 - 0.3 * c + std::cos(1.0) * X - std::sin(1.0) * x.V0, -0.3 * s + std::sin(1.0) * X + std::cos(1.0) * x.V0},
-        lambda - 0.8};
+    const double c = lambda * std::cos(1.0), s = lambda * std::sin(1.0), X = x.H0() - 0.3 * lambda;
+    return Step{{0.3 * lambda + c * X - s * x.V0(), s * X + c * x.V0()},
+                Monodromy{{c, -s}, {s, c}},
+                {0.3 - 0.3 * c + std::cos(1.0) * X - std::sin(1.0) * x.V0(),
+                 -0.3 * s + std::sin(1.0) * X + std::cos(1.0) * x.V0()},
+                lambda - 0.8};
   });
   const Followed found = follow(rotation, {{0.15, 0.0}, 0.5}, true, {.lowest = 0.5, .highest = 1.5});
   ASSERT_EQ(found.of(PointKind::neimark_sacker, 1).size(), 1u);
@@ -157,7 +159,7 @@ TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
   ASSERT_EQ(found.of(PointKind::grazing, 1).size(), 1u);
   EXPECT_NEAR(found.of(PointKind::grazing, 1)[0].point.state.parameter, 0.8, located);
   const BranchMap saddle = repeated([](const Motion& x, double lambda) {
-    return Step{{lambda * x.H0, 0.5 * x.V0}, Monodromy{{lambda, 0.0}, {0.0, 0.5}}, {x.H0, 0.0}, 1.0};
+    return Step{{lambda * x.H0(), 0.5 * x.V0()}, Monodromy{{lambda, 0.0}, {0.0, 0.5}}, {x.H0(), 0.0}, 1.0};
   });
   const Followed real = follow(saddle, {{0.0, 0.0}, 1.5}, true, {.lowest = 1.5, .highest = 2.5});
   EXPECT_TRUE(real.of(PointKind::neimark_sacker, 1).empty());
@@ -167,8 +169,8 @@ TEST(Continuation, a_complex_pair_passes_the_unit_circle) {
 // The circle x^2 + lambda^2 = 1 as fixed points of x' = x + (1 - x^2 - lambda^2)/4: a branch that comes back.
 TEST(Continuation, a_closed_branch_is_followed_once) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
-    return Step{{x.H0 + 0.25 * (1.0 - x.H0 * x.H0 - lambda * lambda), 0.5 * x.V0},
-                Monodromy{{1.0 - 0.5 * x.H0, 0.0}, {0.0, 0.5}},
+    return Step{{x.H0() + 0.25 * (1.0 - x.H0() * x.H0() - lambda * lambda), 0.5 * x.V0()},
+                Monodromy{{1.0 - 0.5 * x.H0(), 0.0}, {0.0, 0.5}},
                 {-0.5 * lambda, 0.0},
                 1.0};
   });
@@ -184,7 +186,7 @@ TEST(Continuation, a_closed_branch_is_followed_once) {
 TEST(Continuation, a_branch_that_is_lost_says_where) {
   const BranchMap map = repeated([](const Motion& x, double lambda) {
     if (lambda > 0.3) throw SolveError("no value");
-    return Step{{0.5 * x.H0 + lambda, 0.5 * x.V0}, Monodromy{{0.5, 0.0}, {0.0, 0.5}}, {1.0, 0.0}, 1.0};
+    return Step{{0.5 * x.H0() + lambda, 0.5 * x.V0()}, Monodromy{{0.5, 0.0}, {0.0, 0.5}}, {1.0, 0.0}, 1.0};
   });
   const Followed found = follow(map, {{0.0, 0.0}, 0.0}, true, {.lowest = -1.0, .highest = 1.0});
   EXPECT_EQ(found.branches[0].end, BranchEnd::lost);
@@ -214,16 +216,18 @@ TEST(DryFlow, derivatives_agree_with_marches) {
         return dry.motion();
       };
       const double d = 1e-5;
-      const Motion H = difference(march({start.H0 + d, start.V0}, value), march({start.H0 - d, start.V0}, value));
-      const Motion V = difference(march({start.H0, start.V0 + d}, value), march({start.H0, start.V0 - d}, value));
+      const Motion H =
+          difference(march({start.H0() + d, start.V0()}, value), march({start.H0() - d, start.V0()}, value));
+      const Motion V =
+          difference(march({start.H0(), start.V0() + d}, value), march({start.H0(), start.V0() - d}, value));
       const Motion p = difference(march(start, value + d * unit), march(start, value - d * unit));
       EXPECT_LT(length(difference(flow.image(), march(start, value))), 1e-7) << key;
-      EXPECT_NEAR(flow.by_motion(0, 0), H.H0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion(1, 0), H.V0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion(0, 1), V.H0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_motion(1, 1), V.V0 / (2.0 * d), 1e-3);
-      EXPECT_NEAR(flow.by_parameter.H0 * unit, p.H0 / (2.0 * d), 1e-3) << key;
-      EXPECT_NEAR(flow.by_parameter.V0 * unit, p.V0 / (2.0 * d), 1e-3) << key;
+      EXPECT_NEAR(flow.by_motion(0, 0), H.H0() / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(1, 0), H.V0() / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(0, 1), V.H0() / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_motion(1, 1), V.V0() / (2.0 * d), 1e-3);
+      EXPECT_NEAR(flow.by_parameter.H0() * unit, p.H0() / (2.0 * d), 1e-3) << key;
+      EXPECT_NEAR(flow.by_parameter.V0() * unit, p.V0() / (2.0 * d), 1e-3) << key;
     }
   }
 }
@@ -272,7 +276,7 @@ TEST(DryBranch, hysteresis_of_the_case_study_begins_at_a_fold) {
   EXPECT_LT(length(difference(beside->start, folds[0].point.state.motion)), 0.1);
   const auto beyond = near_the_fold(speed + 5.0);
   EXPECT_TRUE(!beyond || length(difference(beyond->start, folds[0].point.state.motion)) > 0.1);
-  EXPECT_GT(from_above.branches[0].last.motion.V0, 2.0);
+  EXPECT_GT(from_above.branches[0].last.motion.V0(), 2.0);
   EXPECT_EQ(from_above.branches[0].end, BranchEnd::at_bound);
 }
 

@@ -34,7 +34,7 @@ protected:
 
   static std::vector<double> mass(ContactFilm& film, const PairState& state, std::size_t contact) {
     std::vector<double> mass(pressure(state, contact).size());
-    film.mass(pressure(state, contact), state.motion.H0, mass);
+    film.mass(pressure(state, contact), state.motion.H0(), mass);
     return mass;
   }
 
@@ -46,7 +46,7 @@ protected:
     std::vector<double> rate = values_of(from.films[contact], field::rate), mass_after = mass(film, to, contact);
     for (std::size_t n = 0; n < rate.size(); ++n) rate[n] += shift * (mass_after[n] - mass_before[n]);
     std::vector<double> rows(rate.size());
-    film.residual(pressure(to, contact), to.motion.H0, {rate, shift}, rows);
+    film.residual(pressure(to, contact), to.motion.H0(), {rate, shift}, rows);
     double sum = 0.0;
     for (const double row : rows) sum += row * row;
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
@@ -56,7 +56,7 @@ protected:
   /// Jumps to another H0 with one Newton solution for each film.
   void expect_one_step_to(double H0) {
     const PairState from = march.march().state();
-    march.march().displace({H0, from.motion.V0});
+    march.march().displace({H0, from.motion.V0()});
     const PairState to = march.march().state();
     ASSERT_EQ(to.films.size(), contacts);
     PairState unmoved = from;
@@ -70,7 +70,7 @@ protected:
 
   /// In the core nothing can flow in a time step: after a jump the oil is where it was, the bodies have given way.
   void expect_same_oil_in_the_core(const PairState& after) {
-    const double jump = after.motion.H0 - before.motion.H0;
+    const double jump = after.motion.H0() - before.motion.H0();
     for (std::size_t k = 0; k < contacts; ++k) {
       ContactFilm film = film_of(k);
       const std::vector<double> still = mass(film, before, k), moved = mass(film, after, k);
@@ -98,29 +98,29 @@ protected:
 TEST_F(Displacement, of_the_velocity_leaves_the_films_and_moves_the_bodies) {
   constexpr double jump = 0.1, time = 0.05;
   march.run(T + time);
-  const double H0 = march.motion().H0;
+  const double H0 = march.motion().H0();
   march.march().resume(T, before);
-  march.march().displace({before.motion.H0, before.motion.V0 + jump});
+  march.march().displace({before.motion.H0(), before.motion.V0() + jump});
   const PairState after = march.march().state();
   for (std::size_t k = 0; k < contacts; ++k) EXPECT_EQ(pressure(after, k), pressure(before, k));
   march.run(T + time);
   // The force changes the velocity meanwhile: in this time, a hundredth of a swing, by much less than a tenth.
-  EXPECT_NEAR(march.motion().H0 - H0, jump * time, 0.1 * jump * time);
+  EXPECT_NEAR(march.motion().H0() - H0, jump * time, 0.1 * jump * time);
 }
 
 TEST_F(Displacement, moves_every_film_by_one_implicit_step) {
   for (const double jump : {5e-3, -5e-3}) {
     march.march().resume(T, before);
-    expect_one_step_to(before.motion.H0 + jump);
+    expect_one_step_to(before.motion.H0() + jump);
   }
 }
 
 // Those who look on see what the march goes on with.
 TEST_F(Displacement, is_shown_with_the_forces_after_it) {
-  march.march().displace({before.motion.H0 + 5e-3, before.motion.V0});
+  march.march().displace({before.motion.H0() + 5e-3, before.motion.V0()});
   const PairState after = march.march().state();
   const StepRecord& record = march.records().back();
-  EXPECT_EQ(record.motion.H0, after.motion.H0);
+  EXPECT_EQ(record.motion.H0(), after.motion.H0());
   ASSERT_EQ(record.contacts.size(), contacts);
   for (std::size_t k = 0; k < contacts; ++k) {
     const double force = force_of(after, k);
@@ -133,7 +133,7 @@ TEST_F(Displacement, changes_the_films_the_less_the_smaller_it_is) {
   double last[contacts] = {};
   for (double jump : {4e-3, 2e-3, 1e-3}) {
     march.march().resume(T, before);
-    march.march().displace({before.motion.H0 + jump, before.motion.V0});
+    march.march().displace({before.motion.H0() + jump, before.motion.V0()});
     const PairState after = march.march().state();
     for (std::size_t k = 0; k < contacts; ++k) {
       const double change = largest_difference(pressure(after, k), pressure(before, k));
@@ -147,7 +147,7 @@ TEST_F(Displacement, changes_the_films_the_less_the_smaller_it_is) {
 }
 
 TEST_F(Displacement, keeps_the_oil_of_the_core) {
-  march.march().displace({before.motion.H0 + 5e-3, before.motion.V0});
+  march.march().displace({before.motion.H0() + 5e-3, before.motion.V0()});
   expect_same_oil_in_the_core(march.march().state());
 }
 
@@ -158,12 +158,12 @@ TEST_F(Displacement, by_a_tenth_of_the_approach_is_followed) {
   for (const double jump : {0.15, -0.4}) {
     SCOPED_TRACE("jump by " + std::to_string(jump));
     march.march().resume(T, before);
-    march.march().displace({before.motion.H0 + jump, before.motion.V0});
+    march.march().displace({before.motion.H0() + jump, before.motion.V0()});
     const PairState after = march.march().state();
-    EXPECT_EQ(after.motion.H0, before.motion.H0 + jump);
+    EXPECT_EQ(after.motion.H0(), before.motion.H0() + jump);
     expect_same_oil_in_the_core(after);
     march.march().resume(T, before);
-    for (int n = 1; n <= parts; ++n) expect_one_step_to(before.motion.H0 + jump * n / parts);
+    for (int n = 1; n <= parts; ++n) expect_one_step_to(before.motion.H0() + jump * n / parts);
     const PairState in_parts = march.march().state();
     for (std::size_t k = 0; k < contacts; ++k) {
       const double force = force_of(after, k), change = force - force_of(before, k), other = force_of(in_parts, k);
@@ -182,7 +182,7 @@ TEST_F(Displacement, carries_a_field_it_does_not_know) {
   PairState warm = before;
   for (ContactFields& fields : warm.films) fields["temperature"] = temperature;
   march.march().resume(T, warm);
-  march.march().displace({before.motion.H0 + 1e-3, before.motion.V0});
+  march.march().displace({before.motion.H0() + 1e-3, before.motion.V0()});
   march.run(T + 0.1);
   for (const ContactFields& fields : march.march().state().films) EXPECT_EQ(fields.at("temperature"), temperature);
 }
@@ -192,8 +192,8 @@ TEST_F(Displacement, a_resumed_march_goes_on_as_it_would_have) {
   const Motion end = march.motion();
   march.march().resume(T, before);
   march.run(T + 0.2);
-  EXPECT_NEAR(march.motion().H0, end.H0, 1e-7);
-  EXPECT_NEAR(march.motion().V0, end.V0, 1e-7);
+  EXPECT_NEAR(march.motion().H0(), end.H0(), 1e-7);
+  EXPECT_NEAR(march.motion().V0(), end.V0(), 1e-7);
   PairState crowd = before;
   crowd.films.push_back(before.films.front());
   EXPECT_THROW(march.march().resume(T, crowd), std::logic_error);

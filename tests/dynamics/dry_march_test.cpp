@@ -49,19 +49,21 @@ private:
       ContactSolids solids = scales_.solids;
       solids.radius_x = line_.radius_x(start_ + velocity_ * T + offset);
       const double approach = hertz_contact(solids, scales_.operation.load).approach;
-      force += scales_.static_force * std::pow(std::max(0.0, -motion.H0 * scales_.thickness / approach), 1.5);
+      force += scales_.static_force * std::pow(std::max(0.0, -motion.H0() * scales_.thickness / approach), 1.5);
     }
-    return {motion.V0, (force - scales_.static_force) / inertia_};
+    return {motion.V0(), (force - scales_.static_force) / inertia_};
   }
 
   Motion advance(const Motion& at, const std::vector<double>& offsets, double T, double dT) const {
-    const auto moved = [&](const Motion& k, double step) { return Motion{at.H0 + step * k.H0, at.V0 + step * k.V0}; };
+    const auto moved = [&](const Motion& k, double step) {
+      return Motion{at.H0() + step * k.H0(), at.V0() + step * k.V0()};
+    };
     const Motion k1 = rate(at, offsets, T);
     const Motion k2 = rate(moved(k1, 0.5 * dT), offsets, T + 0.5 * dT);
     const Motion k3 = rate(moved(k2, 0.5 * dT), offsets, T + 0.5 * dT);
     const Motion k4 = rate(moved(k3, dT), offsets, T + dT);
-    return {at.H0 + dT / 6.0 * (k1.H0 + 2.0 * k2.H0 + 2.0 * k3.H0 + k4.H0),
-            at.V0 + dT / 6.0 * (k1.V0 + 2.0 * k2.V0 + 2.0 * k3.V0 + k4.V0)};
+    return {at.H0() + dT / 6.0 * (k1.H0() + 2.0 * k2.H0() + 2.0 * k3.H0() + k4.H0()),
+            at.V0() + dT / 6.0 * (k1.V0() + 2.0 * k2.V0() + 2.0 * k3.V0() + k4.V0())};
   }
 
   LineOfAction line_;
@@ -77,14 +79,14 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
   DryMarch march(mesh, 0.05, nobody);
   march.start({});
   const Motion rest{-problem.scales.approach, 0.0};
-  EXPECT_NEAR(march.motion().H0, rest.H0, 1e-12);
-  EXPECT_EQ(march.motion().V0, 0.0);
+  EXPECT_NEAR(march.motion().H0(), rest.H0(), 1e-12);
+  EXPECT_EQ(march.motion().V0(), 0.0);
   const double end = 3.0 * mesh.path.mesh_period();
   march.run(end);
   // Steps of 1e-3 are exact to 1e-10 here.
   const Motion expected = RungeKutta(problem).integrate(rest, end, 1e-3);
-  EXPECT_NEAR(march.motion().H0, expected.H0, 1e-6);
-  EXPECT_NEAR(march.motion().V0, expected.V0, 1e-6);
+  EXPECT_NEAR(march.motion().H0(), expected.H0(), 1e-6);
+  EXPECT_NEAR(march.motion().V0(), expected.V0(), 1e-6);
 }
 
 TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
@@ -114,8 +116,8 @@ TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
     march.run(mesh.path.mesh_period());
     ends[n] = march.motion();
   }
-  EXPECT_NEAR(ends[0].H0, ends[1].H0, 1e-8);
-  EXPECT_NEAR(ends[0].V0, ends[1].V0, 1e-8);
+  EXPECT_NEAR(ends[0].H0(), ends[1].H0(), 1e-8);
+  EXPECT_NEAR(ends[0].V0(), ends[1].V0(), 1e-8);
 }
 
 TEST(DryMarch, records_reach_every_event_and_share_the_force) {
@@ -147,10 +149,10 @@ class FrozenGeometry : public testing::Test {
 protected:
   double energy(const Motion& motion) const {
     const double reference = problem.scales.approach;
-    const double compressed = std::max(0.0, -motion.H0);
-    return 0.5 * mesh.inertia * motion.V0 * motion.V0 +
+    const double compressed = std::max(0.0, -motion.H0());
+    return 0.5 * mesh.inertia * motion.V0() * motion.V0() +
            0.4 * problem.scales.static_force * std::pow(compressed / reference, 1.5) * compressed +
-           problem.scales.static_force * motion.H0;
+           problem.scales.static_force * motion.H0();
   }
 
   Case problem = table3_case();
@@ -172,9 +174,9 @@ TEST_F(FrozenGeometry, energy_is_conserved) {
   for (const auto& [start, loses_contact] :
        {FrozenMotion{{1.4 * H0_at_rest, 0.0}, false}, FrozenMotion{{2.0 * H0_at_rest, 0.1}, true}}) {
     const double total = energy(start);
-    double largest_H0 = start.H0, drift = 0.0;
+    double largest_H0 = start.H0(), drift = 0.0;
     DryMarch march(mesh, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
-      largest_H0 = std::max(largest_H0, record.motion.H0);
+      largest_H0 = std::max(largest_H0, record.motion.H0());
       drift = std::max(drift, std::abs(energy(record.motion) - total));
     });
     march.start(start);
@@ -194,8 +196,8 @@ TEST_F(FrozenGeometry, small_oscillations_have_the_natural_frequency) {
   march.start(Motion{H0_at_rest + amplitude, 0.0});
   // After ten periods and a quarter only the velocity is left.
   march.run(10.25 * period);
-  EXPECT_NEAR(march.motion().H0 - H0_at_rest, 0.0, 1e-3 * amplitude);
-  EXPECT_NEAR(march.motion().V0, -2.0 * std::numbers::pi / period * amplitude,
+  EXPECT_NEAR(march.motion().H0() - H0_at_rest, 0.0, 1e-3 * amplitude);
+  EXPECT_NEAR(march.motion().V0(), -2.0 * std::numbers::pi / period * amplitude,
               1e-3 * 2.0 * std::numbers::pi / period * amplitude);
 }
 

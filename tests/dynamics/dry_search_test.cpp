@@ -58,7 +58,7 @@ TEST(DrySearch, message_says_after_how_many_periods_the_pair_repeats) {
   // At 24000 rpm the case study doubles its period; no state repeats after three.
   const MeshModel mesh = case_study("24000");
   const DryWatch none;
-  const DrySettling settling = settle_for_long({mesh, typical_film_damping, none}, {rest(mesh).H0 - 0.5, 0.0});
+  const DrySettling settling = settle_for_long({mesh, typical_film_damping, none}, {rest(mesh).H0() - 0.5, 0.0});
   EXPECT_EQ(settling.repeats_after, 2);
   EXPECT_TRUE(settling.leads_to(2));
   EXPECT_TRUE(settling.leads_to(4));
@@ -73,7 +73,7 @@ TEST(DrySearch, unstable_state_is_near_the_middle_of_a_doubled_one) {
   const MeshModel mesh = case_study("24000");
   const DryWatch none;
   const DryMap map(mesh, typical_film_damping, none);
-  const DrySettling settling = settle_for_long(map, {rest(mesh).H0 - 0.5, 0.0});
+  const DrySettling settling = settle_for_long(map, {rest(mesh).H0() - 0.5, 0.0});
   const Motion expected = find_dry_orbit(mesh, typical_film_damping).start;
   double nearest = HUGE_VAL;
   for (const Motion& guess : near_unstable(settling, 1)) {

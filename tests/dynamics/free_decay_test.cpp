@@ -8,8 +8,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr Motion orbit_begin{-1.5, 1.3};
-constexpr Motion orbit_end{-1.5 + 2e-5, 1.3 - 3e-5};  // the orbit's own defect
+const Motion orbit_begin{-1.5, 1.3};
+const Motion orbit_end{-1.5 + 2e-5, 1.3 - 3e-5};  // the orbit's own defect
 
 Motion mapped(const Monodromy& map, const Motion& from) {
   return to_motion(to_vector(orbit_end) + map * to_vector(difference(from, orbit_begin)));
@@ -17,12 +17,12 @@ Motion mapped(const Monodromy& map, const Motion& from) {
 
 /// After a push of H_0, the first period's films being slow to follow; with errors of the given size.
 Returns returns(const Monodromy& map, int periods, double noise, double push = 5e-3) {
-  Returns motions = {{orbit_begin.H0 + push, orbit_begin.V0}};
+  Returns motions = {{orbit_begin.H0() + push, orbit_begin.V0()}};
   for (int n = 1; n <= periods; ++n) {
     Motion next = mapped(map, motions.back());
-    if (n == 1) next.V0 += 4e-4;
+    if (n == 1) next.V0() += 4e-4;
     const double sign = n % 2 == 0 ? 1.0 : -1.0;
-    motions.push_back({next.H0 + sign * noise, next.V0 - (n % 3 == 0 ? 1.0 : 0.4) * noise});
+    motions.push_back({next.H0() + sign * noise, next.V0() - (n % 3 == 0 ? 1.0 : 0.4) * noise});
   }
   return motions;
 }

@@ -46,7 +46,7 @@ TEST(FrictionInMotion, is_of_second_order_in_time) {
     RecordedMarch march(table3_case(settings));
     march.start();
     march.run(0.28 * march.path().mesh_period());
-    ends.push_back(march.motion().H0);
+    ends.push_back(march.motion().H0());
   }
   const double order = std::log2((ends[0] - ends[1]) / (ends[1] - ends[2]));
   EXPECT_GT(order, 1.7);
@@ -61,7 +61,7 @@ TEST(FrictionInMotion, balances_the_mean_force_of_a_quick_decay) {
     march->run(0.1 * march->path().mesh_period());
   }
   // One contact before the pitch point: friction presses the gears together, which sink deeper.
-  EXPECT_LT(with_friction.motion().V0, without.motion().V0);
+  EXPECT_LT(with_friction.motion().V0(), without.motion().V0());
 }
 
 TEST(Losses, mean_power_is_that_of_the_steps) {

@@ -39,8 +39,8 @@ TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
     ends.push_back(march_with(again));
     iterations.push_back(newton);
   }
-  const double motion =
-      std::max(std::abs(ends[0].motion.H0 - ends[1].motion.H0), std::abs(ends[0].motion.V0 - ends[1].motion.V0));
+  const double motion = std::max(std::abs(ends[0].motion.H0() - ends[1].motion.H0()),
+                                 std::abs(ends[0].motion.V0() - ends[1].motion.V0()));
   double films = 0.0;
   for (std::size_t k = 0; k < ends[0].films.size(); ++k)
     films = std::max(films, relative_difference(values_of(ends[0].films[k], field::pressure),
@@ -57,7 +57,7 @@ TEST(Guesses, the_film_that_entered_last_is_one_for_another_that_lies_near) {
   const MeshModel mesh = mesh_of(problem);
   ContactFilm film(discretise(PETSC_COMM_WORLD, problem), problem.scales, MultigridOptions{});
   move_surfaces(film, mesh.contact(0, 0.0).conditions);
-  const double H0 = problem.march.start_motion->H0;
+  const double H0 = problem.march.start_motion->H0();
   const auto at = [](double displacement) { return LoadCondition::displacement(displacement); };
   EnteringFilm entering;
   const auto enters = [&](double displacement) {

@@ -12,8 +12,8 @@ void expect_same_records(const StepRecord& record, const StepRecord& expected) {
   const auto expect_near = [&](double value, double other) { EXPECT_NEAR(value, other, tolerance * std::abs(other)); };
   EXPECT_DOUBLE_EQ(record.T, expected.T);
   EXPECT_DOUBLE_EQ(record.dT, expected.dT);
-  expect_near(record.motion.H0, expected.motion.H0);
-  expect_near(record.motion.V0, expected.motion.V0);
+  expect_near(record.motion.H0(), expected.motion.H0());
+  expect_near(record.motion.V0(), expected.motion.V0());
   ASSERT_EQ(record.contacts.size(), expected.contacts.size());
   for (std::size_t k = 0; k < expected.contacts.size(); ++k) {
     const ContactFigures &figures = record.contacts[k].figures, &others = expected.contacts[k].figures;
@@ -52,8 +52,8 @@ TEST(March, a_run_in_pieces_reaches_the_same_end) {
   for (const double T : {0.1, 0.3, 0.4}) pieces.run(T);
   EXPECT_DOUBLE_EQ(pieces.records().back().T, whole.records().back().T);
   // Every piece begins with a step of first order: the difference is of the size of the error of a step of 0.05.
-  EXPECT_NEAR(pieces.motion().H0, whole.motion().H0, 1e-3);
-  EXPECT_NEAR(pieces.motion().V0, whole.motion().V0, 1e-3);
+  EXPECT_NEAR(pieces.motion().H0(), whole.motion().H0(), 1e-3);
+  EXPECT_NEAR(pieces.motion().V0(), whole.motion().V0(), 1e-3);
 }
 
 const ContactRecord& of_contact(const StepRecord& record, int contact) {
@@ -105,8 +105,8 @@ TEST(March, three_contacts_share_the_force_and_come_and_go) {
     const StepRecord &before = march.records()[n - 1], &after = march.records()[n];
     if (after.dT > 0.0) continue;
     EXPECT_EQ(after.T, before.T);
-    EXPECT_EQ(after.motion.H0, before.motion.H0);
-    EXPECT_EQ(after.motion.V0, before.motion.V0);
+    EXPECT_EQ(after.motion.H0(), before.motion.H0());
+    EXPECT_EQ(after.motion.V0(), before.motion.V0());
     for (const int contact : {1, 2}) {
       EXPECT_EQ(of_contact(after, contact).figures["force"], of_contact(before, contact).figures["force"]);
     }

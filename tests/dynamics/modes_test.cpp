@@ -100,7 +100,7 @@ public:
   const MeshModel& mesh() const { return march_.mesh(); }
   LubricatedPair& pair() { return *pair_; }
   Vec state() { return state_; }
-  double H0() const { return march_.motion().H0; }
+  double H0() const { return march_.motion().H0(); }
   double natural_rate() const { return 2.0 * std::numbers::pi * mesh().frequency(); }
 
 private:
@@ -176,7 +176,7 @@ TEST_P(SwingingMode, agrees_with_a_march_that_rings_down) {
   steps.dT = tested.dT;
   MeshMarch march(rest.discretisation(), rest.mesh(), {problem.numerics.solver, steps},
                   [&](const StepRecord& record, const std::vector<LiveContact>&) {
-                    if (record.T > tested.begin) samples.push_back(record.motion.H0);
+                    if (record.T > tested.begin) samples.push_back(record.motion.H0());
                   });
   march.start(Motion{rest.H0() + 2e-3, 0.0});
   march.run(tested.end);

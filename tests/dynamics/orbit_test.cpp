@@ -34,7 +34,7 @@ TEST(Monodromy, multipliers_solve_the_characteristic_equation) {
 TEST(Monodromy, free_oscillation_takes_the_branch_next_to_the_natural_frequency) {
   // 91.8 degrees a mesh period at 7000 Hz: 1785, 5215, 8785 ... Hz; the decay per period is the modulus.
   const double modulus = 0.955, angle = 91.8 * std::numbers::pi / 180.0;
-  const std::array<std::complex<double>, 2> mu = {std::polar(modulus, angle), std::polar(modulus, -angle)};
+  const Multipliers mu = {std::polar(modulus, angle), std::polar(modulus, -angle)};
   const FreeOscillation oscillation = free_oscillation(mu, 7000.0, 5139.0).value();
   EXPECT_NEAR(oscillation.frequency, 7000.0 * (1.0 - 91.8 / 360.0), 1e-6);
   const double periods_per_cycle = 7000.0 / oscillation.frequency;
@@ -53,8 +53,8 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
   march.start(orbit.start);
   march.run(mesh.path.mesh_period());
   // Shooting stops at 1e-9, and integrates to 1e-10.
-  EXPECT_NEAR(march.motion().H0, orbit.start.H0, 1e-8);
-  EXPECT_NEAR(march.motion().V0, orbit.start.V0, 1e-8);
+  EXPECT_NEAR(march.motion().H0(), orbit.start.H0(), 1e-8);
+  EXPECT_NEAR(march.motion().V0(), orbit.start.V0(), 1e-8);
   EXPECT_NEAR(orbit.largest_integral / problem.scales.static_force, reference.at("force_ratio_max").at("value"),
               reference.at("force_ratio_max").at("abs_tol"));
   EXPECT_NEAR(free_frequency_of(problem, orbit.monodromy), reference.at("free_frequency").at("value"),
@@ -105,13 +105,13 @@ Settings coarse_orbit() {
 TEST(Orbit, a_bad_guess_recovers) {
   RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   OrbitGuess guess = dry_guess_of(march);
-  guess.motion.H0 += 0.15;
-  guess.monodromy = 0.5 * Monodromy::Identity();  // nothing like the map
+  guess.motion.H0() += 0.15;
+  guess.monodromy = 0.5 * Monodromy::Identity(2, 2);  // nothing like the map
   const PeriodicOrbit orbit = search(march, guess);
   RecordedMarch straight(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   const PeriodicOrbit expected = search(straight, dry_guess_of(straight));
-  EXPECT_NEAR(orbit.start.motion.H0, expected.start.motion.H0, 2e-3);
-  EXPECT_NEAR(orbit.start.motion.V0, expected.start.motion.V0, 2e-3);
+  EXPECT_NEAR(orbit.start.motion.H0(), expected.start.motion.H0(), 2e-3);
+  EXPECT_NEAR(orbit.start.motion.V0(), expected.start.motion.V0(), 2e-3);
   // From its own end the orbit is found at once, with the films of the neighbour.
   RecordedMarch again(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   EXPECT_EQ(search(again, {expected.end.motion, expected.monodromy, expected.end}).periods_used, 1);
@@ -121,7 +121,7 @@ TEST(Orbit, a_period_and_a_newton_step_improve_a_guess) {
   RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   const PeriodicOrbit orbit = search(march, dry_guess_of(march));
   const Motion& begin = orbit.end.motion;
-  const OrbitGuess guess{{begin.H0 + 0.02, begin.V0 - 0.02}, orbit.monodromy, orbit.end};
+  const OrbitGuess guess{{begin.H0() + 0.02, begin.V0() - 0.02}, orbit.monodromy, orbit.end};
   RecordedMarch again(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
   const OrbitGuess better = improved_guess(again.march(), guess, [](const SearchPeriod&) {});
   EXPECT_LT(length(difference(better.motion, begin)), 0.1 * length(difference(guess.motion, begin)));
@@ -145,7 +145,7 @@ TEST(Orbit, films_that_begin_before_a_period_repeat_sooner) {
   EXPECT_NEAR(map(0, 1), lead, 0.2);  // dH_0/dT = V_0
   // From a motion that is off, one step leads to the orbit; its films have had the lead to follow.
   OrbitGuess guess{orbit.end.motion, decay.map, orbit.before, lead, decay.lead_map};
-  guess.neighbour->motion.H0 += 0.02;
+  guess.neighbour->motion.H0() += 0.02;
   const auto second_period = [&](const OrbitGuess& from) {
     RecordedMarch again(table3_case(settings));
     SearchPeriod second;
@@ -185,8 +185,8 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
     report("%-26s %14.6g", name, computed);
     EXPECT_NEAR(computed, reference.at(name).at("value"), reference.at(name).at("abs_tol")) << name;
   };
-  expect("H0_after_leaving", orbit.start.motion.H0);
-  expect("V0_after_leaving", orbit.start.motion.V0);
+  expect("H0_after_leaving", orbit.start.motion.H0());
+  expect("V0_after_leaving", orbit.start.motion.V0());
   const Case& problem = march.problem();
   const FloquetMultipliers few = floquet_multipliers(march.march(), orbit, {});
   const FreeOscillation oscillation =

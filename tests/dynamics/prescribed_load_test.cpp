@@ -124,10 +124,10 @@ TEST(SimplifiedDynamic, momentum_is_the_integral_of_the_excess_force) {
     const LoadSharing::Piece& piece = contact.sharing().piece_at(
         0.5 * (records[n].contacts.front().position + records[n - 1].contacts.front().position));
     impulse += 0.5 * (records[n].T - records[n - 1].T) * (excess(records[n], piece) + excess(records[n - 1], piece));
-    swing = std::max(swing, std::abs(records[n].motion.V0));
+    swing = std::max(swing, std::abs(records[n].motion.V0()));
     last = n;
   }
-  EXPECT_NEAR(contact.mesh().inertia * (records[last].motion.V0 - records[0].motion.V0), impulse,
+  EXPECT_NEAR(contact.mesh().inertia * (records[last].motion.V0() - records[0].motion.V0()), impulse,
               0.01 * contact.mesh().inertia * swing);
   EXPECT_GT(swing, 0.1);
 }
@@ -137,7 +137,7 @@ TEST(SimplifiedDynamic, a_large_inertia_hardly_moves_and_none_follows_the_load) 
   // Half the force needs 0.63 of the approach: H_0 follows the share within the time of its jump, but not with inertia.
   const auto largest_speed = [](const std::vector<StepRecord>& records) {
     double largest = 0.0;
-    for (const StepRecord& record : records) largest = std::max(largest, std::abs(record.motion.V0));
+    for (const StepRecord& record : records) largest = std::max(largest, std::abs(record.motion.V0()));
     return largest;
   };
   EXPECT_GT(largest_speed(inert.records()), 0.3 / 0.025);

@@ -48,9 +48,9 @@ TEST(PairInBalance, mesh_periods_repeat_at_once) {
   const double period = march.path().mesh_period();
   march.start();
   march.run(2.0 * period);  // in the first one the grid is widened
-  const double once = march.motion().H0;
+  const double once = march.motion().H0();
   march.run(3.0 * period);
-  EXPECT_NEAR(march.motion().H0, once, 1e-4);
+  EXPECT_NEAR(march.motion().H0(), once, 1e-4);
 }
 
 TEST(PairInBalance, steps_need_not_follow_a_swing_that_is_not_there) {

@@ -19,7 +19,7 @@ void expect_shown_films(const Case& problem, double mesh_periods, int least_halv
       film.total_pressure().store(pressure);
       EXPECT_EQ(integral(march.grid(), pressure), record.contacts[k].figures["force"]);
       move_surfaces(fresh, march.mesh().contact(contacts[k].number, record.T).conditions);
-      fresh.evaluate(pressure, record.motion.H0);
+      fresh.evaluate(pressure, record.motion.H0());
       int differ = 0;
       for (int i = 0; i < march.grid().nx(); ++i) {
         for (int j = 0; j < march.grid().y_count(); ++j) {

@@ -36,8 +36,8 @@ TEST(SlowMarch, the_periodic_state_returns_after_one_mesh_period) {
   ASSERT_EQ(statistics.periods().size(), 1U);
   const PeriodFigures& period = statistics.periods().front();
   const Scales& scales = march.problem().scales;
-  expect_reference(reference, "H0_after_leaving", march.motion().H0);
-  expect_reference(reference, "V0_after_leaving", march.motion().V0);
+  expect_reference(reference, "H0_after_leaving", march.motion().H0());
+  expect_reference(reference, "V0_after_leaving", march.motion().V0());
   expect_reference(reference, "force_ratio_max", period["force_ratio_max"].value() / scales.static_force);
   expect_reference(reference, "p_max", scales.pressure * period["p_max"].value());
   ASSERT_TRUE(period["pitch_h_central"] && period["entry_h_central"]);
@@ -71,11 +71,11 @@ Motion at_first_exit(const nlohmann::json& reference, const std::string& dT) {
 TEST(SlowMarch, from_rest_at_the_pitch_point_to_the_first_exit) {
   const auto& reference = table3::reference().at("start_from_pitch");
   const Motion motion = at_first_exit(reference, "0.026");
-  expect_reference(reference, "H0_at_first_leaving", motion.H0);
-  expect_reference(reference, "V0_at_first_leaving", motion.V0);
+  expect_reference(reference, "H0_at_first_leaving", motion.H0());
+  expect_reference(reference, "V0_at_first_leaving", motion.V0());
   const Motion halved = at_first_exit(reference, "0.013");
-  report("half the step: H0 = %.5f", halved.H0);
-  EXPECT_NEAR(halved.H0, motion.H0, 0.005 * std::abs(motion.H0));
+  report("half the step: H0 = %.5f", halved.H0());
+  EXPECT_NEAR(halved.H0(), motion.H0(), 0.005 * std::abs(motion.H0()));
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ MotionSignal signal_of(const std::vector<SpectralLine>& lines, double mean, doub
   for (double T = 0.0, n = 0.0; T < T_end + 0.05; T += 0.02 + 0.005 * std::sin(n++)) {
     StepRecord record;
     record.T = T;
-    record.motion.H0 = mean;
+    record.motion.H0() = mean;
     for (const SpectralLine& line : lines) {
       const double rate = 2.0 * std::numbers::pi * line.frequency, phase = rate * T + line.frequency;
-      record.motion.H0 += line.amplitude * std::cos(phase);
-      record.motion.V0 -= line.amplitude * rate * std::sin(phase);
+      record.motion.H0() += line.amplitude * std::cos(phase);
+      record.motion.V0() -= line.amplitude * rate * std::sin(phase);
     }
     signal.add(record);
   }
@@ -69,9 +69,9 @@ TEST(Spectrum, the_later_of_two_motions_at_one_time_counts) {
   for (int n = 0; n <= 100; ++n) {
     StepRecord record;
     record.T = 0.1 * n;
-    record.motion.H0 = -77.0;
+    record.motion.H0() = -77.0;
     signal.add(record);
-    record.motion.H0 = 3.0;
+    record.motion.H0() = 3.0;
     signal.add(record);
   }
   EXPECT_DOUBLE_EQ(signal.spectrum(1.0, 9.0, SpectralWindow::none)[0].amplitude, 3.0);

@@ -125,8 +125,8 @@ TEST(MarchStatistics, events_are_the_changes_of_the_contacts) {
   EXPECT_EQ(events[0].kind, MeshEvent::Kind::entry);
   EXPECT_EQ(events[0].contact, 1);
   EXPECT_EQ(events[0].T, 0.4);
-  EXPECT_EQ(events[0].motion.H0, motion.H0);
-  EXPECT_EQ(events[0].motion.V0, motion.V0);
+  EXPECT_EQ(events[0].motion.H0(), motion.H0());
+  EXPECT_EQ(events[0].motion.V0(), motion.V0());
   EXPECT_EQ(events[1].kind, MeshEvent::Kind::exit);
   EXPECT_EQ(events[1].contact, 0);
   EXPECT_EQ(events[1].T, 0.7);

@@ -58,7 +58,7 @@ TEST(ThermalMarch, goes_on_from_its_state_to_the_bit) {
   const PairState state = whole.march().state();
   second.march().resume(whole.march().T(), state);
   for (RecordedMarch* march : {&whole, &second}) march->run(0.2 * march->path().mesh_period());
-  EXPECT_EQ(whole.motion().H0, second.motion().H0);
+  EXPECT_EQ(whole.motion().H0(), second.motion().H0());
   for (const auto& [name, values] : whole.march().contacts().front().fields) {
     EXPECT_EQ(values, second.march().contacts().front().fields.at(name)) << name;
   }

@@ -13,7 +13,7 @@ EndOfMarch march_of(const Settings& settings, const std::string& dT, double T_en
   RecordedMarch march(table3_case(with(settings, {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
   march.start();
   march.run(T_end);
-  return {march.motion().H0, march.motion().V0, march.records().back().contacts.front().figures["h_central"]};
+  return {march.motion().H0(), march.motion().V0(), march.records().back().contacts.front().figures["h_central"]};
 }
 
 // Levels with half the rows do not solve time steps of long cells while a contact enters, however short they are.
@@ -102,7 +102,7 @@ ControlledMarch controlled_march(const std::string& dT, std::optional<ErrorToler
   RecordedMarch march(problem);
   march.start();
   march.run(2.0 / 3.0 * march.path().mesh_period());
-  return {march.motion().H0, march.records().size()};
+  return {march.motion().H0(), march.records().size()};
 }
 
 TEST(TimeSteps, a_tolerance_on_their_errors_chooses_their_lengths) {
@@ -168,7 +168,7 @@ TEST(TimeSteps, a_failed_step_is_repeated_shorter_and_the_nominal_step_comes_bac
   unlimited.run(T_end);
   EXPECT_LT(unlimited.records().size(), march.records().size());
   // The error of steps of 0.05 is 2.4e-4 here.
-  EXPECT_NEAR(march.motion().H0, unlimited.motion().H0, 5e-4);
+  EXPECT_NEAR(march.motion().H0(), unlimited.motion().H0(), 5e-4);
 }
 
 TEST(TimeSteps, a_failed_step_is_tried_again_before_it_is_shortened) {
@@ -194,7 +194,7 @@ TEST(TimeSteps, a_failed_step_is_made_whole_from_where_shorter_ones_lead) {
   const auto [none, expected] = come_to(StepOptions{}.newton.max_iterations, true);
   const auto [halved, off] = come_to(4, false);
   const auto [fewer, near] = come_to(4, true);
-  const auto error = [&](const Motion& motion) { return std::abs(motion.H0 - expected.H0); };
+  const auto error = [&](const Motion& motion) { return std::abs(motion.H0() - expected.H0()); };
   report("%d and %d halved steps, H0 is off by %.1e and %.1e", halved, fewer, error(off), error(near));
   EXPECT_EQ(none, 0);
   EXPECT_LT(fewer, halved);

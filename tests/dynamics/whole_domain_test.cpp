@@ -29,8 +29,8 @@ void expect_same_march(const Settings& settings, double mesh_periods, std::size_
     ASSERT_DOUBLE_EQ(all[n].T, half[n].T);
     ASSERT_EQ(all[n].contacts.size(), half[n].contacts.size());
     if (n > 0 && half[n].contacts.size() != half[n - 1].contacts.size()) ++changes;
-    EXPECT_NEAR(all[n].motion.H0, half[n].motion.H0, tolerance * std::abs(half[n].motion.H0));
-    EXPECT_NEAR(all[n].motion.V0, half[n].motion.V0, tolerance * std::abs(half[n].motion.V0) + 1e-8);
+    EXPECT_NEAR(all[n].motion.H0(), half[n].motion.H0(), tolerance * std::abs(half[n].motion.H0()));
+    EXPECT_NEAR(all[n].motion.V0(), half[n].motion.V0(), tolerance * std::abs(half[n].motion.V0()) + 1e-8);
     for (std::size_t k = 0; k < half[n].contacts.size(); ++k) {
       const ContactFigures &computed = all[n].contacts[k].figures, &expected = half[n].contacts[k].figures;
       EXPECT_NEAR(computed["force"], expected["force"], tolerance * expected["force"]);

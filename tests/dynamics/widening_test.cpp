@@ -74,7 +74,7 @@ TEST_F(Widening, carries_films_over_without_a_change_of_mass) {
     ContactFilm film(discretise(grid, narrow), narrow.scales, MultigridOptions{});
     const auto& pressure = values_of(state.films.front(), field::pressure);
     std::vector<double> mass(pressure.size());
-    film.mass(pressure, state.motion.H0, mass);
+    film.mass(pressure, state.motion.H0(), mass);
     return remapped(mass, grid, Grid(PETSC_COMM_WORLD, before.shape));
   };
   EXPECT_LT(relative_difference(mass_of(after), mass_of(before)), 1e-13);
@@ -93,8 +93,8 @@ TEST_F(Widening, is_gone_through_again_to_the_bit) {
     const auto resumed = march_with(narrow, &again);
     resumed->run(T_end);
     const PairState end = resumed->state();
-    EXPECT_EQ(end.motion.H0, whole.motion.H0) << "from T = " << kept.T;
-    EXPECT_EQ(end.motion.V0, whole.motion.V0);
+    EXPECT_EQ(end.motion.H0(), whole.motion.H0()) << "from T = " << kept.T;
+    EXPECT_EQ(end.motion.V0(), whole.motion.V0());
     EXPECT_EQ(end.shape, whole.shape);
     EXPECT_EQ(end.films, whole.films);
   }
@@ -134,7 +134,7 @@ TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
   state.films[0].emplace(field::pressure.name, on(Grid(PETSC_COMM_WORLD, coarse)));
   const PairState fine = refined(state, PETSC_COMM_WORLD);
   EXPECT_EQ(fine.shape, (rectangle(33, 25, -2.0, 1.2, 1.5)));
-  EXPECT_EQ(fine.motion.H0, -1.0);
+  EXPECT_EQ(fine.motion.H0(), -1.0);
   const Grid grid(PETSC_COMM_WORLD, fine.shape);
   const std::vector<double>& values = values_of(fine.films[0], field::pressure);
   for (int i = 2; i < grid.nx() - 2; ++i) {

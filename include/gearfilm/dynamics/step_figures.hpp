@@ -19,15 +19,15 @@ constexpr Figure<StepRecord> of_step(const Rest&... rest) {
 
 inline constexpr auto step_figures = std::to_array<Figure<StepRecord>>(
     {figure::of<StepRecord>(
-         [](const StepRecord& step) { return step.motion.H0; }, "H0", "H_0", units::number,
+         [](const StepRecord& step) { return step.motion.H0(); }, "H0", "H_0", units::number,
          "rigid displacement of the flanks", Needs::nothing,
          Reduced{"H0", Reduction::last, units::number, "rigid displacement at the end", Shown::march}),
-     figure::of<StepRecord>([](const StepRecord& step) { return step.motion.V0; }, "V0", "V_0", units::number,
+     figure::of<StepRecord>([](const StepRecord& step) { return step.motion.V0(); }, "V0", "V_0", units::number,
                             "its velocity, dH_0/dT", Needs::nothing,
                             Reduced{"V0", Reduction::last, units::number, "its velocity at the end", Shown::march}),
-     figure::of<StepRecord>([](const StepRecord& step) { return step.motion.H0; }, "h0", "h_0", units::metre,
+     figure::of<StepRecord>([](const StepRecord& step) { return step.motion.H0(); }, "h0", "h_0", units::metre,
                             "rigid displacement", Needs::nothing),
-     figure::of<StepRecord>([](const StepRecord& step) { return -step.motion.H0; }, "transmission_error", "",
+     figure::of<StepRecord>([](const StepRecord& step) { return -step.motion.H0(); }, "transmission_error", "",
                             units::metre, "by how much the gears have approached along the line of action: -h_0",
                             Needs::nothing),
      figure::of_step<&StepRecord::pressure_integral>(

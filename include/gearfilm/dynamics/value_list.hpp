@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "gearfilm/grid/grid.hpp"
+#include "gearfilm/mesh/motion.hpp"
 
 namespace gearfilm {
 
 void append(std::vector<double>& values, const GridShape& shape);
+void append(std::vector<double>& values, const Motion& motion);
 
 /// Takes values off the beginning of a list, in the order in which they were appended.
 class ValueReader {
@@ -21,6 +23,7 @@ public:
   std::size_t count() { return static_cast<std::size_t>(value()); }
   std::span<const double> values(std::size_t count);
   GridShape shape();
+  Motion motion();
 
 private:
   std::span<const double> rest_;

@@ -47,18 +47,18 @@ public:
   // Collective, all of them.
 
   /// Film and oil at (pressure, H_0), which state() and the fields then show.
-  void evaluate(std::span<const double> pressure, double H0, StateVersion version = 0);
-  FilmFigures figures(std::span<const double> pressure, double H0, StateVersion version = 0);
+  void evaluate(std::span<const double> pressure, double H0, StateVersion state_version = 0);
+  FilmFigures figures(std::span<const double> pressure, double H0, StateVersion state_version = 0);
   /// rows = G at (pressure, H_0).
   void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
-                StateVersion version = 0);
+                StateVersion state_version = 0);
   /// mass = rho H at (pressure, H_0): what the time scheme differentiates.
-  void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion version = 0);
+  void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion state_version = 0);
 
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
   /// says which nodes are full.
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
-                 StateVersion version = 0);
+                 StateVersion state_version = 0);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
   /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the

@@ -64,10 +64,8 @@ struct MeshModel {
   /// Weight of V_0 in the norm of a motion: half a free oscillation, in which V_0 becomes a way, or 1 where that is
   /// less.
   double velocity_weight() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
-  /// Norm of a change of the motion, the larger of H_0 and of V_0 with its weight.
-  double weighted_norm(const Motion& change) const {
-    return std::max(std::abs(change.H0), velocity_weight() * std::abs(change.V0));
-  }
+  /// Norm of a change of the motion, the largest of displacements and of velocities with their weight.
+  double weighted_norm(const Motion& change) const { return length({change.q, velocity_weight() * change.v}); }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
 

@@ -1,19 +1,42 @@
-// The motion of a gear pair.
+// The motion of the bodies that a mesh joins.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <Eigen/Core>
+#include <utility>
 
 namespace gearfilm {
 
-/// The pair's degree of freedom: rigid displacement of the flanks and its velocity, dimensionless.
+/// Displacements q of n degrees of freedom and their velocities v, dimensionless. A gear pair has one: the rigid
+/// displacement of the flanks H_0, and V_0.
 struct Motion {
-  double H0 = 0.0;
-  double V0 = 0.0;
+  Motion() : Motion(0.0, 0.0) {}
+  Motion(double H0, double V0) : q(Eigen::VectorXd::Constant(1, H0)), v(Eigen::VectorXd::Constant(1, V0)) {}
+  Motion(Eigen::VectorXd displacements, Eigen::VectorXd velocities)
+      : q(std::move(displacements)), v(std::move(velocities)) {}
+
+  Eigen::Index freedoms() const { return q.size(); }
+  // Of a gear pair.
+  double H0() const { return q[0]; }
+  double V0() const { return v[0]; }
+  double& H0() { return q[0]; }
+  double& V0() { return v[0]; }
+
+  Eigen::VectorXd q;
+  Eigen::VectorXd v;
 };
 
-inline Motion difference(const Motion& a, const Motion& b) { return {a.H0 - b.H0, a.V0 - b.V0}; }
-/// The larger of both parts.
-inline double length(const Motion& motion) { return std::max(std::abs(motion.H0), std::abs(motion.V0)); }
+/// (q, v), and back from a vector of 2 n numbers.
+inline Eigen::VectorXd to_vector(const Motion& motion) {
+  Eigen::VectorXd x(2 * motion.freedoms());
+  x << motion.q, motion.v;
+  return x;
+}
+inline Motion to_motion(const Eigen::VectorXd& x) { return {x.head(x.size() / 2), x.tail(x.size() / 2)}; }
+
+inline Motion difference(const Motion& a, const Motion& b) { return {a.q - b.q, a.v - b.v}; }
+/// The largest part of either.
+inline double length(const Motion& motion) {
+  return std::max(motion.q.lpNorm<Eigen::Infinity>(), motion.v.lpNorm<Eigen::Infinity>());
+}
 
 }  // namespace gearfilm

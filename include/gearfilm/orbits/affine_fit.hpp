@@ -1,4 +1,4 @@
-// The affine map of the plane that fits motions and those that follow from them, by least squares, with the errors of
+// The affine map that fits motions and those that follow from them, by least squares, with the errors of
 // its multipliers.
 #pragma once
 
@@ -15,23 +15,25 @@ struct Return {
   Motion from, to;
 };
 
-/// Least squares y = X b with X = (H_0, V_0, 1), both rows of the map at once.
+/// Least squares y = X b with X = (q, v, 1), all rows of the map at once.
 class AffineFit {
 public:
   explicit AffineFit(const std::vector<Return>& returns);
 
-  Monodromy map() const { return solution_.topRows<2>().transpose(); }
+  Monodromy map() const { return solution_.topRows(solution_.cols()).transpose(); }
+  /// Returns without which the map is not known.
+  static std::size_t unknowns(const Motion& motion) { return static_cast<std::size_t>(2 * motion.freedoms() + 1); }
   /// The motion that the map leaves as it is; not finite where there is none.
   Motion fixed_point() const;
   /// Standard deviation of an eigenvalue of the map, to first order: d(mu) = w.dM v/(w.v) with its eigenvectors. Zero
-  /// where there are no more returns than unknowns, three.
+  /// where there are no more returns than unknowns.
   double deviation(const std::complex<double>& mu) const;
 
 private:
-  double scale_ = 0.0;       ///< size of the motions, which X has in the place of 1, so that its columns are balanced
-  Eigen::Matrix3d inverse_;  ///< of X^T X
-  Eigen::Matrix<double, 3, 2> solution_;                ///< b, of either row of the map
-  Eigen::Vector2d variance_ = Eigen::Vector2d::Zero();  ///< of what the rows of the map leave of y
+  double scale_ = 0.0;        ///< size of the motions, which X has in the place of 1, so that its columns are balanced
+  Eigen::MatrixXd inverse_;   ///< of X^T X
+  Eigen::MatrixXd solution_;  ///< b, a column for each row of the map
+  Eigen::VectorXd variance_;  ///< of what the rows of the map leave of y
 };
 
 }  // namespace gearfilm

@@ -1,7 +1,7 @@
-// Points of a branch: periodic motions (H_0, V_0) of a map that depends on one parameter.
+// Points of a branch: periodic motions (q, v) of a map that depends on one parameter.
 //
-//   P(x, lambda) = x ,   x = (H_0, V_0) where a period begins          three coordinates u = (H_0, V_0, lambda/unit)
-//   tangent t:  (DP - I) t_x + P_lambda t_lambda = 0 ,  |t| = 1: the cross product of the two rows
+//   P(x, lambda) = x ,   x = (q, v) where a period begins          2 n + 1 coordinates u = (q, v, lambda/unit)
+//   tangent t:  (DP - I) t_x + P_lambda t_lambda = 0 ,  |t| = 1: orthogonal to the 2 n rows
 // and the pseudo-arclength corrector: Newton's method for P(x, lambda) = x on the plane normal . (u - predicted) = 0.
 // Source: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977).
 #pragma once
@@ -21,11 +21,11 @@ struct BranchState {
 
 /// The map over one period of the branch, and what is seen on the way.
 struct MapValue {
-  std::vector<Motion> states;  ///< after each of the parts of which the branch's order says how many there are
-  Monodromy by_motion = Monodromy::Zero();  ///< DP
-  Motion by_parameter;                      ///< P_lambda, by one unit of the parameter
-  double largest_force = 0.0;               ///< on one contact, over the static force
-  double smallest_force = 0.0;              ///< of all contacts together, over the static force
+  std::vector<Motion> states;   ///< after each of the parts of which the branch's order says how many there are
+  Monodromy by_motion;          ///< DP
+  Motion by_parameter;          ///< P_lambda, by one unit of the parameter
+  double largest_force = 0.0;   ///< on one contact, over the static force
+  double smallest_force = 0.0;  ///< of all contacts together, over the static force
   /// Positive where there is always contact, negative where it is lost: smooth through zero.
   double least_approach = 1.0;
   /// Of a map with approximate derivatives: makes them those of the periodic motion that this has turned out to be.
@@ -39,20 +39,20 @@ struct MapValue {
 using BranchMap = std::function<MapValue(const BranchState& at, int order)>;
 
 /// In u.
-using BranchVector = Eigen::Vector3d;
+using BranchVector = Eigen::VectorXd;
 
 struct BranchPoint {
   BranchState state;
   MapValue value;
-  BranchVector tangent = BranchVector::Zero();  ///< towards where the branch goes on
+  BranchVector tangent;  ///< towards where the branch goes on
 
-  std::array<std::complex<double>, 2> multipliers() const { return gearfilm::multipliers(value.by_motion); }
+  Multipliers multipliers() const { return gearfilm::multipliers(value.by_motion); }
   bool stable() const { return largest_modulus(multipliers()) < 1.0; }
 };
 
 struct CorrectorOptions {
-  double unit = 1.0;        ///< change of the parameter that counts as much as 1 of H_0 and V_0
-  double tolerance = 1e-9;  ///< on |P(x) - x|, largest of both, for each part of the period
+  double unit = 1.0;        ///< change of the parameter that counts as much as 1 of q and v
+  double tolerance = 1e-9;  ///< on |P(x) - x|, its largest part, for each part of the period
   int most_iterations = 10;
 };
 
@@ -64,9 +64,13 @@ public:
   int order() const { return order_; }
   double unit() const { return options_.unit; }
   BranchVector coordinates(const BranchState& state) const {
-    return {state.motion.H0, state.motion.V0, state.parameter / options_.unit};
+    BranchVector u(2 * state.motion.freedoms() + 1);
+    u << to_vector(state.motion), state.parameter / options_.unit;
+    return u;
   }
-  BranchState state(const BranchVector& u) const { return {{u[0], u[1]}, options_.unit * u[2]}; }
+  BranchState state(const BranchVector& u) const {
+    return {to_motion(u.head(u.size() - 1)), options_.unit * u[u.size() - 1]};
+  }
 
   struct Corrected {
     BranchPoint point;

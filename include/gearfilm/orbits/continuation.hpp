@@ -16,7 +16,7 @@ namespace gearfilm {
 struct ContinuationOptions {
   double lowest = 0.0, highest = 1.0;  ///< of the parameter: a branch ends there
   CorrectorOptions corrector{};
-  double first_step = 0.02;  ///< lengths in (H_0, V_0, lambda/unit)
+  double first_step = 0.02;  ///< lengths in (q, v, lambda/unit)
   double smallest_step = 1e-6;
   double largest_step = 0.1;
   double located = 1e-6;   ///< to what length of a step bifurcations are located

@@ -20,7 +20,7 @@ double expected_film_damping(const MeshModel& mesh);
 
 struct DryOrbit {
   Motion start;  ///< where the mesh begins
-  Monodromy monodromy = Monodromy::Zero();
+  Monodromy monodromy;
   double largest_integral = 0.0;  ///< largest pressure integral of one contact
 };
 

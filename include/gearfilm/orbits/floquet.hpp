@@ -1,15 +1,13 @@
 // Floquet multipliers of a periodic orbit of the lubricated pair: eigenvalues of the map of the whole state (all
-// pressures, H_0, V_0) over one mesh period, linearised.
+// pressures, q, v) over one mesh period, linearised.
 //
 // Matrix-free: the map is applied to a disturbance by marching one period from the disturbed state, and SLEPc's Arnoldi
-// method needs a handful of such periods: two for the two multipliers of the gear pair from a disturbance that the
+// method needs a handful of such periods: 2 n for the multipliers of the motion from a disturbance that the
 // films have followed. The search for the orbit leaves one; where it began too near for that, one more period makes
 // one. Those of the films by themselves lie below the noise of the differences: the remaining Ritz values bound them
 // from above.
 #pragma once
 
-#include <array>
-#include <complex>
 #include <optional>
 
 #include "gearfilm/orbits/periodic_orbit.hpp"
@@ -17,13 +15,13 @@
 namespace gearfilm {
 
 struct FloquetOptions {
-  int periods = 2;           ///< marched; at least 2, and 3 for a bound on the films' own
+  int periods = 2;           ///< marched; at least 2 n, and one more for a bound on the films' own
   double difference = 1e-3;  ///< size of a disturbance: of the motion, and of the pressures as a root mean square
 };
 
 struct FloquetMultipliers {
-  std::array<std::complex<double>, 2> gear_pair{};  ///< the two largest
-  std::optional<double> film_bound;                 ///< largest modulus of the other Ritz values
+  Multipliers gear_pair;             ///< the 2 n largest
+  std::optional<double> film_bound;  ///< largest modulus of the other Ritz values
 };
 
 /// The march goes on from the orbit's start, as often as the options say. Throws SolveError where a disturbed period

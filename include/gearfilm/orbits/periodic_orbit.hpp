@@ -40,7 +40,7 @@ std::optional<PairState> march_period(MeshMarch& march, double lead);
 /// without one, or where its grid has other steps, they start as stationary ones.
 struct OrbitGuess {
   Motion motion;
-  Monodromy monodromy = Monodromy::Zero();
+  Monodromy monodromy;  ///< empty: zero
   std::optional<PairState> neighbour;
   /// By how much the neighbour is before the beginning of a period: it is marched there, and the motion follows from
   /// it.
@@ -73,7 +73,7 @@ struct PeriodicOrbit {
   double defect = 0.0;              ///< of the motion over that period
   double film_defect = 0.0;         ///< of the films
   int periods_used = 0;             ///< marched to find it
-  Monodromy monodromy = Monodromy::Zero();  ///< of the motion, as the search knew it at its end
+  Monodromy monodromy;              ///< of the motion, as the search knew it at its end
 };
 
 /// A better guess by one period and one Newton step, with films that were marched. The march must not have started.

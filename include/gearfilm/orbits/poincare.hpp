@@ -1,7 +1,7 @@
 // What a march says of its own recurrence: the motion once a mesh period, just after a contact has left.
 //
-//   the march repeats every k mesh periods where |x_n - x_(n-k)| is small for the last k points x = (H_0, V_0)
-//   as it settles x_(n+k) = A x_n + b; the larger eigenvalue of A is what a disturbance keeps over k periods
+//   the march repeats every k mesh periods where |x_n - x_(n-k)| is small for the last k points x = (q, v)
+//   as it settles x_(n+k) = A x_n + b; the largest eigenvalue of A is what a disturbance keeps over k periods
 #pragma once
 
 #include <complex>
@@ -39,7 +39,7 @@ private:
 struct Recurrence {
   int period = 0;  ///< mesh periods; 0: it does not repeat within 8, or is on its way to repeat after fewer
   double defect =
-      0.0;  ///< largest difference in (H_0, V_0) of the last `period` points; of one period where none repeats
+      0.0;  ///< largest difference of motion between the last `period` points; of one period where none repeats
 };
 
 /// How a march settles.

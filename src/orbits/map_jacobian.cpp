@@ -1,0 +1,27 @@
+#include "gearfilm/orbits/map_jacobian.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <utility>
+
+namespace gearfilm {
+
+MapJacobian::MapJacobian(Eigen::Index freedoms, double velocity_worth, Monodromy monodromy)
+    : worth_(velocity_worth), entries_(std::move(monodromy)) {
+  if (entries_.size() == 0) entries_ = Monodromy::Zero(2 * freedoms, 2 * freedoms);
+}
+
+Motion MapJacobian::newton_step(const Motion& defect, double largest) const {
+  const Eigen::Index size = entries_.rows();
+  const Eigen::VectorXd step = (Monodromy::Identity(size, size) - entries_).inverse() * to_vector(defect);
+  return to_motion(std::min(1.0, largest / length(weighted(to_motion(step), worth_))) * step);
+}
+
+void MapJacobian::update(const Motion& step, const Motion& map_change) {
+  const Eigen::VectorXd x = to_vector(step), dual = to_vector(weighted(step, worth_ * worth_));
+  const double square = x.dot(dual);
+  if (square == 0.0) return;
+  entries_ += (to_vector(map_change) - entries_ * x) / square * dual.transpose();
+}
+
+}  // namespace gearfilm
