@@ -11,7 +11,7 @@ namespace gearfilm {
 
 class HeatProcess final : public FilmProcess {
 public:
-  explicit HeatProcess(TractionModel model) : model_(std::move(model)) {}
+  explicit HeatProcess(const TractionModel& model) : model_(model) {}
 
   void begin(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
              StationaryResult& found) override;

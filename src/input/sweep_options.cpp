@@ -68,7 +68,7 @@ std::vector<Motion> read_starts(const ParameterValues& values) {
   std::vector<Motion> starts;
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {
-      starts.push_back({H0_from + (H0_to - H0_from) * i / (count - 1), V0_from + (V0_to - V0_from) * j / (count - 1)});
+      starts.emplace_back(H0_from + (H0_to - H0_from) * i / (count - 1), V0_from + (V0_to - V0_from) * j / (count - 1));
     }
   }
   return starts;

@@ -91,7 +91,7 @@ std::optional<Motion> find_beside_first_order(const DryMap& map) {
 std::optional<Motion> find_soon(const DryMap& map) {
   if (map.mesh().order > 1) return find_beside_first_order(map);
   if (map.damping_ratio() * map.oscillations() > forgetful) {
-    if (const auto start = shoot(map, settle(map, at_rest(map.mesh())))) return start;
+    if (auto start = shoot(map, settle(map, at_rest(map.mesh())))) return start;
   }
   return follow_from_strong_damping(map);
 }

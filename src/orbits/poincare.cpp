@@ -84,7 +84,7 @@ std::optional<Recurrence> recurrence_of(const std::vector<PoincarePoint>& points
 std::optional<Settling> settling_of(const std::vector<PoincarePoint>& points, const Recurrence& recurrence) {
   if (recurrence.period > 0) return settling_over(points, static_cast<std::size_t>(recurrence.period));
   for (std::size_t period = 1; period <= longest; ++period) {
-    const auto settling = settling_over(points, period);
+    auto settling = settling_over(points, period);
     if (settling && settling->contracts()) return settling;
   }
   return settling_over(points, 1);

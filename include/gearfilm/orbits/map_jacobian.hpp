@@ -23,7 +23,7 @@ public:
   void update(const Motion& step, const Motion& map_change);
 
 private:
-  Motion weighted(const Motion& motion, double worth) const { return {motion.q, worth * motion.v}; }
+  static Motion weighted(const Motion& motion, double worth) { return {motion.q, worth * motion.v}; }
 
   double worth_;
   Monodromy entries_;
