@@ -80,18 +80,18 @@ int exit_status(Ending ending) {
   return ending == Ending::not_written ? exit_status(Ending::not_solved) : static_cast<int>(ending);
 }
 
+int Session::place() const { return processes_in(ending_) - rank_in(ending_); }
+
 void Session::begin_to_end(Ending own, CommonEnd& common) const {
-  const int place = own == Ending::done ? 0 : processes_in(ending_) - rank_in(ending_);
-  common.values = {static_cast<int>(own), place};
+  common.values = {static_cast<int>(own), own == Ending::done ? 0 : place()};
   MPI_Iallreduce(MPI_IN_PLACE, common.values.data(), 2, MPI_INT, MPI_MAX, ending_, &common.request);
 }
 
 void Session::end_together(const std::string& line, Ending ending) const {
-  const int place = processes_in(ending_) - rank_in(ending_);
   CommonEnd common;
   begin_to_end(ending, common);
   const bool together = wait_briefly(common.request);
-  if (!together || common.values[1] == place) std::fprintf(stderr, "%s\n", line.c_str());
+  if (!together || common.values[1] == place()) std::fprintf(stderr, "%s\n", line.c_str());
   if (!together) MPI_Abort(ending_, exit_status(ending));
 }
 

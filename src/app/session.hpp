@@ -41,6 +41,8 @@ private:
   };
 
   void start_petsc();
+  /// Of this process among all that may fail: the number of processes for the first, 1 for the last.
+  int place() const;
   void begin_to_end(Ending own, CommonEnd& common) const;
 
   std::vector<std::string> arguments_;  ///< PETSc keeps pointers to them

@@ -14,7 +14,7 @@ constexpr double moment = 1e-15;  // [s]
 // a step, and is extrapolated by no more than a quarter of that.
 constexpr double largest_shear_step = 4.0, most_shear = 1.0;
 
-/// Of the step to come, as long as the one between these two.
+/// Flow factors at the end of the next time step, by those at both ends of the last one, of the same length.
 FlowFactors extrapolated(const FlowFactors& before, const FlowFactors& now) {
   FlowFactors next = now;
   for (std::size_t n = 0; n < next.entrainment_excess.size(); ++n) {

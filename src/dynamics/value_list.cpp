@@ -29,9 +29,6 @@ GridShape ValueReader::shape() {
           y.empty() ? RowAxis() : RowAxis({y.begin(), y.end()}, lower, Edge::ambient)};
 }
 
-Motion ValueReader::motion() {
-  const std::span<const double> x = values(2 * count());
-  return to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-}
+Motion ValueReader::motion() { return motion_from(values(2 * count())); }
 
 }  // namespace gearfilm

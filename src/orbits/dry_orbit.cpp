@@ -109,7 +109,7 @@ Motion find_by_marches(const DryMap& map, const Motion& from) {
   std::string trouble;
   for (const Motion& push : far_pushes) {
     try {
-      marches.push_back(settle_for_long(map, {from.H0() + push.H0(), from.V0() + push.V0()}));
+      marches.push_back(settle_for_long(map, moved(from, 1.0, push)));
     } catch (const SolveError& error) {
       trouble = error.what();
       continue;

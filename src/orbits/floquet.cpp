@@ -43,7 +43,8 @@ public:
 
   /// What distinguishes a state from the orbit's end.
   void disturbance_of(const PairState& beside, Vec vec) const { difference_of(beside, end_, vec); }
-  /// What a displacement of the first q has become after one period, which the films have followed.
+  /// Makes `vec` the difference from the orbit's end of the state that a period ends with which began with the first
+  /// displacement q greater by difference_ [-].
   void displacement(Vec vec) {
     march_.resume(mesh_.next_period(march_.T()), start_);
     Motion displaced = start_.motion;

@@ -48,7 +48,7 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
 }  // namespace
 
 FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end) {
-  std::vector<Return> returns = {{difference(begin, begin), difference(end, begin)}};
+  std::vector<Return> returns = {{Motion::zero(begin.freedoms()), difference(end, begin)}};
   for (const Returns& motions : pushes) {
     // The first period's films have not followed the push: it counts only where there is nothing better.
     for (std::size_t n = motions.size() > 3 ? 1 : 0; n + 1 < motions.size(); ++n) {
@@ -68,7 +68,7 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
   const auto near = [&](const Returns& motions) {
     return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
   };
-  const Motion none = difference(begin, begin);
+  const Motion none = Motion::zero(begin.freedoms());
   std::vector<Return> leads = {{none, none}};  // the orbit's own
   double push = options.push;
   Returns first = returns_of(march, orbit, push, options, leads);

@@ -23,8 +23,6 @@ constexpr int settling_periods = 3;     // marched on before Newton's method is 
 // and a mesh period the one after which films repeat best.
 constexpr double time_to_follow = 0.2;
 
-Motion moved(const Motion& from, double by, const Motion& step) { return {from.q + by * step.q, from.v + by * step.v}; }
-
 /// x with map x = right.
 Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.inverse() * to_vector(right)); }
 
@@ -245,7 +243,7 @@ private:
   template <class Part>
   void measure(const Trial& base, Part part, double disturbance) {
     count_period();
-    Motion step = difference(base.start.motion, base.start.motion);
+    Motion step = Motion::zero(base.start.motion.freedoms());
     part(step) = disturbance;
     march_.resume(mesh_.next_period(march_.T()), base.start);
     march_.displace(moved(base.start.motion, 1.0, step));

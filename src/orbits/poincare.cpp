@@ -37,7 +37,7 @@ std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, 
   const AffineFit fit(returns);
   const std::complex<double> larger = largest_multiplier(multipliers(fit.map()));
   const Motion rest = fit.fixed_point();
-  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger), {last.q + rest.q, last.v + rest.v}};
+  return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger), moved(last, 1.0, rest)};
 }
 
 }  // namespace

@@ -19,10 +19,7 @@ inline void to_json(Summary& json, const Motion& motion) {
   const Eigen::VectorXd x = to_vector(motion);
   json = std::vector<double>(x.begin(), x.end());
 }
-inline void from_json(const Summary& json, Motion& motion) {
-  const auto x = json.get<std::vector<double>>();
-  motion = to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
-}
+inline void from_json(const Summary& json, Motion& motion) { motion = motion_from(json.get<std::vector<double>>()); }
 
 /// Writes the file (first process); throws SolveError, and writes nothing, where a number is not finite.
 void write_json(MPI_Comm comm, const std::filesystem::path& path, const Summary& values);

@@ -64,7 +64,7 @@ public:
   std::vector<FilmFigures> film_figures(Vec state, double T);
   /// Lets what follows the films follow them over a step of dT, at whose end film_figures() has put them. Collective.
   void advance_processes(double dT);
-  /// Of every contact at T, where film_figures() has put them and found these figures. Collective.
+  /// The records of all contacts at time T, after film_figures() at that time, whose result `figures` is. Collective.
   std::vector<ContactRecord> records(double T, const std::vector<FilmFigures>& figures) const;
 
 private:

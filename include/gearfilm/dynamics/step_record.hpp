@@ -20,7 +20,7 @@ struct ContactRecord {
 /// The record of a dry contact that gave these figures at time T.
 ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures);
 
-/// Of contacts, on films at their present state and with their figures. Collective.
+/// The records of contacts at time T, with the figures of their films at the present state [-]. Collective.
 std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<LiveContact>& contacts, double T,
                                            const std::vector<FilmFigures>& figures);
 

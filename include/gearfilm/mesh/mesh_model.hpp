@@ -65,7 +65,7 @@ struct MeshModel {
   /// less.
   double velocity_weight() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
   /// Norm of a change of the motion, the largest of displacements and of velocities with their weight.
-  double weighted_norm(const Motion& change) const { return length({change.q, velocity_weight() * change.v}); }
+  double weighted_norm(const Motion& change) const { return length(weighted(change, velocity_weight())); }
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
 

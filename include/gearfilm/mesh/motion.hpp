@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace gearfilm {
@@ -14,8 +16,11 @@ struct Motion {
   Motion(Eigen::VectorXd displacements, Eigen::VectorXd velocities)
       : q(std::move(displacements)), v(std::move(velocities)) {}
 
+  /// No displacement and no velocity of n degrees of freedom.
+  static Motion zero(Eigen::Index n) { return {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)}; }
+
   Eigen::Index freedoms() const { return q.size(); }
-  // Of a gear pair.
+  // H_0 and V_0 of a gear pair, whose one degree of freedom is the first.
   double H0() const { return q[0]; }
   double V0() const { return v[0]; }
   double& H0() { return q[0]; }
@@ -33,6 +38,16 @@ inline Eigen::VectorXd to_vector(const Motion& motion) {
 }
 inline Motion to_motion(const Eigen::VectorXd& x) { return {x.head(x.size() / 2), x.tail(x.size() / 2)}; }
 
+inline Motion motion_from(std::span<const double> x) {
+  return to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+}
+
+/// A motion and a multiple of a step.
+inline Motion moved(const Motion& from, double by, const Motion& step) {
+  return {from.q + by * step.q, from.v + by * step.v};
+}
+/// The same displacements with so many times the velocities.
+inline Motion weighted(const Motion& motion, double velocity_weight) { return {motion.q, velocity_weight * motion.v}; }
 inline Motion difference(const Motion& a, const Motion& b) { return {a.q - b.q, a.v - b.v}; }
 /// The largest part of either.
 inline double length(const Motion& motion) {

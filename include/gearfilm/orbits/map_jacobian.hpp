@@ -11,7 +11,8 @@ namespace gearfilm {
 
 class MapJacobian {
 public:
-  /// Of so many degrees of freedom, whose velocities count by their worth; an empty monodromy is zero.
+  /// The Jacobian of a map of motions with so many degrees of freedom [-], in whose norm velocities are multiplied by
+  /// velocity_worth; an empty monodromy stands for zero.
   MapJacobian(Eigen::Index freedoms, double velocity_worth, Monodromy monodromy);
 
   const Monodromy& monodromy() const { return entries_; }
@@ -23,8 +24,6 @@ public:
   void update(const Motion& step, const Motion& map_change);
 
 private:
-  static Motion weighted(const Motion& motion, double worth) { return {motion.q, worth * motion.v}; }
-
   double worth_;
   Monodromy entries_;
 };
