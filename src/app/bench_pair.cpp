@@ -34,7 +34,7 @@ MeshPeriod march_a_period(MPI_Comm comm, const Case& problem, GridSize size) {
   MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
     statistics.add(record, given_figures(mesh, true));
   });
-  march.start(dry_guess(resized, films, dry_start(mesh)).motion);
+  march.start(dry_guess(orbit_problem(resized), films, dry_start(mesh)).motion);
   march.run(mesh_period);
   const double before = common_unit(comm, size), start = MPI_Wtime();
   march.run(2.0 * mesh_period);

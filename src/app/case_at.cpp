@@ -1,12 +1,14 @@
 #include "app/case_at.hpp"
 
+#include "gearfilm/input/case_setup.hpp"
+
 namespace gearfilm {
 
 Case case_at(const Case& problem, const std::string& parameter, double value) {
   ParameterValues values = problem.parameters;
   values.set(parameter, format_value(value), "value of what is varied");
   // Films go from point to point: all are on the grid that the case has by itself.
-  const NumericsCase& numerics = problem.numerics;
+  const PairNumerics& numerics = problem.numerics;
   const auto keep = [&](const std::string& name, const std::string& text) {
     if (!values.has(name)) values.set(name, text, "grid of what is varied");
   };
@@ -16,6 +18,14 @@ Case case_at(const Case& problem, const std::string& parameter, double value) {
   keep("grid.x_max", format_value(numerics.domain.x_max));
   keep("grid.y_half", format_value(numerics.domain.y_half));
   return make_case(values);
+}
+
+Case case_of_sweep(const Case& problem, double value) {
+  return problem.sweep.kind == SweepKind::basins ? problem : case_at(problem, problem.sweep.parameter, value);
+}
+
+ProblemAt problems_of_sweep(const Case& problem) {
+  return [&problem](double value) { return orbit_problem(case_of_sweep(problem, value)); };
 }
 
 }  // namespace gearfilm

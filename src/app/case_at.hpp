@@ -4,10 +4,16 @@
 #include <string>
 
 #include "gearfilm/input/case.hpp"
+#include "orbits/dry_sweep_point.hpp"
 
 namespace gearfilm {
 
 /// On the grid that the case has by itself. Throws InputError where there is no such pair.
 Case case_at(const Case& problem, const std::string& parameter, double value);
+
+/// The case of a point of its sweep: of basins all are of the case itself.
+Case case_of_sweep(const Case& problem, double value);
+/// The searches of these. The case must outlive what is returned.
+ProblemAt problems_of_sweep(const Case& problem);
 
 }  // namespace gearfilm

@@ -1,5 +1,4 @@
 // `gearfilm continuation`: branches of periodic states in speed, torque, mass or viscosity, through folds and flips.
-#include "app/branch_beginning.hpp"
 #include "app/branch_report.hpp"
 #include "app/case_at.hpp"
 #include "app/commands.hpp"
@@ -8,6 +7,7 @@
 #include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "orbits/pair_branch.hpp"
 #include "output/results_table.hpp"
 
 namespace gearfilm {
@@ -88,6 +88,17 @@ private:
   std::optional<ResultsTable> table_;
 };
 
+/// Steps of a branch may go beyond what there is of pairs.
+ProblemAt problems_of(const Case& problem) {
+  return [&problem](double value) {
+    try {
+      return orbit_problem(case_at(problem, problem.continuation.parameter, value));
+    } catch (const InputError& error) {
+      throw SolveError(error.what());
+    }
+  };
+}
+
 void check(const Case& problem) {
   require_inertia(problem);
   require_moving_contacts(problem, "continuation", true);
@@ -119,8 +130,10 @@ void run_continuation(MPI_Comm comm, const Case& problem) {
   const ContinuationCase& given = problem.continuation;
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "continuation");
-  const BranchBeginning begin =
-      problem.dry() ? dry_beginning(problem, stopping(comm, run.stop())) : film_beginning(problem, films, run);
+  const BranchEntry entry{*given.from, given.options.corrector.unit};
+  const SearchWatch watch{.check_stop = run.stop().check_in(comm), .keeper = &run.checkpoint()};
+  const BranchBeginning begin = problem.dry() ? dry_beginning(problems_of(problem), entry, run.stop().count_in(comm))
+                                              : film_beginning(problems_of(problem), entry, comm, watch);
   PointTable table(comm, problem);
   BranchReport report(comm, given.unit, !problem.dry());
   int points = 0;

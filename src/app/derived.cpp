@@ -49,7 +49,7 @@ void add_mesh_motion(const Case& problem, Summary& summary) {
 
 /// The grid and the step that a run would begin with, and what is to be expected of films on them.
 void add_numerics(const Case& problem, Summary& summary) {
-  const NumericsCase& numerics = problem.numerics;
+  const PairNumerics& numerics = problem.numerics;
   const Domain& domain = numerics.domain;
   summary["nx"] = numerics.nx;
   summary["ny"] = numerics.ny;

@@ -3,10 +3,8 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/dry_run.hpp"
-#include "app/film_swing.hpp"
 #include "app/friction_summary.hpp"
-#include "app/orbit_run.hpp"
+#include "app/orbit_summary.hpp"
 #include "app/result_warnings.hpp"
 #include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
@@ -16,6 +14,8 @@
 #include "gearfilm/orbits/dry_modes.hpp"
 #include "gearfilm/orbits/film_modes.hpp"
 #include "gearfilm/orbits/floquet.hpp"
+#include "orbits/described_dry_orbit.hpp"
+#include "orbits/film_swing.hpp"
 #include "output/progress.hpp"
 
 namespace gearfilm {
@@ -45,10 +45,9 @@ Summary damper_summary(const Case& problem, double f_n) {
 
 /// Multipliers of the dry pair's periodic motion.
 Summary dry_orbit_multipliers(const Case& problem) {
-  const MeshModel mesh = mesh_after_leaving(problem);
-  const OrbitRun run = run_dry_orbit(problem, mesh, problem.march.start_motion, unseen);
+  const OrbitProblem search = orbit_problem(problem);
   Summary summary;
-  add_multipliers(mesh, multipliers(run.orbit.monodromy), summary);
+  add_multipliers(search.mesh, multipliers(find_described_dry_orbit(search, unseen).orbit.monodromy), summary);
   return summary;
 }
 
@@ -66,16 +65,33 @@ Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, c
   return found;
 }
 
+/// Frequency and damping ratio with their errors, null where no coarser grid has a mode; what the mode took. On stiff
+/// films also what the damping ratio is at most.
+void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& summary) {
+  const auto known = [](const std::optional<double>& value) { return value ? Summary(*value) : Summary(); };
+  summary["film_frequency"] = figures.frequency;
+  summary["film_frequency_error"] = known(figures.frequency_error);
+  summary["film_damping_ratio"] = figures.damping_ratio;
+  summary["film_damping_ratio_error"] = known(figures.damping_ratio_error);
+  if (swing.on_stiff_films()) summary["film_damping_ratio_bound"] = known(figures.damping_ratio_bound());
+  summary["swings_in_passage"] = swing.mode.swings_in_passage;
+  summary["swing_solutions"] = swing.mode.solutions;
+  summary["swing_krylov_iterations"] = swing.mode.krylov_iterations;
+}
+
 /// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
 Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
                      Summary summary, std::vector<std::string>& remarks) {
-  RestingPair rest(problem, discretisation);
-  const FilmSwing swing = film_swing(problem, rest, watcher);
+  const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
+  RestingPair rest(mesh, problem.numerics, discretisation);
+  const FilmSwing swing = film_swing(mesh, problem.numerics, rest, watcher);
+  const SwingFigures figures = figures_of(swing, problem.scales);
   summary["position"] = problem.steady.position;
   summary["contacts"] = rest.contacts();
   summary["H0"] = rest.displacement();
-  add_swing(problem.scales, swing, summary);
-  if (const std::string remark = swing_remark(swing, summary); !remark.empty()) remarks.push_back(remark);
+  add_swing(swing, figures, summary);
+  const std::string remark = swing_remark(swing, figures, summary["f_n"].get<double>());
+  if (!remark.empty()) remarks.push_back(remark);
   if (!swing.on_stiff_films()) {
     summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
     return summary;
@@ -89,15 +105,16 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
 /// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
 /// films by themselves.
 Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
-  const MeshModel mesh = mesh_after_leaving(problem);
+  const OrbitProblem search = orbit_problem(problem);
+  const MeshModel& mesh = search.mesh;
   LongWork work(films->grid().comm());
   const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    const double period = record.T / mesh.path.mesh_period();
-    work.report(worded("periodic state and its multipliers: mesh period ", std::fixed, std::setprecision(2), period));
-    if (run.checkpoint().is_new(record)) run.stop().check(films->grid().comm(), period);
+    work.report(worded("periodic state and its multipliers: mesh period ", std::fixed, std::setprecision(2),
+                       record.T / mesh.path.mesh_period()));
   };
-  MeshMarch march = make_march(problem, films, mesh, on_step, &run.checkpoint());
-  const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(problem, films, dry_start(mesh)),
+  const SearchWatch watch{.check_stop = run.stop().check_in(films->grid().comm()), .keeper = &run.checkpoint()};
+  MeshMarch march = watched_march(search, films, watch, on_step);
+  const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(search, films, dry_start(mesh)),
                                                   problem.search.options, [](const SearchPeriod&) {});
   const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.modes.orbit_periods});
   Summary summary = {{"periods_used", orbit.periods_used}};

@@ -2,19 +2,18 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/dry_run.hpp"
 #include "app/error_bar.hpp"
 #include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
-#include "app/orbit_errors.hpp"
-#include "app/orbit_run.hpp"
+#include "app/orbit_summary.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
 #include "input/case_numerics.hpp"
+#include "orbits/described_dry_orbit.hpp"
 
 namespace gearfilm {
 namespace {
@@ -76,17 +75,17 @@ std::size_t true_order(const std::vector<Motion>& states, double tolerance) {
 }
 
 /// What multipliers and states say about orbits of other orders.
-std::string advice(const Case& problem, const OrbitRun& run) {
+std::string advice(const Case& problem, const DescribedOrbit& found) {
   constexpr double noise = 20.0;  // of the search's tolerance
-  const std::size_t order = true_order(run.states_after_leaving, noise * problem.search.options.tolerance);
+  const std::size_t order = true_order(found.states_after_leaving, noise * problem.search.options.tolerance);
   const long pattern = problem.pair.teeth.pattern();
   const auto asked = static_cast<std::size_t>(problem.search.order);
   if (pattern == 1 && order < asked) {
     return " this state repeats after " + std::to_string(order) + " mesh period(s) already: it is of order " +
            std::to_string(order) + ", not " + std::to_string(asked);
   }
-  if (!run.decay) return "";
-  const auto& mu = run.decay->multipliers;
+  if (!found.decay) return "";
+  const auto& mu = found.decay->multipliers;
   const double lowest = std::min(mu[0].real(), mu[1].real());
   if (mu[0].imag() != 0.0 || lowest > -1.0) return "";
   return " a multiplier has passed -1: the motion doubles its period; try -periodic_order " + std::to_string(2 * asked);
@@ -137,25 +136,26 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
   ResumableRun run(problem, grid, "periodic");
-  const MeshModel mesh = mesh_after_leaving(problem);
+  const OrbitProblem search = orbit_problem(problem);
+  const MeshModel& mesh = search.mesh;
   if (!mesh.teeth.rigid()) warn_of_hard_entry(comm, mesh);
   MarchOutput output(run, problem, grid, mesh, MarchPurpose::search,
                      (problem.dry() ? 1.0 : typical_periods) * mesh.periods());
-  const OrbitObservers observers = {
-      [&](const StepRecord& record, const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
-      [&](const SearchPeriod& period) { output.end_search_period(period); },
-      [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
-      [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
-      run.checkpoint(),
-      run.stop()};
+  const SearchWatch watch = {
+      .on_step = [&](const StepRecord& record,
+                     const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
+      .on_period = [&](const SearchPeriod& period) { output.end_search_period(period); },
+      .on_coarse_period = [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
+      .on_trouble = [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
+      .check_stop = run.stop().check_in(comm),
+      .keeper = &run.checkpoint()};
   FoundOrbit found;
   try {
     if (problem.dry()) {
-      found.run =
-          run_dry_orbit(problem, mesh, problem.march.start_motion, observers.on_step, stopping(comm, run.stop()));
+      found.own = find_described_dry_orbit(search, watch.on_step, run.stop().count_in(comm));
     } else {
-      found = find_orbit(problem, films, mesh, dry_start(mesh), observers);
-      find_coarse_orbit(problem, mesh, observers, comm, found);
+      found = find_orbit(search, films, dry_start(mesh), watch);
+      find_coarse_orbit(search, watch, comm, found);
     }
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, mesh, output.statistics());
@@ -164,7 +164,7 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
     write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
-  const double begin = found.run.orbit.begin, end = begin + mesh.period();
+  const double begin = found.own.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
   Summary summary = {{"case", problem.name},
@@ -175,8 +175,9 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
   summary["order"] = problem.search.order;
   summary["static_force"] = problem.scales.operation.load;
   summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
-  summary.update(orbit_summary(mesh, found.run));
-  const std::optional<LargestError> error = add_errors(mesh.scales, found, summary);
+  summary.update(orbit_summary(mesh, found.own));
+  const std::vector<OrbitError> errors = errors_of(found);
+  add_errors(errors, mesh.scales, summary);
   add_efficiency(mesh, summary);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(problem, mesh);
@@ -184,7 +185,8 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
   output.finish();
   write_summary(comm, run.directory().path(), summary);
   run.complete();
-  print_result(comm, run.directory().path(), problem, summary, error, advice(problem, found.run));
+  print_result(comm, run.directory().path(), problem, summary, largest_of(errors, mesh.scales),
+               advice(problem, found.own));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   warn_of_validity(comm, summary);
 }

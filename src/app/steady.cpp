@@ -1,8 +1,5 @@
 // `gearfilm steady`: the stationary film of one contact at one position on the line of action.
-#include <cmath>
 #include <iomanip>
-#include <memory>
-#include <numbers>
 
 #include "app/commands.hpp"
 #include "app/derived.hpp"
@@ -11,17 +8,14 @@
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/warning.hpp"
-#include "gearfilm/film/validity.hpp"
-#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/solver/grid_error.hpp"
-#include "gearfilm/traction/coupled_film.hpp"
 #include "input/case_numerics.hpp"
 #include "output/film_snapshot.hpp"
 #include "output/output_directory.hpp"
 #include "output/progress.hpp"
 #include "output/results_file.hpp"
 #include "output/xdmf.hpp"
+#include "traction/accurate_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -213,55 +207,8 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Posi
       .print(comm, folder);
 }
 
-/// The film of the contact on one grid.
-struct FilmOnGrid {
-  std::unique_ptr<ContactFilm> film;
-  StationaryResult result;
-  std::optional<GridErrors> errors;
-  // Where the film feels its heat or shear; result and errors are then its own.
-  std::optional<CoupledFilm> coupled;
-  FilmFigures bare{};  ///< without
-};
-
-/// Goes on to the film that feels its heat and shear.
-void couple_film(const Case& problem, const LoadCondition& load, FilmOnGrid& solved) {
-  const SolverOptions& options = problem.numerics.solver;
-  const TractionModel& model = *problem.traction;
-  solved.bare = solved.result.figures;
-  solved.coupled = solve_coupled(*solved.film, load, options, model, solved.result);
-  solved.result = solved.coupled->film;
-  solved.errors =
-      grid_errors(*solved.film, load, options, solved.result, [&](ContactFilm& coarse, const StationaryResult& cold) {
-        return solve_coupled(coarse, load, options, model, cold).film;
-      });
-}
-
-FilmOnGrid solve_on(const Grid& grid, const Case& problem, const Position& position) {
-  FilmOnGrid solved;
-  solved.film = std::make_unique<ContactFilm>(gearfilm::discretise(grid, problem), problem.scales,
-                                              problem.numerics.solver.multigrid);
-  move_surfaces(*solved.film, position.contact.conditions);
-  const LoadCondition load =
-      LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance);
-  solved.result =
-      located(position.label, [&] { return solve_stationary(*solved.film, load, problem.numerics.solver); });
-  if (problem.traction && problem.traction->corrects_film()) {
-    located(position.label, [&] { couple_film(problem, load, solved); });
-  } else {
-    solved.errors = grid_errors(*solved.film, load, problem.numerics.solver, solved.result);
-  }
-  check_validity(*solved.film, solved.result.figures, position.label);
-  return solved;
-}
-
-Traction traction_of(const Case& problem, const Position& position, const FilmOnGrid& solved) {
-  if (solved.coupled) return solved.coupled->traction;
-  if (!problem.traction) return {};
-  return located(position.label, [&] { return traction(*problem.traction, *solved.film); });
-}
-
 /// What heat, or shear alone, has made of the film.
-void add_coupling(const Case& problem, const FilmOnGrid& solved, Summary& summary) {
+void add_coupling(const Case& problem, const SolvedContact& solved, Summary& summary) {
   if (!solved.coupled) return;
   const bool heated = problem.traction->heats_film();
   const std::string kind = heated ? "thermal" : "shear", bare = heated ? "isothermal" : "newtonian";
@@ -276,7 +223,7 @@ void add_coupling(const Case& problem, const FilmOnGrid& solved, Summary& summar
 }
 
 /// Says where film and heat or shear still change each other.
-void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
+void warn_of_unrest(MPI_Comm comm, const SolvedContact& solved) {
   constexpr double tolerable = 1e-3;
   if (!solved.coupled || solved.coupled->change <= tolerable) return;
   warn(comm, std::setprecision(2),
@@ -284,35 +231,22 @@ void warn_of_unrest(MPI_Comm comm, const FilmOnGrid& solved) {
        100.0 * solved.coupled->change, " % a turn; raise grid.nx and grid.ny");
 }
 
-/// The shape in steps shorter by so much, as far as the program chooses nodes.
-GridShape refined(const GridShape& shape, double factor) {
-  GridShape fine = shape;
-  fine.nx = std::max(shape.nx, std::min(nodes_along(shape.nx - 1, 1.0 / factor), most_nodes));
-  const int ny = std::max(shape.ny(), std::min(nodes_across(shape.ny() - 1, 1.0 / factor), most_nodes));
-  if (ny > shape.ny()) fine.row_axis = shape.row_axis.with_whole_count(ny);
-  return fine;
+ContactProblem contact_problem(const Case& problem, const Position& position) {
+  return {.scales = problem.scales,
+          .conditions = position.contact.conditions,
+          .load = LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance),
+          .discretisation = problem.numerics.discretisation,
+          .solver = problem.numerics.solver,
+          .traction = problem.traction,
+          .label = position.label};
 }
 
-/// What the present grid lacks in steps, where the program chose it: 1 where nothing.
-double lacking(const Case& problem, const std::optional<GridErrors>& errors) {
-  const double most = problem.numerics.discretisation == FilmDiscretisation::fitted ? std::numbers::sqrt2 : 2.0;
-  if (!chosen_by_program(problem) || !thin_film_remark(problem).empty()) return 1.0;
-  if (!errors) return most;
-  const double excess = errors->left() / problem.parameters.real("grid.accuracy");
-  return excess > 1.0 ? std::min(most, 1.1 * std::sqrt(excess)) : 1.0;
-}
-
-/// On the grid, or on a finer one, and says after a while what it is at.
-FilmOnGrid solve_film(MPI_Comm comm, const Grid& grid, const Case& given, const Position& position) {
-  LongWork work(comm);
-  Case problem = given;
-  problem.numerics.solver.newton.watcher = [&](const std::string& text) { work.report(text); };
-  FilmOnGrid solved = solve_on(grid, problem, position);
-  // The chosen grid rests on a fitted law; what its film says of itself counts more.
-  if (const double factor = lacking(problem, solved.errors); factor > 1.0) {
-    solved = solve_on(Grid(comm, refined(grid.shape(), factor)), problem, position);
-  }
-  return solved;
+/// As accurate as asked for where the program chose the grid; says after a while what it is at.
+SolvedContact solve_film(const Grid& grid, const Case& given, ContactProblem problem) {
+  LongWork work(grid.comm());
+  problem.solver.newton.watcher = [&](const std::string& text) { work.report(text); };
+  if (!chosen_by_program(given) || !thin_film_remark(given).empty()) return solve_contact(grid, problem);
+  return solve_contact_accurately(grid, problem, given.parameters.real("grid.accuracy"));
 }
 
 }  // namespace
@@ -330,8 +264,9 @@ void run_steady(MPI_Comm comm, const Case& problem) {
   const Grid grid(comm, shape);  // what is wrong with it is said before anything is removed
   const OutputDirectory directory(comm, problem.run.directory);
   directory.remove_earlier_results();
-  FilmOnGrid solved = solve_film(comm, grid, problem, position);
-  const Traction friction = traction_of(problem, position, solved);
+  const ContactProblem contact = contact_problem(problem, position);
+  const SolvedContact solved = solve_film(grid, problem, contact);
+  const Traction friction = traction_of(contact, solved);
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
   Summary summary = film_summary(problem, position, solved.film->grid(), solved.result,
                                  with_powers_times(load_factor, friction.figures));

@@ -1,16 +1,14 @@
 #include "app/sweep_chain.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "app/case_at.hpp"
-#include "app/coarse_orbit.hpp"
-#include "app/dry_point.hpp"
-#include "app/marched_point.hpp"
+#include "app/orbit_summary.hpp"
 #include "app/warning.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/input/case_setup.hpp"
+#include "orbits/described_dry_orbit.hpp"
+#include "orbits/orbit_chain.hpp"
 #include "output/file_ownership.hpp"
 #include "output/state_file.hpp"
 #include "parallel/agreement.hpp"
@@ -18,20 +16,7 @@
 namespace gearfilm {
 namespace {
 
-constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
-constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
-constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
-
-double distance(const Motion& a, const Motion& b) { return std::hypot(a.H0() - b.H0(), a.V0() - b.V0()); }
-
 const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
-
-/// A point that was found, as the beginning of the next.
-struct Neighbour {
-  double value = 0.0;
-  OrbitGuess guess;
-  std::optional<DryOrbit> dry;  ///< the damped dry pair's orbit beside it
-};
 
 /// Row by row.
 Summary monodromy_json(const Monodromy& map) {
@@ -49,37 +34,52 @@ Monodromy read_monodromy(const Summary& rows) {
   return map;
 }
 
-/// The same from a point on disk, but for its films.
-Neighbour read_neighbour(const Summary& point) {
-  Neighbour neighbour{point["value"].get<double>(), {}, {}};
-  neighbour.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
-  if (!point.contains("monodromy")) return neighbour;  // of a march
-  neighbour.guess.monodromy = read_monodromy(point["monodromy"]);
-  if (point.contains("dry_motion")) neighbour.dry.emplace().start = point["dry_motion"].get<Motion>();
-  return neighbour;
+/// A point on disk, but for its films, as the beginning of the next.
+ChainLink read_link(const Summary& point) {
+  ChainLink link{point["value"].get<double>(), {}, {}};
+  link.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  if (!point.contains("monodromy")) return link;  // of a march
+  link.guess.monodromy = read_monodromy(point["monodromy"]);
+  if (point.contains("dry_motion")) link.dry.emplace().start = point["dry_motion"].get<Motion>();
+  return link;
 }
 
+/// In SI.
+Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lubricated) {
+  const SettledFigures figures = figures_of(march, scales);
+  Summary summary = {{"H0_after_leaving", march.end.motion.H0()}, {"V0_after_leaving", march.end.motion.V0()}};
+  summary["poincare"] = Summary::array();
+  for (const PoincarePoint& at : march.points) {
+    Summary entry = {at.motion.H0(), at.motion.V0(), at.largest_force / scales.static_force,
+                     at.smallest_force / scales.static_force};
+    if (lubricated) entry.push_back(scales.thickness * at.smallest_film);
+    summary["poincare"].push_back(std::move(entry));
+  }
+  summary["force_ratio_max"] = figures.largest_force;
+  summary["total_force_ratio_min"] = figures.smallest_force;
+  if (lubricated) summary["h_min"] = scales.thickness * figures.smallest_film;
+  summary["contact_lost"] = figures.contact_lost;
+  const auto known = [](const auto& value) { return value ? Summary(*value) : Summary(); };
+  summary["repeats_every"] = known(figures.repeats_every);
+  summary["repeats_within"] = figures.recurrence ? Summary(figures.recurrence->defect) : Summary();
+  summary["settles_on"] = known(figures.settles_on);
+  summary["settles_at"] = figures.settles_at;
+  return summary;
+}
+
+/// The chain with its points on disk.
 class ChainRun {
 public:
   ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points, const StopRequest& stop)
-      : group_(group), problem_(problem), points_(points), stop_(stop) {}
+      : group_(group), problem_(problem), points_(points), stop_(stop), chain_(problems_of_sweep(problem)) {}
 
   void run(const SweepChain& chain) {
-    last_.reset();
-    before_.reset();
-    before_point_.reset();
     for (const SweepPoint& point : chain) {
-      const double value = problem_.sweep.values[point.index];
       std::optional<Summary> result = points_.read(group_, point);
       if (result) {
-        if (result->contains("error")) {
-          forget();
-        } else {
-          keep(read_neighbour(*result));
-        }
-        if (last_) read_films(point);
+        take_over(point, *result);
       } else {
-        result = compute(point, value);
+        result = compute(point, problem_.sweep.values[point.index]);
         points_.write(group_, point, *result);
         remove_outdated(point);
       }
@@ -89,31 +89,27 @@ public:
   }
 
 private:
-  /// What a point is computed with.
-  struct Point {
-    const Case& problem;
-    const MeshModel& mesh;
-    const SharedDiscretisation& films;
-    double value;  ///< of the parameter of the sweep
-  };
-
-  void keep(std::optional<Neighbour> found) {
-    if (found && found->dry) film_shift_ = found->guess.motion.H0() - found->dry->start.H0();
-    before_ = found ? std::move(last_) : std::nullopt;
-    last_ = std::move(found);
+  /// What a program before has found.
+  void take_over(const SweepPoint& point, const Summary& result) {
+    if (result.contains("error")) {
+      forget();
+    } else {
+      chain_.keep(read_link(result));
+    }
+    if (chain_.last()) read_films(point);
   }
 
   /// A point has failed. The dry pair's branch may go on beyond it, and is followed from where it was found last.
   void forget() {
-    if (!problem_.dry() || problem_.sweep.marched()) keep({});
+    if (!problem_.dry() || problem_.sweep.marched()) chain_.forget();
   }
 
   void read_films(const SweepPoint& point) {
     const std::optional<StateFile> found = read_state(group_, points_.file(point, ".films"));
     if (!found) return;
     const Summary& description = found->description;
-    last_->guess.neighbour = {description["motion"].get<Motion>(), films_from(found->fields, description["films"]),
-                              found->shape};
+    chain_.last()->guess.neighbour = {description["motion"].get<Motion>(),
+                                      films_from(found->fields, description["films"]), found->shape};
   }
 
   void write_films(const SweepPoint& point, const PairState& state) const {
@@ -128,28 +124,29 @@ private:
     if (before_point_) remove_if_written_here(points_.file(*before_point_, ".films"));
   }
 
-  Case case_of(double value) const {
-    if (problem_.sweep.kind == SweepKind::basins) return problem_;
-    return case_at(problem_, problem_.sweep.parameter, value);
+  Checkpoint checkpoint(const SweepPoint& point, const SharedDiscretisation& films) const {
+    return {films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped};
   }
 
   Summary compute(const SweepPoint& point, double value) {
-    const Case here = case_of(value);
+    const Case here = case_of_sweep(problem_, value);
+    const OrbitProblem search = orbit_problem(here);
+    const MeshModel& mesh = search.mesh;
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
     result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
     result["torque"] = here.pair.torque;
     result["m_ge"] = *here.pair.equivalent_mass;
-    const MeshModel mesh = mesh_after_leaving(here);
     result["I_n"] = mesh.inertia;
     result["f_m"] = mesh.mesh_frequency_si();
     result["f_n"] = mesh.frequency_si();
     try {
       if (here.sweep.marched()) {
-        march(here, mesh, value, point, result);
+        march(search, value, point, result);
       } else if (here.dry()) {
-        find_dry(here, mesh, value, result);
+        stop_.check(group_, value);
+        add_dry_orbit(search, chain_.find_dry(value, stop_.count_in(group_)), result);
       } else {
-        find_lubricated(here, mesh, value, point, result);
+        find_on_films(search, value, point, result);
       }
     } catch (const SolveError& error) {
       result["error"] = error.what();
@@ -158,143 +155,88 @@ private:
     return result;
   }
 
-  void march(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point, Summary& result) {
-    std::optional<PairState> from;
-    if (here.sweep.kind == SweepKind::basins) {
-      const Motion& start = here.sweep.starts[point.index];
-      result["H0"] = start.H0();
-      result["V0"] = start.V0();
-      from = PairState{start, {}};
-    } else if (last_) {
-      const PairState& state = last_->guess.neighbour.value_or(PairState{last_->guess.motion, {}});
-      from = rescaled(state, case_of(last_->value).scales, here.scales);
-    } else if (here.march.start_motion) {
-      from = PairState{*here.march.start_motion, {}};
+  /// Where a march begins: given, or where the one before has come to.
+  std::optional<PairState> march_start(const OrbitProblem& search, const SweepPoint& point) const {
+    if (problem_.sweep.kind == SweepKind::basins) return PairState{problem_.sweep.starts[point.index], {}};
+    if (const std::optional<ChainLink>& last = chain_.last()) {
+      const PairState& state = last->guess.neighbour.value_or(PairState{last->guess.motion, {}});
+      return rescaled(state, case_of_sweep(problem_, last->value).scales, search.mesh.scales);
     }
-    SharedDiscretisation films;
-    std::optional<Checkpoint> checkpoint;
-    if (!here.dry()) {
-      films = discretise(group_, here);
-      checkpoint.emplace(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
+    return search.search.start ? std::optional(PairState{*search.search.start, {}}) : std::nullopt;
+  }
+
+  void march(const OrbitProblem& search, double value, const SweepPoint& point, Summary& result) {
+    const std::optional<PairState> from = march_start(search, point);
+    if (problem_.sweep.kind == SweepKind::basins) {
+      result["H0"] = from->motion.H0();
+      result["V0"] = from->motion.V0();
     }
-    const auto watch = [&](double T, bool is_new) {
-      if (is_new) stop_.check(group_, mesh.path.mesh_periods(T));
-    };
-    const MarchedPoint marched = march_point(here, mesh, films, from, checkpoint ? &*checkpoint : nullptr, watch);
-    result.update(marched_summary(here, marched));
-    OrbitGuess end;
-    end.motion = marched.end.motion;
-    if (!marched.end.films.empty()) {
+    const MarchLength length{problem_.sweep.march_periods, problem_.sweep.kept_periods};
+    SearchWatch watch{.check_stop = stop_.check_in(group_)};
+    SettledMarch marched;
+    if (problem_.dry()) {
+      marched = march_dry(search, from ? std::optional(from->motion) : std::nullopt, length, watch.check_stop);
+    } else {
+      const SharedDiscretisation films = discretise(group_, search);
+      Checkpoint kept = checkpoint(point, films);
+      watch.keeper = &kept;
+      marched = march_on_films(search, films, from, length, watch);
       write_films(point, marched.end);
-      end.neighbour = marched.end;
     }
-    keep(Neighbour{value, end, {}});
+    result.update(marched_summary(marched, search.mesh.scales, !problem_.dry()));
+    ChainLink link{value, {}, {}};
+    link.guess.motion = marched.end.motion;
+    if (!problem_.dry()) link.guess.neighbour = marched.end;
+    chain_.keep(std::move(link));
   }
 
-  void find_dry(const Case& here, const MeshModel& mesh, double value, Summary& result) {
-    stop_.check(group_, value);
-    const auto neighbour = last_ ? std::optional(BranchState{last_->guess.motion, last_->value}) : std::nullopt;
-    const DryPointFound found = find_dry_point(problem_, value, neighbour, stopping(group_, stop_));
-    add_dry_orbit(here, mesh, found, result);
-    keep(Neighbour{value, {found.orbit.start, found.orbit.monodromy, {}}, {}});
-  }
-
-  void find_lubricated(const Case& here, const MeshModel& mesh, double value, const SweepPoint& point,
-                       Summary& result) {
-    const SharedDiscretisation films = discretise(group_, here);
-    Checkpoint checkpoint(films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped);
-    std::optional<DryOrbit> dry;
-    const OrbitRun run = search({here, mesh, films, value}, checkpoint, dry, result);
-    write_films(point, run.orbit.end);
-    result.update(orbit_summary(mesh, run));
-    result["monodromy"] = monodromy_json(run.orbit.monodromy);
-    if (!dry) dry = dry_beside(mesh, run.orbit.start.motion);
-    if (dry) result["dry_motion"] = dry->start;
-    keep(Neighbour{value, {run.orbit.start.motion, run.orbit.monodromy, run.orbit.end}, dry});
-  }
-
-  /// The dry orbit next to a lubricated one, if there is any.
-  std::optional<DryOrbit> dry_beside(const MeshModel& mesh, const Motion& motion) const {
-    const Motion near{motion.H0() - film_shift_, motion.V0()};
-    std::optional<DryOrbit> dry = follow_dry_orbit(mesh, typical_film_damping, near);
-    if (dry && distance(dry->start, near) > beside) dry.reset();
-    return dry;
-  }
-
-  /// From the neighbour, and where that fails from the dry orbit. Leaves the dry orbit beside the one found.
-  OrbitRun search(const Point& at, Checkpoint& checkpoint, std::optional<DryOrbit>& dry, Summary& result) const {
+  void find_on_films(const OrbitProblem& problem, double value, const SweepPoint& point, Summary& result) {
+    const SharedDiscretisation films = discretise(group_, problem);
+    Checkpoint kept = checkpoint(point, films);
     result["search"] = Summary::array();
     const auto list = [&](const char* name) {
       return [&result, name](const SearchPeriod& period) {
         result[name].push_back({period.defect, period.film_defect});
       };
     };
-    const OrbitObservers observers{.on_period = list("search"),
-                                   .on_coarse_period = list("coarse_search"),
-                                   .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
-                                   .checkpoint = checkpoint,
-                                   .stop = stop_};
-    if (last_) {
-      result["start"] = "neighbour";
-      Case brief = at.problem;
-      brief.search.options.max_periods = std::min(brief.search.options.max_periods, periods_from_neighbour);
-      try {
-        return find_orbit_near(brief, at.films, at.mesh, from_neighbour(at, dry), observers);
-      } catch (const SolveError& error) {
-        result["neighbour_error"] = error.what();
-      }
+    const SearchWatch watch{.on_period = list("search"),
+                            .on_coarse_period = list("coarse_search"),
+                            .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
+                            .check_stop = stop_.check_in(group_),
+                            .keeper = &kept};
+    OrbitChain::Search search;
+    const auto describe_search = [&] {
+      result["start"] = search.from_neighbour ? "neighbour" : "dry orbit";
+      if (!search.neighbour_error.empty()) result["neighbour_error"] = search.neighbour_error;
+    };
+    try {
+      const DescribedOrbit found = chain_.find_on_films(value, films, watch, search);
+      describe_search();
+      write_films(point, found.orbit.end);
+      result.update(orbit_summary(problem.mesh, found));
+      result["monodromy"] = monodromy_json(found.orbit.monodromy);
+      if (const std::optional<DryOrbit>& dry = chain_.last()->dry) result["dry_motion"] = dry->start;
+    } catch (const SolveError&) {
+      describe_search();
+      throw;
     }
-    result["start"] = "dry orbit";
-    dry = dry_start(at.mesh);
-    return find_orbit(at.problem, at.films, at.mesh, *dry, observers).run;
-  }
-
-  /// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit
-  /// cannot be followed, extrapolated from the last two points.
-  OrbitGuess from_neighbour(const Point& at, std::optional<DryOrbit>& dry) const {
-    OrbitGuess guess = last_->guess;
-    if (last_->dry) {
-      const Motion before = last_->dry->start;
-      dry = follow_dry_orbit(at.mesh, typical_film_damping, before);
-      if (dry && distance(dry->start, before) < same_branch) {
-        guess.motion.H0() += dry->start.H0() - before.H0();
-        guess.motion.V0() += dry->start.V0() - before.V0();
-        guess.monodromy = dry->monodromy;
-        return guess;
-      }
-      dry.reset();
-    }
-    guess.motion = extrapolated(at.value);
-    return guess;
-  }
-
-  /// The motion of the last point, and how it changed from the one before.
-  Motion extrapolated(double value) const {
-    const Motion& last = last_->guess.motion;
-    if (!before_) return last;
-    const double part = (value - last_->value) / (last_->value - before_->value);
-    const Motion before = before_->guess.motion;
-    const Motion step{part * (last.H0() - before.H0()), part * (last.V0() - before.V0())};
-    if (distance(step, {}) >= beside) return last;
-    return {last.H0() + step.H0(), last.V0() + step.V0()};
   }
 
   MPI_Comm group_;
   const Case& problem_;
   const SweepPoints& points_;
   const StopRequest& stop_;
+  OrbitChain chain_;
   std::optional<SweepPoint> before_point_;
-  std::optional<Neighbour> last_, before_;
-  double film_shift_ = 0.0;  ///< H_0 of the last lubricated orbit less that of the dry one beside it
 };
 
 }  // namespace
 
-void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result) {
-  const OrbitRun run = describe_dry_orbit(here, mesh, found.orbit, unseen);
+void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result) {
+  const DescribedOrbit described = describe(problem, found.orbit);
   result["start"] = found.start;
-  result.update(orbit_summary(mesh, run));
-  result["monodromy"] = monodromy_json(run.orbit.monodromy);
+  result.update(orbit_summary(problem.mesh, described));
+  result["monodromy"] = monodromy_json(described.orbit.monodromy);
 }
 
 void print_point(MPI_Comm group, const Case& problem, const Summary& point) {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "app/dry_point.hpp"
 #include "app/sweep_points.hpp"
+#include "orbits/dry_sweep_point.hpp"
 #include "output/stop_request.hpp"
 
 namespace gearfilm {
@@ -18,8 +18,8 @@ using SweepChain = std::vector<SweepPoint>;
 void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop);
 
-/// The record of a point with its dry orbit. here: the case there.
-void add_dry_orbit(const Case& here, const MeshModel& mesh, const DryPointFound& found, Summary& result);
+/// The record of a point with its dry orbit. problem: of the point.
+void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result);
 
 /// A line on a point that is done. Collective.
 void print_point(MPI_Comm group, const Case& problem, const Summary& point);

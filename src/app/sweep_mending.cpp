@@ -1,7 +1,6 @@
 #include "app/sweep_mending.hpp"
 
 #include "app/case_at.hpp"
-#include "app/dry_point.hpp"
 #include "app/sweep_chain.hpp"
 #include "gearfilm/input/case_setup.hpp"
 
@@ -35,13 +34,12 @@ std::vector<BranchState> near(const std::vector<Known>& all, const SweepPoint& p
 std::optional<Summary> mended(const Case& problem, const Known& failed, const BranchState& from,
                               const DryWatch& watch) {
   const auto value = failed.result["value"].get<double>();
-  const std::optional<DryOrbit> orbit = follow_to_point(problem, value, from, watch);
+  const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(problem), value, from, watch);
   if (!orbit) return {};
   const Case here = case_at(problem, problem.sweep.parameter, value);
   Summary result = failed.result;
   result.erase("error");
-  add_dry_orbit(here, mesh_after_leaving(here), {*orbit, from.parameter == value ? "other way" : "point beyond"},
-                result);
+  add_dry_orbit(orbit_problem(here), {*orbit, from.parameter == value ? "other way" : "point beyond"}, result);
   return result;
 }
 
@@ -49,7 +47,7 @@ std::optional<Summary> mended(const Case& problem, const Known& failed, const Br
 
 void mend_sweep(MPI_Comm comm, const Case& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop) {
-  const DryWatch watch = stopping(comm, stop);
+  const DryWatch watch = stop.count_in(comm);
   std::vector<Known> known;
   known.reserve(all.size());
   for (const SweepPoint& point : all) known.push_back({point, points.read(comm, point).value()});

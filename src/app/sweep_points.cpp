@@ -11,8 +11,8 @@ namespace gearfilm {
 namespace {
 
 // What may differ between a sweep and its continuation.
-const std::vector<std::string> free_parameters = {"output.dir", "sweep.groups",    "restart",
-                                                  "time_limit", "keep_checkpoint", "solver.processes"};
+const std::vector<std::string> free_in_sweeps = {"output.dir", "sweep.groups",    "restart",
+                                                 "time_limit", "keep_checkpoint", "solver.processes"};
 
 std::string name_of(const SweepPoint& point) {
   char name[32];
@@ -24,7 +24,7 @@ std::string name_of(const SweepPoint& point) {
 
 SweepPoints::SweepPoints(MPI_Comm comm, const Case& problem) : folder_(problem.run.directory) {
   const std::filesystem::path file = folder_ / "sweep.json";
-  const Summary identity = identity_of(problem, "sweep", free_parameters);
+  const Summary identity = identity_of(problem, "sweep", free_in_sweeps);
   require_replaceable(comm, {file});
   if (const std::optional<Summary> before = read_identity(comm, file)) {
     require_same_identity(*before, identity, file);

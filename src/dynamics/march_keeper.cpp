@@ -2,6 +2,8 @@
 
 namespace gearfilm {
 
+std::unique_ptr<MarchKeeper> MarchKeeper::within(const std::string&, const Grid&) const { return nullptr; }
+
 std::optional<KeptRun> take_over(MarchKeeper* keeper, double T, const Motion& motion, const StepObserver& observer) {
   if (!keeper) return {};
   std::optional<KeptRun> kept = keeper->begin_run(T, motion);

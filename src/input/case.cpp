@@ -8,6 +8,7 @@
 #include "gearfilm/contact/moes.hpp"
 #include "gearfilm/error.hpp"
 #include "gearfilm/gear/tooth_space.hpp"
+#include "gearfilm/input/case_setup.hpp"
 #include "gearfilm/mesh/static_mesh.hpp"
 #include "input/case_checks.hpp"
 #include "input/case_file.hpp"
@@ -294,6 +295,7 @@ void set_march(Case& result) {
   check_friction_in_motion(result);
   set_time_steps(result);
   result.march.step_tolerance = read_step_tolerance(values);
+  result.search.start = result.march.start_motion;
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),
                            .max_periods = values.integer("periodic.max_periods")};
@@ -303,6 +305,7 @@ void set_march(Case& result) {
   result.sweep = read_sweep(values);
   result.continuation = read_continuation(values, result.search.order);
   result.march.dry_damping_ratio = values.real_if_given("dry.damping_ratio");
+  result.search.dry_damping_ratio = result.march.dry_damping_ratio.value_or(typical_film_damping);
   result.modes.count = values.integer("eigen.modes");
   result.modes.of_orbit = values.yes("eigen.orbit");
   result.modes.orbit_periods = values.integer("eigen.periods");
@@ -344,6 +347,10 @@ Case make_case(const ParameterValues& values) {
   }
   result.run.directory = values.text("output.dir");
   in_file_of(values, [&] { check_loads(result); });
+  result.numerics.on_widening = [scales = result.scales, contacts = contacts_at_a_time(result),
+                                 points = heated_points(result)](MPI_Comm comm, const GridShape& shape) {
+    announce_widening(comm, shape, scales, contacts, points);
+  };
   return result;
 }
 

@@ -125,33 +125,6 @@ std::string thin_film_remark(const Case& problem) {
                 " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another");
 }
 
-Steps steps_of(const NumericsCase& numerics) {
-  const Domain& domain = numerics.domain;
-  return {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)};
-}
-
-std::optional<NumericsCase> coarser(const NumericsCase& numerics) {
-  constexpr int fewest_x = 33, fewest_y = 9;
-  NumericsCase coarse = numerics;
-  coarse.nx = (numerics.nx - 1) / 2 + 1;
-  coarse.ny = (numerics.ny - 1) / 2 + 1;
-  coarse.steps.lengthen(2.0);
-  return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
-}
-
-SlightlyCoarser slightly_coarser(const NumericsCase& numerics) {
-  constexpr int block = 8;  // of cells, so that there are coarser grids
-  const auto fewer = [](int nodes) {
-    return block * static_cast<int>(std::lround((nodes - 1) / (block * std::numbers::sqrt2))) + 1;
-  };
-  NumericsCase coarse = numerics;
-  coarse.nx = fewer(numerics.nx);
-  coarse.ny = fewer(numerics.ny);
-  const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
-  coarse.steps.lengthen(ratio);
-  return {coarse, ratio};
-}
-
 bool swings(const Case& problem) { return problem.pair.equivalent_mass && problem.march.motion == PairMotion::dynamic; }
 
 double natural_period(const Case& problem) {

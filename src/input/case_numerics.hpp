@@ -13,26 +13,11 @@ void set_film_numerics(Case& result);
 /// Time steps of a gear pair; its grid is set.
 void set_time_steps(Case& result);
 
-/// The most nodes along either direction of a grid that the program chooses.
-constexpr int most_nodes = 2049;
 /// The thinnest film [m] that the program chooses a grid for. Molecules of oil are 1 to 2 nm long; oil between walls
 /// less than about ten of them apart is no continuum any more.
 constexpr double thinnest_film = 10e-9;
 /// What is to be said where the film to be expected is thinner and the grid chosen; else empty.
 std::string thin_film_remark(const Case& problem);
-
-/// Of the grid.
-Steps steps_of(const NumericsCase& numerics);
-
-/// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
-std::optional<NumericsCase> coarser(const NumericsCase& numerics);
-
-/// Steps in space and time that are longer by about the root of two; along X and in time by a ratio that is told.
-struct SlightlyCoarser {
-  NumericsCase numerics;
-  double ratio = 1.0;
-};
-SlightlyCoarser slightly_coarser(const NumericsCase& numerics);
 
 /// The pair has inertia, and it is part of its motion.
 bool swings(const Case& problem);

@@ -3,22 +3,18 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/validity.hpp"
 #include "input/memory.hpp"
 
 namespace gearfilm {
 
-GridShape case_grid(const Case& problem) {
-  return grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, problem.numerics.nx,
-                    problem.numerics.ny);
-}
+GridShape case_grid(const Case& problem) { return grid_shape(problem.numerics, problem.scales); }
 
 SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
-  return discretise(Grid(comm, case_grid(problem)), problem);
+  return discretise(comm, problem.numerics, problem.scales);
 }
 
 SharedDiscretisation discretise(const Grid& grid, const Case& problem) {
-  return discretise(grid, problem.scales, problem.numerics.discretisation);
+  return discretise(grid, problem.numerics, problem.scales);
 }
 
 void require_tooth_force(const Case& problem, const std::string& what) {
@@ -129,35 +125,11 @@ void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scal
 
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
-  MarchOptions options{problem.numerics.solver, problem.numerics.steps, problem.numerics.margins};
-  options.on_widening = [scales = problem.scales, contacts = contacts_at_a_time(problem),
-                         points = heated_points(problem)](MPI_Comm comm, const GridShape& shape) {
-    announce_widening(comm, shape, scales, contacts, points);
-  };
-  options.films.multigrid.keep_rows = false;
-  options.films.multigrid.levels = problem.numerics.step_levels > 0
-                                       ? problem.numerics.step_levels
-                                       : step_levels(films->grid(), problem.numerics.steps.dT);
-  return MeshMarch(films, mesh, options, std::move(observer), keeper);
+  return make_march(mesh, problem.numerics, films, std::move(observer), keeper);
 }
 
-StationaryResult pitch_film(const Case& problem, const SharedDiscretisation& films) {
-  ContactFilm film(films, problem.scales, problem.numerics.solver.multigrid);
-  return located("contact at the pitch point", [&] {
-    return solve_stationary(film, LoadCondition::force(problem.scales.static_force), problem.numerics.solver);
-  });
-}
-
-OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
-  return guess_from(dry, pitch_film(problem, films).solution.H0 + problem.scales.approach);
-}
-
-OrbitGuess first_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
-  if (!problem.march.start_motion) return dry_guess(problem, films, dry);
-  OrbitGuess guess;
-  guess.motion = *problem.march.start_motion;
-  guess.monodromy = dry.monodromy;
-  return guess;
+OrbitProblem orbit_problem(const Case& problem) {
+  return {mesh_after_leaving(problem), problem.numerics, problem.search};
 }
 
 }  // namespace gearfilm

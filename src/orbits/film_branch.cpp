@@ -112,7 +112,7 @@ private:
 
   MarchAt march_at_;
   BranchMap dry_;
-  FilmBranchOptions options_;  ///< its films: those that the last march ended with
+  FilmBranchOptions options_;   ///< its films: those that the last march ended with
   Eigen::MatrixXd correction_;  ///< of the dry map's derivatives in u
   int last_order_ = 0;
   BranchVector last_;

@@ -40,8 +40,10 @@ public:
   /// The snapshots of this run are not wanted.
   void drop_snapshots();
 
-  /// Of another march that the run makes on the way, on a grid of its own: a folder within, begun as this one was.
-  Checkpoint within(const std::string& name, const Grid& grid) const { return {grid, folder_ / name, begin_}; }
+  /// In a folder within, begun as this one was.
+  std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const override {
+    return std::make_unique<Checkpoint>(grid, folder_ / name, begin_);
+  }
 
   /// All that this program wrote in the folder goes, and the folder with it where nothing is left.
   void remove();
@@ -50,8 +52,7 @@ public:
   double kept_until() const { return kept_.empty() ? 0.0 : kept_.back().T; }
   /// False while runs are taken over that were completed before.
   bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
-  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
-  bool is_new(const StepRecord& record) const { return !record.recalled && caught_up(); }
+  bool is_new(const StepRecord& record) const override { return !record.recalled && caught_up(); }
 
 private:
   struct KeptState {

@@ -29,7 +29,7 @@ TEST(LongWork, stationary_films_tell_their_watcher_of_every_iteration) {
   Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
   std::vector<std::string> told;
   problem.numerics.solver.newton.watcher = [&](const std::string& text) { told.push_back(text); };
-  const StationaryResult film = pitch_film(problem, discretise(PETSC_COMM_WORLD, problem));
+  const StationaryResult film = pitch_film(problem.scales, problem.numerics, discretise(PETSC_COMM_WORLD, problem));
   EXPECT_GE(told.size(), static_cast<std::size_t>(film.counts.newton));
   EXPECT_THAT(told, testing::Each(testing::HasSubstr("Newton iteration ")));
 }

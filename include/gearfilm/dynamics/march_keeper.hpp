@@ -6,7 +6,9 @@
 // again asks for the same runs in the same order. What is kept of a run is taken over; the rest is computed.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gearfilm/dynamics/pair_state.hpp"
@@ -31,7 +33,21 @@ public:
   /// A segment ends at T with this state; whatever enters or leaves then is still to do so. memory: of the
   /// march, on this process.
   virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
+  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
+  virtual bool is_new(const StepRecord& record) const { return !record.recalled; }
+  /// Keeps another march, which the run makes on the way on a grid of its own, under this name; null where none is
+  /// kept.
+  virtual std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const;
 };
+
+/// The same of a keeper that may be absent.
+inline bool is_new(const MarchKeeper* keeper, const StepRecord& record) {
+  return keeper ? keeper->is_new(record) : !record.recalled;
+}
+inline std::unique_ptr<MarchKeeper> keeper_within(const MarchKeeper* keeper, const std::string& name,
+                                                  const Grid& grid) {
+  return keeper ? keeper->within(name, grid) : nullptr;
+}
 
 /// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.
 std::optional<KeptRun> take_over(MarchKeeper* keeper, double T, const Motion& motion, const StepObserver& observer);

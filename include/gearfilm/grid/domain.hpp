@@ -44,6 +44,8 @@ double clear_side(const ExpectedFilm& expected);
 /// Flooded and clear, under up to 1.25 times the force too.
 Domain domain_of(const ExpectedFilm& expected);
 
+/// The most nodes along either direction of a grid that is chosen by a law.
+constexpr int most_nodes = 2049;
 /// Nodes along a length in steps of at most so much: one more than a multiple of 16, and at least 65, so that there
 /// are coarser grids.
 int nodes_along(double length, double step);

@@ -9,18 +9,16 @@
 #include <vector>
 
 #include "gearfilm/contact/scales.hpp"
-#include "gearfilm/film/expected_errors.hpp"
-#include "gearfilm/film/solver_options.hpp"
+#include "gearfilm/dynamics/pair_numerics.hpp"
 #include "gearfilm/gear/gear_pair.hpp"
 #include "gearfilm/gear/line_of_action.hpp"
 #include "gearfilm/gear/teeth.hpp"
-#include "gearfilm/grid/domain.hpp"
 #include "gearfilm/input/continuation_options.hpp"
 #include "gearfilm/input/parameter_values.hpp"
 #include "gearfilm/input/sweep_options.hpp"
 #include "gearfilm/mesh/prescribed_load.hpp"
 #include "gearfilm/orbits/dry_modes.hpp"
-#include "gearfilm/orbits/periodic_orbit.hpp"
+#include "gearfilm/orbits/orbit_search.hpp"
 #include "gearfilm/traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -42,18 +40,6 @@ struct PairCase {
   double tooth_force = 0.0;               ///< T_g1/R_b1 [N]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
   std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
-};
-
-/// Grid, solvers and time steps.
-struct NumericsCase {
-  Domain domain;       ///< at first
-  MarginRule margins;  ///< by which it follows the contacts
-  int nx = 0;          ///< nodes along X
-  int ny = 0;          ///< nodes along Y
-  FilmDiscretisation discretisation = FilmDiscretisation::fitted;
-  SolverOptions solver;
-  StepOptions steps;
-  int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid
 };
 
 /// A stationary contact.
@@ -85,11 +71,9 @@ struct MarchCase {
 };
 
 /// The search for a periodic state.
-struct SearchCase {
-  PeriodicOptions options;
-  int order = 1;                 ///< mesh periods, or patterns of the teeth, after which it repeats
-  int max_pattern = 1;           ///< mesh periods after which the same teeth meet again, at most
-  bool with_multipliers = true;  ///< Floquet multipliers with it, by up to four more periods
+struct SearchCase : OrbitSearch {
+  int order = 1;        ///< mesh periods, or patterns of the teeth, after which it repeats
+  int max_pattern = 1;  ///< mesh periods after which the same teeth meet again, at most
 };
 
 /// Natural modes.
@@ -116,7 +100,7 @@ struct Case {
   std::optional<double> roughness;        ///< of both flanks together [m]
   std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
-  NumericsCase numerics;
+  PairNumerics numerics;
   SteadyCase steady;
   StaticCase statics;
   MarchCase march;

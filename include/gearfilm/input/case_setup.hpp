@@ -1,7 +1,6 @@
 // From a case to the objects that solve it.
 #pragma once
 
-#include "gearfilm/dynamics/mesh_march.hpp"
 #include "gearfilm/input/case.hpp"
 
 namespace gearfilm {
@@ -41,11 +40,7 @@ MeshModel mesh_after_leaving(const Case& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper = nullptr);
-/// The film at the pitch point under the whole static force.
-StationaryResult pitch_film(const Case& problem, const SharedDiscretisation& films);
-/// Where the search for the case's periodic state begins: that orbit, its H_0 shifted by the film.
-OrbitGuess dry_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry);
-/// The same, or the motion that the case starts with.
-OrbitGuess first_guess(const Case& problem, const SharedDiscretisation& films, const DryOrbit& dry);
+/// The search for the case's periodic state.
+OrbitProblem orbit_problem(const Case& problem);
 
 }  // namespace gearfilm

@@ -1,10 +1,9 @@
-#include "app/orbit_errors.hpp"
+#include "orbits/orbit_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 
-#include "app/error_bar.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -32,7 +31,7 @@ Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
 /// Dimensionless, of the figure at that place, but for steps in time that the coarse orbit has too; nothing where an
 /// orbit has no value, or no spike.
 std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& found) {
-  const PeriodFigures &fine = found.run.figures, &coarse = found.coarse->figures;
+  const PeriodFigures &fine = found.own.figures, &coarse = found.coarse->figures;
   const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
   if (!own || !other) return {};
   const auto with_spike = [](double pressure, const PeriodFigures& figures) {
@@ -41,7 +40,7 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
   const PeriodFigure& figure = period_figures[place];
   if (place == spike_pressure.place) return estimate_spike(*own, *other, found.ratio);
   if (place == largest_pressure.place)
-    return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.run.orbit.end.shape.h_x(),
+    return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.own.orbit.end.shape.h_x(),
                             found.ratio);
   const bool smallest = figure.of_contact && figure.source == smallest_film.place;
   Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
@@ -65,7 +64,7 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
 std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
   if (!found.coarse) return {};
   const double coarse = found.coarse->transmission_error.peak_to_peak;
-  const Estimate bar = estimate(found.run.transmission_error.peak_to_peak, coarse, found.ratio);
+  const Estimate bar = estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio);
   if (!found.longer_step) return bar;
   return with_error_in_time(bar, coarse, found.longer_step->transmission_error.peak_to_peak);
 }
@@ -77,22 +76,36 @@ std::string LargestError::text() const {
                 (of_static_force ? " of the static force" : ""));
 }
 
-std::optional<LargestError> add_errors(const Scales& scales, const FoundOrbit& found, Summary& summary) {
-  std::optional<LargestError> largest;
-  const auto add = [&](const std::string& name, const std::optional<Estimate>& bar, const Unit& unit, double least) {
-    add_error_bar(summary, name, bar, unit.in_si(scales, 1.0));
-    if (!bar || !bar->extrapolated) return;  // a spike's is no fault of this grid alone
-    const Estimate in_si{unit.in_si(scales, bar->value), unit.in_si(scales, bar->error)};
-    const double relative = in_si.relative_error(least);
-    if (!largest || relative > largest->relative) largest = LargestError{name, relative, std::abs(in_si.value) < least};
-  };
+std::optional<Estimate> OrbitError::in_si(const Scales& scales) const {
+  if (!bar) return {};
+  const double factor = unit.in_si(scales, 1.0);
+  Estimate result{factor * bar->value, factor * bar->error};
+  if (bar->extrapolated) result.extrapolated = factor * *bar->extrapolated;
+  return result;
+}
+
+std::vector<OrbitError> errors_of(const FoundOrbit& found) {
+  std::vector<OrbitError> errors;
   for (std::size_t n = 0; n < period_figures.size(); ++n) {
     const PeriodFigure& figure = period_figures[n];
-    if (!has_error(figure) || !found.run.figures.values[n]) continue;
-    const std::optional<Estimate> bar = found.coarse ? error_of(n, found) : std::nullopt;
-    add(std::string(figure.name), bar, figure.unit, is_force(figure) ? 1.0 : 0.0);
+    if (!has_error(figure) || !found.own.figures.values[n]) continue;
+    errors.push_back(
+        {std::string(figure.name), figure.unit, found.coarse ? error_of(n, found) : std::optional<Estimate>()});
   }
-  add("transmission_error_peak_to_peak", error_of_swing(found), units::metre, 0.0);
+  errors.push_back({"transmission_error_peak_to_peak", units::metre, error_of_swing(found)});
+  return errors;
+}
+
+std::optional<LargestError> largest_of(const std::vector<OrbitError>& errors, const Scales& scales) {
+  std::optional<LargestError> largest;
+  for (const OrbitError& error : errors) {
+    const std::optional<Estimate> bar = error.in_si(scales);
+    if (!bar || !bar->extrapolated) continue;  // a spike's is no fault of this grid alone
+    const double least = error.unit.in_si == units::static_force.in_si ? 1.0 : 0.0;
+    const double relative = bar->relative_error(least);
+    if (!largest || relative > largest->relative)
+      largest = LargestError{error.name, relative, std::abs(bar->value) < least};
+  }
   return largest;
 }
 

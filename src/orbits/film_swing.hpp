@@ -7,19 +7,20 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "gearfilm/dynamics/lubricated_pair.hpp"
-#include "gearfilm/input/case_setup.hpp"
+#include "gearfilm/dynamics/pair_numerics.hpp"
+#include "gearfilm/numerics/estimate.hpp"
 #include "gearfilm/orbits/dynamic_stiffness.hpp"
-#include "output/summary.hpp"
 
 namespace gearfilm {
 
 /// The pair at the chosen position, its films in balance with the static force.
 class RestingPair {
 public:
-  /// Throws SolveError where there are no such films. Collective.
-  RestingPair(const Case& problem, const SharedDiscretisation& discretisation);
+  /// mesh: of contacts that are held. Throws SolveError where there are no such films. Collective.
+  RestingPair(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& discretisation);
 
   LubricatedPair& pair() { return *pair_; }
   Vec state() const { return state_; }
@@ -55,15 +56,24 @@ struct FilmSwing {
   double cells_in_wave() const;
 };
 
-/// The mode. Throws SolveError where there is none. Collective.
-FilmSwing film_swing(const Case& problem, RestingPair& rest, const Watcher& watcher);
+/// The mode of the pair at rest. Throws SolveError where there is none. Collective.
+FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const Watcher& watcher);
 
-/// Frequency and damping ratio with their errors, null where no coarser grid has a mode; what the mode took. On stiff
-/// films also what the damping ratio is at most.
-void add_swing(const Scales& scales, const FilmSwing& swing, Summary& summary);
+/// Frequency [Hz] and damping ratio of the mode, with their errors; nothing is known of these without a coarser grid
+/// that has a mode.
+struct SwingFigures {
+  double frequency = 0.0;
+  std::optional<double> frequency_error{};
+  double damping_ratio = 0.0;
+  std::optional<double> damping_ratio_error{};
+
+  /// What the damping ratio is at most, with the error of the grid.
+  std::optional<double> damping_ratio_bound() const;
+};
+SwingFigures figures_of(const FilmSwing& swing, const Scales& scales);
 
 /// What is to be said of a mode on stiff films, its limit and what is known of the damping, or of one whose errors are
-/// not known. Empty for others.
-std::string swing_remark(const FilmSwing& swing, const Summary& summary);
+/// not known. Empty for others. dry_frequency: f_n [Hz].
+std::string swing_remark(const FilmSwing& swing, const SwingFigures& figures, double dry_frequency);
 
 }  // namespace gearfilm

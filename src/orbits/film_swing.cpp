@@ -1,4 +1,4 @@
-#include "app/film_swing.hpp"
+#include "orbits/film_swing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "gearfilm/error.hpp"
 #include "gearfilm/film/discretisation.hpp"
 #include "gearfilm/numerics/estimate.hpp"
-#include "input/case_numerics.hpp"
 
 namespace gearfilm {
 namespace {
@@ -27,44 +26,45 @@ double frequency(const Scales& scales, const SwingingMode& mode) {
 double damping_ratio(const SwingingMode& mode) { return -mode.rate.real() / std::abs(mode.rate); }
 
 /// Nothing where the grid is too coarse for films, or for a mode.
-std::optional<CoarserSwing> swing_on(const Case& problem, const SharedDiscretisation& films, double ratio,
-                                     const Watcher& watcher) {
+std::optional<CoarserSwing> swing_on(const MeshModel& mesh, const PairNumerics& numerics,
+                                     const SharedDiscretisation& films, double ratio, const Watcher& watcher) {
   try {
-    RestingPair rest(problem, films);
+    RestingPair rest(mesh, numerics, films);
     return CoarserSwing{swinging_mode(rest.pair(), rest.state(), {.watcher = watcher}), ratio};
   } catch (const SolveError&) {
     return {};
   }
 }
 
-std::optional<CoarserSwing> swing_on_coarser(const Case& problem, const SharedDiscretisation& fine,
-                                             const Watcher& watcher) {
+std::optional<CoarserSwing> swing_on_coarser(const MeshModel& mesh, const PairNumerics& own,
+                                             const SharedDiscretisation& fine, const Watcher& watcher) {
   if (Discretisation* half = fine->prepare_coarser()) {
     const SharedDiscretisation films(fine, half);  // owned by the finer one
-    if (const auto found = swing_on(problem, films, 2.0, watcher)) return found;
+    if (const auto found = swing_on(mesh, own, films, 2.0, watcher)) return found;
   }
   GridShape shape = fine->grid().shape();
-  NumericsCase numerics = problem.numerics;
+  PairNumerics numerics = own;
   numerics.nx = shape.nx;
   numerics.ny = shape.ny();
   const SlightlyCoarser coarser = slightly_coarser(numerics);
   shape.nx = coarser.numerics.nx;
   shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
   if (shape.rows() < 2 * fine->grid().processes()) return {};
-  return swing_on(problem, discretise(Grid(fine->grid().comm(), shape), problem), coarser.ratio, watcher);
+  return swing_on(mesh, own, discretise(Grid(fine->grid().comm(), shape), own, mesh.scales), coarser.ratio, watcher);
 }
 
 }  // namespace
 
-RestingPair::RestingPair(const Case& problem, const SharedDiscretisation& discretisation)
-    : mesh_(mesh_model(problem, problem.steady.position, MeshGeometry::held)) {
-  MeshMarch march = make_march(problem, discretisation, mesh_, unseen);
+RestingPair::RestingPair(const MeshModel& mesh, const PairNumerics& numerics,
+                         const SharedDiscretisation& discretisation)
+    : mesh_(mesh) {
+  MeshMarch march = make_march(mesh_, numerics, discretisation, unseen);
   march.start({});
   discretisation_ = march.discretisation();
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
   std::vector<LiveContact> contacts;
   for (const LiveContact& contact : march.contacts()) {
-    films_.push_back(std::make_unique<ContactFilm>(discretisation_, problem.scales, problem.numerics.solver.multigrid));
+    films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, numerics.solver.multigrid));
     contacts.push_back({contact.number, films_.back().get()});
   }
   pair_.emplace(mesh_, contacts);
@@ -79,53 +79,48 @@ RestingPair::RestingPair(const Case& problem, const SharedDiscretisation& discre
 
 double FilmSwing::cells_in_wave() const { return 2.0 * std::numbers::pi / (mode.swings_in_passage * steps.x); }
 
-FilmSwing film_swing(const Case& problem, RestingPair& rest, const Watcher& watcher) {
+FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const Watcher& watcher) {
   const Grid& grid = rest.discretisation()->grid();
-  const std::optional<CoarserSwing> coarser = swing_on_coarser(problem, rest.discretisation(), watcher);
+  const std::optional<CoarserSwing> coarser = swing_on_coarser(mesh, numerics, rest.discretisation(), watcher);
   SwingOptions options{.watcher = watcher};
   if (coarser) options.guess = coarser->mode.rate;
   return {.mode = swinging_mode(rest.pair(), rest.state(), options),
-          .steps = {grid.h_x(), grid.h_y() * problem.scales.hertz.ellipticity},
+          .steps = {grid.h_x(), grid.h_y() * mesh.scales.hertz.ellipticity},
           .coarser = coarser};
 }
 
-void add_swing(const Scales& scales, const FilmSwing& swing, Summary& summary) {
-  const auto add = [&](const std::string& name, double least, const auto& figure) {
+std::optional<double> SwingFigures::damping_ratio_bound() const {
+  return damping_ratio_error ? std::optional(std::abs(damping_ratio) + *damping_ratio_error) : std::nullopt;
+}
+
+SwingFigures figures_of(const FilmSwing& swing, const Scales& scales) {
+  const auto error = [&](double least, const auto& figure) -> std::optional<double> {
+    if (!swing.coarser) return {};
     const double value = figure(swing.mode);
-    summary[name] = value;
-    summary[name + "_error"] = nullptr;
-    if (!swing.coarser) return;
-    const double error = of_doubling * estimate(value, figure(swing.coarser->mode), swing.coarser->ratio).error;
-    summary[name + "_error"] = std::max(error, least * std::abs(value));
+    return std::max(of_doubling * estimate(value, figure(swing.coarser->mode), swing.coarser->ratio).error,
+                    least * std::abs(value));
   };
   const double square = swing.steps.y * swing.steps.y;
   const bool waves = swing.cells_in_wave() >= fewest_cells_in_wave;
-  add("film_frequency", least_of_frequency * square, [&](const SwingingMode& mode) { return frequency(scales, mode); });
-  add("film_damping_ratio", waves ? least_of_damping_ratio * square : 1.0, damping_ratio);
-  if (swing.on_stiff_films()) {
-    const Summary& error = summary["film_damping_ratio_error"];
-    const double ratio = std::abs(damping_ratio(swing.mode));
-    summary["film_damping_ratio_bound"] = error.is_null() ? Summary() : Summary(ratio + error.get<double>());
-  }
-  summary["swings_in_passage"] = swing.mode.swings_in_passage;
-  summary["swing_solutions"] = swing.mode.solutions;
-  summary["swing_krylov_iterations"] = swing.mode.krylov_iterations;
+  const auto frequency_in_si = [&](const SwingingMode& mode) { return frequency(scales, mode); };
+  return {.frequency = frequency_in_si(swing.mode),
+          .frequency_error = error(least_of_frequency * square, frequency_in_si),
+          .damping_ratio = damping_ratio(swing.mode),
+          .damping_ratio_error = error(waves ? least_of_damping_ratio * square : 1.0, damping_ratio)};
 }
 
-std::string swing_remark(const FilmSwing& swing, const Summary& summary) {
+std::string swing_remark(const FilmSwing& swing, const SwingFigures& figures, double dry_frequency) {
   if (!swing.on_stiff_films()) {
     return swing.coarser ? "" : "the errors of the mode on films are not known, since no coarser grid has a mode";
   }
-  const double dry = summary["f_n"].get<double>();
-  const Summary& bound = summary["film_damping_ratio_bound"];
+  const std::optional<double> bound = figures.damping_ratio_bound();
   return worded(std::setprecision(2), "while oil crosses half a contact the pair swings through ",
                 swing.mode.swings_in_passage,
-                " radians: films are stiff springs there. Their limit, the dry mode, has ", std::setprecision(5), dry,
-                " Hz, from which the mode is ", std::setprecision(2),
-                100.0 * (summary["film_frequency"].get<double>() / dry - 1.0), " % away; the damping ratio ",
-                bound.is_null()
-                    ? "has no bound, since no coarser grid has a mode"
-                    : worded(std::setprecision(2), "is ", bound.get<double>(), " at most, with the error of the grid"));
+                " radians: films are stiff springs there. Their limit, the dry mode, has ", std::setprecision(5),
+                dry_frequency, " Hz, from which the mode is ", std::setprecision(2),
+                100.0 * (figures.frequency / dry_frequency - 1.0), " % away; the damping ratio ",
+                bound ? worded(std::setprecision(2), "is ", *bound, " at most, with the error of the grid")
+                      : "has no bound, since no coarser grid has a mode");
 }
 
 }  // namespace gearfilm

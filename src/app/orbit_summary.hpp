@@ -1,0 +1,18 @@
+// What summaries say of a periodic state, in SI.
+#pragma once
+
+#include "orbits/orbit_errors.hpp"
+#include "output/summary.hpp"
+
+namespace gearfilm {
+
+/// Figures and states of an orbit, and its multipliers where they are known.
+Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found);
+
+/// Multipliers, and the free oscillation they mean, added to a summary.
+void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary);
+
+/// `_error` and `_extrapolated` of its figures, null where nothing is known.
+void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Summary& summary);
+
+}  // namespace gearfilm

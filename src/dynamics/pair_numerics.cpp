@@ -1,0 +1,64 @@
+#include "gearfilm/dynamics/pair_numerics.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/film/validity.hpp"
+
+namespace gearfilm {
+
+GridShape grid_shape(const PairNumerics& numerics, const Scales& scales) {
+  return grid_shape(numerics.domain, scales.hertz.ellipticity, numerics.nx, numerics.ny);
+}
+
+SharedDiscretisation discretise(MPI_Comm comm, const PairNumerics& numerics, const Scales& scales) {
+  return discretise(Grid(comm, grid_shape(numerics, scales)), numerics, scales);
+}
+
+SharedDiscretisation discretise(const Grid& grid, const PairNumerics& numerics, const Scales& scales) {
+  return discretise(grid, scales, numerics.discretisation);
+}
+
+Steps steps_of(const PairNumerics& numerics) {
+  const Domain& domain = numerics.domain;
+  return {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)};
+}
+
+std::optional<PairNumerics> coarser(const PairNumerics& numerics) {
+  constexpr int fewest_x = 33, fewest_y = 9;
+  PairNumerics coarse = numerics;
+  coarse.nx = (numerics.nx - 1) / 2 + 1;
+  coarse.ny = (numerics.ny - 1) / 2 + 1;
+  coarse.steps.lengthen(2.0);
+  return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
+}
+
+SlightlyCoarser slightly_coarser(const PairNumerics& numerics) {
+  constexpr int block = 8;  // of cells, so that there are coarser grids
+  const auto fewer = [](int nodes) {
+    return block * static_cast<int>(std::lround((nodes - 1) / (block * std::numbers::sqrt2))) + 1;
+  };
+  PairNumerics coarse = numerics;
+  coarse.nx = fewer(numerics.nx);
+  coarse.ny = fewer(numerics.ny);
+  const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
+  coarse.steps.lengthen(ratio);
+  return {coarse, ratio};
+}
+
+MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
+                     StepObserver observer, MarchKeeper* keeper) {
+  MarchOptions options{numerics.solver, numerics.steps, numerics.margins, numerics.on_widening};
+  options.films.multigrid.keep_rows = false;
+  options.films.multigrid.levels =
+      numerics.step_levels > 0 ? numerics.step_levels : step_levels(films->grid(), numerics.steps.dT);
+  return MeshMarch(films, mesh, options, std::move(observer), keeper);
+}
+
+StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films) {
+  ContactFilm film(films, scales, numerics.solver.multigrid);
+  return located("contact at the pitch point",
+                 [&] { return solve_stationary(film, LoadCondition::force(scales.static_force), numerics.solver); });
+}
+
+}  // namespace gearfilm

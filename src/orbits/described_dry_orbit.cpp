@@ -1,0 +1,58 @@
+#include "orbits/described_dry_orbit.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace gearfilm {
+namespace {
+
+/// Of the modulus of multipliers: their product is exp(-c T), c the damper's (Liouville).
+double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit& orbit) {
+  const double product = orbit.monodromy.determinant();
+  const double expected = std::exp(-dry_damping(mesh, damping_ratio) * mesh.period());
+  return std::abs(std::sqrt(std::abs(product)) - std::sqrt(expected));
+}
+
+}  // namespace
+
+DescribedOrbit find_described_dry_orbit(const OrbitProblem& problem, const StepObserver& observer,
+                                        const DryWatch& watch) {
+  const auto& [options, with_multipliers, near, zeta] = problem.search;
+  return describe(problem,
+                  near ? dry_orbit_from(problem.mesh, zeta, *near, watch) : find_dry_orbit(problem.mesh, zeta, watch),
+                  observer);
+}
+
+DescribedOrbit describe(const OrbitProblem& problem, const DryOrbit& orbit, const StepObserver& observer) {
+  const MeshModel& mesh = problem.mesh;
+  const double damping_ratio = problem.search.dry_damping_ratio;
+  MarchStatistics statistics(mesh.period(), mesh.scales.static_force);
+  MotionSignal signal;
+  DescribedOrbit found;
+  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& none) {
+    statistics.add(record, given_figures(mesh, false));
+    signal.add(record);
+    const double mesh_periods = record.T / mesh.path.mesh_period(), next = std::round(mesh_periods);
+    const bool leaving = std::abs(mesh_periods - next) < 1e-9 && next < static_cast<double>(mesh.periods());
+    if (leaving && std::lround(next) == static_cast<long>(found.states_after_leaving.size())) {
+      found.states_after_leaving.push_back(record.motion);
+    }
+    observer(record, none);
+  };
+  DryMarch march(mesh, problem.numerics.steps.dT, on_step, dry_damping(mesh, damping_ratio));
+  march.start(orbit.start);
+  march.run(mesh.period());
+  found.orbit.start.motion = orbit.start;
+  found.orbit.end.motion = march.motion();
+  found.orbit.defect = length(difference(march.motion(), orbit.start));
+  found.orbit.monodromy = orbit.monodromy;
+  found.figures = statistics.periods().at(0);
+  found.contact_lost = statistics.contact_lost(0.0, mesh.period());
+  found.transmission_error = signal.deviation(0.0, mesh.period());
+  if (problem.search.with_multipliers) {
+    found.decay = FreeDecay{orbit.monodromy, multipliers(orbit.monodromy), modulus_error(mesh, damping_ratio, orbit)};
+  }
+  return found;
+}
+
+}  // namespace gearfilm

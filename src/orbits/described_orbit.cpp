@@ -1,0 +1,55 @@
+#include "orbits/described_orbit.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace gearfilm {
+
+DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDiscretisation& films,
+                                    const OrbitGuess& guess, const SearchWatch& watch) {
+  const MeshModel& mesh = problem.mesh;
+  const double period = mesh.period(), mesh_period = mesh.path.mesh_period();
+  MarchStatistics statistics(period, mesh.scales.static_force);
+  MotionSignal signal;
+  std::map<long, Motion> after_leaving;  // by mesh periods
+  bool searching = true;
+  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
+    if (!searching) return;
+    statistics.add(record, given_figures(mesh, true));
+    signal.add(record);
+    const double mesh_periods = record.T / mesh_period;
+    if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)
+      after_leaving[std::lround(mesh_periods)] = record.motion;
+    watch.on_step(record, live);
+  };
+  MeshMarch march = watched_march(problem, films, watch, on_step);
+  DescribedOrbit found;
+  found.orbit = find_periodic_orbit(march, guess, problem.search.options, watch.on_period);
+  searching = false;
+  const double begin = found.orbit.begin, end = begin + period;
+  found.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / period)));
+  found.states_after_leaving = {found.orbit.start.motion};
+  const long first = std::lround(begin / mesh_period);
+  for (long n = 1; n < mesh.periods(); ++n) found.states_after_leaving.push_back(after_leaving.at(first + n));
+  found.memory = march.memory();
+  found.contact_lost = statistics.contact_lost(begin, end);
+  found.transmission_error = signal.deviation(begin, end);
+  if (problem.search.with_multipliers)
+    found.decay = free_decay(march, found.orbit, {.lead = problem.search.options.lead});
+  return found;
+}
+
+OrbitGuess improve_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const OrbitGuess& guess,
+                         const SearchWatch& watch) {
+  MeshMarch march = watched_march(problem, films, watch);
+  return improved_guess(march, guess, watch.on_period);
+}
+
+FreeDecay decay_from(const OrbitProblem& problem, const SharedDiscretisation& films, const DescribedOrbit& found,
+                     const SearchWatch& watch) {
+  MeshMarch march = watched_march(problem, films, watch);
+  march.remember(found.memory);
+  return free_decay(march, found.orbit, {.lead = problem.search.options.lead});
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,101 @@
+#include "orbits/orbit_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearfilm/error.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
+constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
+constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
+
+}  // namespace
+
+void OrbitChain::keep(ChainLink found) {
+  if (found.dry) film_shift_ = found.guess.motion.H0() - found.dry->start.H0();
+  before_ = std::move(last_);
+  last_ = std::move(found);
+}
+
+void OrbitChain::forget() {
+  last_.reset();
+  before_.reset();
+}
+
+DescribedOrbit OrbitChain::find_on_films(double value, const SharedDiscretisation& films, const SearchWatch& watch,
+                                         Search& search) {
+  const OrbitProblem problem = problem_at_(value);
+  std::optional<DryOrbit> dry;
+  DescribedOrbit found = search_on_films({problem, films, value}, watch, dry, search);
+  if (!dry) dry = dry_beside(problem.mesh, found.orbit.start.motion);
+  keep({value, {found.orbit.start.motion, found.orbit.monodromy, found.orbit.end}, dry});
+  return found;
+}
+
+DryPointFound OrbitChain::find_dry(double value, const DryWatch& watch) {
+  const auto neighbour = last_ ? std::optional(BranchState{last_->guess.motion, last_->value}) : std::nullopt;
+  DryPointFound found = find_dry_point(problem_at_, value, neighbour, watch);
+  keep({value, {found.orbit.start, found.orbit.monodromy, {}}});
+  return found;
+}
+
+/// The dry orbit next to one on films, if there is any.
+std::optional<DryOrbit> OrbitChain::dry_beside(const MeshModel& mesh, const Motion& motion) const {
+  const Motion near{motion.H0() - film_shift_, motion.V0()};
+  std::optional<DryOrbit> dry = follow_dry_orbit(mesh, typical_film_damping, near);
+  if (dry && length(difference(dry->start, near)) > beside) dry.reset();
+  return dry;
+}
+
+DescribedOrbit OrbitChain::search_on_films(const At& at, const SearchWatch& watch, std::optional<DryOrbit>& dry,
+                                           Search& search) const {
+  if (last_) {
+    search.from_neighbour = true;
+    OrbitProblem brief = at.problem;
+    int& most = brief.search.options.max_periods;
+    most = std::min(most, periods_from_neighbour);
+    try {
+      return find_orbit_near(brief, at.films, from_neighbour(at, dry), watch);
+    } catch (const SolveError& error) {
+      search.neighbour_error = error.what();
+    }
+  }
+  search.from_neighbour = false;
+  dry = dry_start(at.problem.mesh);
+  return find_orbit(at.problem, at.films, *dry, watch).own;
+}
+
+/// The neighbour moved as the dry pair's orbit moves from there to here, with its Jacobian; where the dry orbit
+/// cannot be followed, extrapolated from the last two points.
+OrbitGuess OrbitChain::from_neighbour(const At& at, std::optional<DryOrbit>& dry) const {
+  OrbitGuess guess = last_->guess;
+  if (last_->dry) {
+    const Motion before = last_->dry->start;
+    dry = follow_dry_orbit(at.problem.mesh, typical_film_damping, before);
+    if (dry && length(difference(dry->start, before)) < same_branch) {
+      guess.motion.H0() += dry->start.H0() - before.H0();
+      guess.motion.V0() += dry->start.V0() - before.V0();
+      guess.monodromy = dry->monodromy;
+      return guess;
+    }
+    dry.reset();
+  }
+  guess.motion = extrapolated(at.value);
+  return guess;
+}
+
+/// The motion of the last point, and how it changed from the one before.
+Motion OrbitChain::extrapolated(double value) const {
+  const Motion& last = last_->guess.motion;
+  if (!before_) return last;
+  const double part = (value - last_->value) / (last_->value - before_->value);
+  const Motion before = before_->guess.motion;
+  const Motion step{part * (last.H0() - before.H0()), part * (last.V0() - before.V0())};
+  if (length(step) >= beside) return last;
+  return {last.H0() + step.H0(), last.V0() + step.V0()};
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,35 @@
+// Error bars of a periodic state's figures, from the state with longer steps in space and time.
+#pragma once
+
+#include "gearfilm/numerics/estimate.hpp"
+#include "orbits/coarse_orbit.hpp"
+
+namespace gearfilm {
+
+/// The error bar of one figure.
+struct OrbitError {
+  std::string name;  ///< of the figure: of a period, or transmission_error_peak_to_peak
+  Unit unit;
+  std::optional<Estimate> bar;  ///< dimensionless; nothing where nothing is known of it
+
+  /// In the same unit as figures of summaries.
+  std::optional<Estimate> in_si(const Scales& scales) const;
+};
+
+/// Of all figures that depend on films, pressures or forces; nothing is known without a coarser orbit.
+std::vector<OrbitError> errors_of(const FoundOrbit& found);
+
+/// The figure that is known worst, of those that have a limit in sight.
+struct LargestError {
+  std::string figure;
+  double relative = 0.0;         ///< to its value; to the static force where a force is smaller, since it may vanish
+  bool of_static_force = false;  ///< the latter
+
+  /// "h_min has an error of about 12 %".
+  std::string text() const;
+};
+
+/// Nothing where no error is known.
+std::optional<LargestError> largest_of(const std::vector<OrbitError>& errors, const Scales& scales);
+
+}  // namespace gearfilm

@@ -1,0 +1,29 @@
+#include "gearfilm/orbits/orbit_search.hpp"
+
+namespace gearfilm {
+
+MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation& films, const SearchWatch& watch,
+                        StepObserver on_step) {
+  const double mesh_period = problem.mesh.path.mesh_period();
+  const auto observer = [&watch, mesh_period, on_step = std::move(on_step)](const StepRecord& record,
+                                                                            const std::vector<LiveContact>& contacts) {
+    on_step(record, contacts);
+    if (is_new(watch.keeper, record)) watch.check_stop(record.T / mesh_period);
+  };
+  return make_march(problem.mesh, problem.numerics, films, observer, watch.keeper);
+}
+
+OrbitGuess dry_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+  const Scales& scales = problem.mesh.scales;
+  return guess_from(dry, pitch_film(scales, problem.numerics, films).solution.H0 + scales.approach);
+}
+
+OrbitGuess first_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
+  if (!problem.search.start) return dry_guess(problem, films, dry);
+  OrbitGuess guess;
+  guess.motion = *problem.search.start;
+  guess.monodromy = dry.monodromy;
+  return guess;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,77 @@
+#include "orbits/settled_march.hpp"
+
+#include <algorithm>
+
+#include "gearfilm/dynamics/dry_flow.hpp"
+#include "gearfilm/dynamics/march_statistics.hpp"
+
+namespace gearfilm {
+namespace {
+
+SettledMarch last_of(const std::vector<PoincarePoint>& all, const MarchLength& length, PairState end) {
+  const auto kept = std::min(all.size(), static_cast<std::size_t>(length.kept));
+  return {{all.end() - static_cast<std::ptrdiff_t>(kept), all.end()}, std::move(end)};
+}
+
+}  // namespace
+
+PairState rescaled(const PairState& state, const Scales& from, const Scales& to) {
+  PairState result = state;
+  const double thickness = from.thickness / to.thickness;
+  result.motion.H0() *= thickness;
+  result.motion.V0() *= thickness * to.time / from.time;
+  return result;
+}
+
+SettledMarch march_on_films(const OrbitProblem& problem, const SharedDiscretisation& films,
+                            const std::optional<PairState>& from, const MarchLength& length, const SearchWatch& watch) {
+  PoincareSection section;
+  MeshMarch march = watched_march(
+      problem, films, watch, [&](const StepRecord& record, const std::vector<LiveContact>&) { section.add(record); });
+  if (from && !from->films.empty()) {
+    march.resume(0.0, *from);
+  } else {
+    march.start(from ? std::optional(from->motion) : std::nullopt);
+  }
+  march.run(length.mesh_periods * problem.mesh.path.mesh_period());
+  return last_of(section.points(), length, march.state());
+}
+
+SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>& from, const MarchLength& length,
+                       const StopCheck& check_stop) {
+  const MeshModel& mesh = problem.mesh;
+  std::vector<PoincarePoint> points;
+  const auto on_period = [&](const DryPeriod& period) {
+    const auto mesh_periods = static_cast<double>(points.size() + 1);
+    points.push_back({mesh_periods * mesh.path.mesh_period(), period.motion, period.extremes.largest_force,
+                      period.extremes.smallest_force, 0.0});
+    check_stop(mesh_periods);
+  };
+  DryFlow::march(mesh, problem.search.dry_damping_ratio, from ? *from : DryMarch::balance(mesh, DryForce(mesh), 0.0),
+                 length.mesh_periods, on_period);
+  return last_of(points, length, {points.back().motion, {}});
+}
+
+SettledFigures figures_of(const SettledMarch& march, const Scales& scales) {
+  constexpr double tolerance = 1e-3;  // in (H_0, V_0)
+  SettledFigures figures{.smallest_force = HUGE_VAL, .smallest_film = HUGE_VAL};
+  for (const PoincarePoint& point : march.points) {
+    figures.largest_force = std::max(figures.largest_force, point.largest_force / scales.static_force);
+    figures.smallest_force = std::min(figures.smallest_force, point.smallest_force / scales.static_force);
+    figures.smallest_film = std::min(figures.smallest_film, point.smallest_film);
+  }
+  figures.contact_lost = figures.smallest_force < lost_force_ratio;
+  figures.recurrence = recurrence_of(march.points, tolerance);
+  figures.settles_at = march.end.motion;
+  if (!figures.recurrence) return figures;
+  if (figures.recurrence->period > 0) {
+    figures.repeats_every = figures.settles_on = figures.recurrence->period;
+  } else if (const std::optional<Settling> settling = settling_of(march.points, *figures.recurrence);
+             settling && settling->contracts()) {
+    figures.settles_on = settling->period;
+    figures.settles_at = settling->limit;
+  }
+  return figures;
+}
+
+}  // namespace gearfilm
