@@ -3,7 +3,7 @@
 
     scripts/code_size.py
 
-Lines of code are those of src and include/gearfilm that are neither empty nor comments alone. A function reaches from
+Lines of code are those of src that are neither empty nor comments alone. A function reaches from
 the line that opens it to the one that closes it, as clang-format indents them; lambdas count to the function around
 them. Includes are counted by the room of the file included, in the order of src/CMakeLists.txt, in which data flows.
 """
@@ -17,8 +17,7 @@ NO_FUNCTION = re.compile(r"\s*(?:class|struct|enum|namespace|union|extern|if|for
 
 
 def files_of(room):
-    folders = (SOURCE / "src" / room, SOURCE / "include/gearfilm" / room)
-    return sorted(path for folder in folders for path in folder.glob("*.[ch]pp"))
+    return sorted((SOURCE / "src" / room).glob("*.[ch]pp"))
 
 
 def is_code(line):

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "gearfilm/parallel/mpi_settings.hpp"
+#include "parallel/mpi_settings.hpp"
 
 namespace {
 

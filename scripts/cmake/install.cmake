@@ -4,26 +4,23 @@ include(CMakePackageConfigHelpers)
 set(GEARFILM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/gearfilm)
 
 # The interface of the library: the headers in include. None of them includes one that lies beside its sources.
-set(GEARFILM_PUBLIC_ROOMS gear lubricant contact parallel numerics grid elasticity film solver traction mesh dynamics orbits input)
-foreach(room ${GEARFILM_PUBLIC_ROOMS})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
-          COMPONENT headers FILES_MATCHING PATTERN *.hpp)
-endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/include/gearfilm/error.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gearfilm
-        COMPONENT headers)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT headers FILES_MATCHING PATTERN *.hpp)
 
-# One archive of all public rooms; how they are built is no concern of those who link it.
+# One archive of all rooms but those of the program itself; how they are built is no concern of those who link it.
 set(objects "")
-foreach(room ${GEARFILM_PUBLIC_ROOMS})
+foreach(room gear lubricant contact parallel numerics grid elasticity film solver traction mesh dynamics orbits input output
+             results interface)
   list(APPEND objects $<TARGET_OBJECTS:gearfilm_${room}>)
 endforeach()
 add_library(gearfilm_library STATIC ${objects})
 set_target_properties(gearfilm_library PROPERTIES OUTPUT_NAME gearfilm EXPORT_NAME gearfilm LINKER_LANGUAGE CXX)
 target_include_directories(gearfilm_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(gearfilm_library INTERFACE cxx_std_20)
-target_compile_definitions(gearfilm_library INTERFACE ${GEARFILM_DEFINITIONS})
+target_compile_definitions(gearfilm_library INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 target_link_libraries(gearfilm_library INTERFACE PkgConfig::SLEPC PkgConfig::PETSC MPI::MPI_C PkgConfig::FFTW
-                                                 PkgConfig::FFTWF Eigen3::Eigen ${GEARFILM_YAML_CPP})
+                                                 PkgConfig::FFTWF ${GEARFILM_YAML_CPP} ${GEARFILM_HDF5_LIBRARIES}
+                                                 Threads::Threads)
 install(TARGETS gearfilm_library EXPORT gearfilm ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT gearfilm NAMESPACE gearfilm:: FILE gearfilmTargets.cmake DESTINATION ${GEARFILM_CMAKE_DIR})
 
@@ -41,9 +38,7 @@ set(GEARFILM_MPI_CFLAGS ${MPI_C_INCLUDE_DIRS})
 list(TRANSFORM GEARFILM_MPI_CFLAGS PREPEND -I)
 list(JOIN GEARFILM_MPI_CFLAGS " " GEARFILM_MPI_CFLAGS)
 list(JOIN MPI_C_LIBRARIES " " GEARFILM_MPI_LIBS)
-set(GEARFILM_DEFINITION_FLAGS ${GEARFILM_DEFINITIONS})
-list(TRANSFORM GEARFILM_DEFINITION_FLAGS PREPEND -D)
-list(JOIN GEARFILM_DEFINITION_FLAGS " " GEARFILM_DEFINITION_FLAGS)
+list(JOIN GEARFILM_HDF5_LIBRARIES " " GEARFILM_HDF5_LIBS)
 configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilm.pc.in ${PROJECT_BINARY_DIR}/gearfilm.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gearfilm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

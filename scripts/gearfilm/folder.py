@@ -7,7 +7,7 @@ import pathlib
 import h5py
 import numpy
 
-FORMAT = 1                      # results_format of include/gearfilm/output/format_version.hpp
+FORMAT = 1                      # results_format of src/output/format_version.hpp
 
 
 class ResultsError(Exception):

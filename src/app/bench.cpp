@@ -1,133 +1,20 @@
-// Speed of the kernels, of stationary solves and of a mesh period, in seconds, per node, and in convolution times
-// (yardstick.hpp).
-
-#include "app/bench_pair.hpp"
+// `gearfilm bench`: speed of the kernels, of stationary films and of a mesh period.
 #include "app/commands.hpp"
-#include "app/stopwatch.hpp"
-#include "app/yardstick.hpp"
-#include "film/multigrid_level.hpp"
-#include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/solver/stationary.hpp"
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "bench/grid_bench.hpp"
+#include "input/case_setup.hpp"
 #include "output/output_directory.hpp"
-#include "output/summary.hpp"
 
 namespace gearfilm {
-namespace {
 
-constexpr GridSize standard_grids[] = {{129, 65}, {129, 129}, {257, 257}, {513, 513}};
-constexpr int kernel_runs = 41;
-constexpr int solve_runs = 3;
-
-/// The measurements on one grid.
-class GridBench {
-public:
-  GridBench(MPI_Comm comm, const Case& problem, GridSize size)
-      : comm_(comm),
-        problem_(problem),
-        discretisation_(discretise(
-            Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-            problem)),
-        film_(discretisation_, problem.scales, problem.numerics.solver.multigrid),
-        unit_(common_unit(comm, size)),
-        change_(film_.grid().local_size()),
-        rows_(film_.grid().local_size()) {}
-
-  Summary run() {
-    petsc_check(PetscPrintf(comm_, "\n%d x %d nodes, convolution time %.4g ms\n%-28s %12s %10s %12s\n",
-                            film_.grid().nx(), film_.grid().ny(), 1e3 * unit_, "", "time [ms]", "ns/node",
-                            "convolutions"));
-    solve();
-    kernels<float>("single");
-    kernels<double>("double");
-    film_kernels();
-    traction_kernels();
-    return {{"nx", film_.grid().nx()}, {"ny", film_.grid().ny()}, {"convolution_time", unit_}, {"rows", table_}};
-  }
-
-private:
-  template <class Work>
-  void time(const std::string& name, int runs, Work work) {
-    double seconds = median_time(work, 0.0, 0, runs);
-    MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
-    const double per_node = 1e9 * seconds / (static_cast<double>(film_.grid().nx()) * film_.grid().ny());
-    petsc_check(
-        PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node, seconds / unit_));
-    table_.push_back(
-        {{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node}, {"convolutions", seconds / unit_}});
-  }
-
-  template <class Work>
-  void time(const std::string& name, Work work) {
-    time(name, kernel_runs, work);
-  }
-
-  void solve() {
-    const LoadCondition load = LoadCondition::force(problem_.scales.static_force);
-    time("stationary film", solve_runs, [&] { result_ = solve_stationary(film_, load, problem_.numerics.solver); });
-  }
-
-  template <class Real>
-  void kernels(const std::string& precision) {
-    MultigridLevel<Real> level(*discretisation_);
-    const Deformation<Real>& deformation = discretisation_->prepare_deformation<Real>();
-    Field<Real> pressure(film_.grid()), deformed(film_.grid());
-    time("deformation, " + precision, [&] { deformation.apply(pressure, deformed); });
-    time("smoother factors, " + precision, [&] { level.update(film_.state(), 0.0); });
-    time("smoother sweep, " + precision, [&] { level.smooth(rows_, change_, 1, true); });
-  }
-
-  void film_kernels() {
-    FilmSolution& solution = result_.solution;
-    time("film and residual", [&] { film_.residual(solution.pressure, solution.H0, {}, rows_); });
-    constexpr StateVersion same = ~StateVersion(0);  // the film is evaluated once
-    time("linearisation, all levels", [&] { film_.linearise(solution.pressure, solution.H0, {}, 0.0, same); });
-    time("Jacobian application", [&] { film_.multiply(rows_, 0.0, change_); });
-    time("V-cycle", [&] { film_.precondition(rows_, change_); });
-  }
-
-  /// On a film that slides by a fifth of its entrainment, in the case's own oil or a typical one.
-  void traction_kernels() {
-    constexpr double typical_step = 1e-6;  // s
-    TractionModel model = warm_film(problem_);
-    const HeatOptions heat = *model.heat;
-    move_surfaces(film_, {.sliding = 0.2});
-    film_.evaluate(result_.solution.pressure, result_.solution.H0);
-    model.heat.reset();
-    time("friction", [&] { traction(model, film_); });
-    model.heat = heat;
-    model.heat->couple_film = false;
-    time("heat across the film", [&] { traction(model, film_); });
-    model.heat->couple_film = true;
-    FilmHeat warm, again;
-    coupled_traction(model, film_, warm);  // the first sweep begins cold
-    time("heat of a film that feels it", [&] {
-      again = warm;
-      coupled_traction(model, film_, again, typical_step);
-    });
-    time("flow by the shear law", [&] { sheared_flow(model, film_); });
-  }
-
-  MPI_Comm comm_;
-  const Case& problem_;
-  SharedDiscretisation discretisation_;
-  ContactFilm film_;
-  double unit_;
-  StationaryResult result_;
-  std::vector<double> change_, rows_;
-  Summary table_ = Summary::array();
-};
-
-}  // namespace
-
-void run_bench(MPI_Comm comm, const Case& problem) {
+void run_bench(MPI_Comm comm, const CaseInput& problem) {
+  constexpr GridSize standard_grids[] = {{129, 65}, {129, 129}, {257, 257}, {513, 513}};
   require_moving_contacts(problem, "bench", false);
   const OutputDirectory directory(comm, problem.run.directory);
   Summary summary;
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();
-  for (const GridSize size : standard_grids) summary["grids"].push_back(GridBench(comm, problem, size).run());
-  if (problem.pair.line && problem.pair.equivalent_mass) summary.update(bench_pair(comm, problem));
+  for (const GridSize size : standard_grids) summary["grids"].push_back(bench_grid(comm, problem, size));
+  if (problem.pair.line && problem.pair.equivalent_mass) summary.update(bench_pair(comm, problem, run_periodic));
   write_summary(comm, problem.run.directory, summary);
 }
 

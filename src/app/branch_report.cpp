@@ -4,12 +4,12 @@
 #include <iomanip>
 #include <sstream>
 
-#include "app/warning.hpp"
+#include "output/screen.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr int digits = 7;  // of values of the parameter
+constexpr int parameter_digits = 7;  // of values of the parameter
 
 std::string name_of(const Branch& branch) {
   return "branch " + std::to_string(branch.number) + " (order " + std::to_string(branch.order) + ")";
@@ -29,8 +29,8 @@ const char* name_of(BranchEnd end) {
 }
 
 std::string place(const BranchState& state, const std::string& unit) {
-  return worded(std::setprecision(digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5), state.motion.H0(),
-                ", V0 ", state.motion.V0());
+  return worded(std::setprecision(parameter_digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5),
+                state.motion.H0(), ", V0 ", state.motion.V0());
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& 
   if (every_point_ || kind != PointKind::regular) {
     print(branch, kind, point);
   } else {
-    progress_.report(worded(name_of(branch), ": ", branch.points, " points, at ", std::setprecision(digits),
+    progress_.report(worded(name_of(branch), ": ", branch.points, " points, at ", std::setprecision(parameter_digits),
                             point.state.parameter, " ", unit_, ", force ratio ", std::setprecision(4),
                             point.value.largest_force));
   }
@@ -74,7 +74,7 @@ void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint
                                             ", largest multiplier ", largest_modulus(point.multipliers()))
                                    : meaning(kind);
   progress_.note(worded(name_of(branch), ": ", regular ? "" : gearfilm::name_of(kind), regular ? "" : " at ",
-                        std::setprecision(digits), point.state.parameter, " ", unit_, ", force ratio ",
+                        std::setprecision(parameter_digits), point.state.parameter, " ", unit_, ", force ratio ",
                         std::setprecision(4), point.value.largest_force, "; ", what));
 }
 
@@ -82,7 +82,7 @@ void BranchReport::finish(const std::vector<Branch>& branches) {
   std::ostringstream table;
   table << "branch  order" << std::setw(14) << "from" << std::setw(14) << "to"
         << "  [" << unit_ << "]\n"
-        << std::setprecision(digits);
+        << std::setprecision(parameter_digits);
   for (const Stretch& stretch : stretches_) {
     table << std::setw(6) << stretch.branch << std::setw(7) << stretch.order << std::setw(14) << stretch.from
           << std::setw(14) << stretch.to << (stretch.stable ? "  stable" : "  unstable") << "\n";

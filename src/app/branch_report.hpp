@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gearfilm/orbits/continuation.hpp"
+#include "orbits/continuation.hpp"
 #include "output/progress.hpp"
 #include "output/summary.hpp"
 

@@ -4,8 +4,8 @@
 #include <regex>
 
 #include "app/command_table.hpp"
-#include "gearfilm/input/parameter.hpp"
 #include "gearfilm/version.hpp"
+#include "input/parameter.hpp"
 
 namespace gearfilm {
 namespace {

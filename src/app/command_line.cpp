@@ -5,20 +5,20 @@
 
 #include "app/command_docs.hpp"
 #include "app/command_table.hpp"
-#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case.hpp"
-#include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
+#include "input/case.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_setup.hpp"
 #include "input/memory.hpp"
 #include "input/oddities.hpp"
 #include "input/options.hpp"
 #include "input/useful_processes.hpp"
 #include "output/provenance.hpp"
+#include "output/screen.hpp"
 #include "parallel/agreement.hpp"
 #include "parallel/first_processes.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {
@@ -55,7 +55,7 @@ void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& comma
   }
   require_known_options(command_line.petsc_arguments);
   require_single_options(command_line.petsc_arguments);
-  const Case problem = read_case(comm, command_line.case_file);
+  const CaseInput problem = read_case(comm, command_line.case_file);
   require_memory(comm, problem.numerics.nx, problem.numerics.ny, command.resumable ? contacts_at_a_time(problem) : 1,
                  heated_points(problem));
   if (problem.run.restart && !command.resumable) {

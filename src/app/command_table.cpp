@@ -4,9 +4,9 @@
 
 #include "app/command_docs.hpp"
 #include "app/commands.hpp"
-#include "app/derived_records.hpp"
-#include "gearfilm/input/parameter.hpp"
+#include "input/parameter.hpp"
 #include "output/results_docs.hpp"
+#include "results/derived_records.hpp"
 
 namespace gearfilm {
 namespace {

@@ -8,12 +8,12 @@
 
 namespace gearfilm {
 
-struct Case;
+struct CaseInput;
 
 /// A command that computes something of a case.
 struct Command {
   const char* name;
-  void (*run)(MPI_Comm, const Case&);
+  void (*run)(MPI_Comm, const CaseInput&);
   bool resumable;   ///< can be stopped and continued
   bool shares_out;  ///< gives every process work of its own, however small the grid
   const char* meaning;

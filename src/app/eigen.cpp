@@ -3,25 +3,25 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/friction_summary.hpp"
-#include "app/orbit_summary.hpp"
 #include "app/result_warnings.hpp"
-#include "app/resumable_run.hpp"
 #include "app/screen_table.hpp"
-#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/orbits/dry_modes.hpp"
-#include "gearfilm/orbits/film_modes.hpp"
-#include "gearfilm/orbits/floquet.hpp"
+#include "input/case_setup.hpp"
 #include "orbits/described_dry_orbit.hpp"
+#include "orbits/dry_modes.hpp"
+#include "orbits/film_modes.hpp"
 #include "orbits/film_swing.hpp"
+#include "orbits/floquet.hpp"
 #include "output/progress.hpp"
+#include "output/resumable_run.hpp"
+#include "output/screen.hpp"
+#include "results/friction_summary.hpp"
+#include "results/orbit_summary.hpp"
 
 namespace gearfilm {
 namespace {
 
-Summary dry_pair_summary(const Case& problem) {
+Summary dry_pair_summary(const CaseInput& problem) {
   const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(),
                                             problem.pair.line->base_radius_wheel()};
   const double k_el = mesh_after_leaving(problem).stiffness_si();
@@ -38,13 +38,13 @@ Summary dry_pair_summary(const Case& problem) {
 }
 
 /// What the damper beside dry contacts makes of their frequency.
-Summary damper_summary(const Case& problem, double f_n) {
+Summary damper_summary(const CaseInput& problem, double f_n) {
   const double zeta = problem.march.dry_damping_ratio.value_or(0.0);
   return {{"damping_ratio", zeta}, {"damped_frequency", f_n * std::sqrt(1.0 - zeta * zeta)}};
 }
 
 /// Multipliers of the dry pair's periodic motion.
-Summary dry_orbit_multipliers(const Case& problem) {
+Summary dry_orbit_multipliers(const CaseInput& problem) {
   const OrbitProblem search = orbit_problem(problem);
   Summary summary;
   add_multipliers(search.mesh, multipliers(find_described_dry_orbit(search, unseen).orbit.monodromy), summary);
@@ -52,7 +52,7 @@ Summary dry_orbit_multipliers(const Case& problem) {
 }
 
 /// Those nearest zero [1/s]; null, and a warning, where they are not found: the pair's mode does not depend on them.
-Summary film_eigenvalues(const Case& problem, LubricatedPair& pair, Vec state, const Watcher& watcher) {
+Summary film_eigenvalues(const CaseInput& problem, LubricatedPair& pair, Vec state, const Watcher& watcher) {
   Summary found = Summary::array();
   try {
     for (const FilmMode& mode : film_modes(pair, state, {.count = problem.modes.count, .watcher = watcher})) {
@@ -80,7 +80,7 @@ void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& sum
 }
 
 /// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
-Summary film_summary(const Case& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
+Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
                      Summary summary, std::vector<std::string>& remarks) {
   const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   RestingPair rest(mesh, problem.numerics, discretisation);
@@ -104,7 +104,7 @@ Summary film_summary(const Case& problem, const SharedDiscretisation& discretisa
 
 /// Multipliers of the periodic state by more periods than `gearfilm periodic` spends on them, which bounds those of the
 /// films by themselves.
-Summary orbit_multipliers(const Case& problem, const SharedDiscretisation& films, ResumableRun& run) {
+Summary orbit_multipliers(const CaseInput& problem, const SharedDiscretisation& films, ResumableRun& run) {
   const OrbitProblem search = orbit_problem(problem);
   const MeshModel& mesh = search.mesh;
   LongWork work(films->grid().comm());
@@ -148,7 +148,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Summ
 
 }  // namespace
 
-void run_eigen(MPI_Comm comm, const Case& given) {
+void run_eigen(MPI_Comm comm, const CaseInput& given) {
   if (given.traction && given.traction->heats_film()) {
     given.parameters.refuse("thermal.model",
                             "is film, but natural modes are those of isothermal films; use thermal.model none");
@@ -160,7 +160,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");
-  Case problem = given;
+  CaseInput problem = given;
   problem.numerics.solver.multigrid.precision =
       Precision::double_precision;  // eigenvalues have the digits of the products
   const SharedDiscretisation films = discretise(comm, problem);
@@ -173,7 +173,7 @@ void run_eigen(MPI_Comm comm, const Case& given) {
   } else {
     LongWork work(comm);
     const Watcher watcher = [&](const std::string& text) { work.report(text); };
-    Case watched = problem;
+    CaseInput watched = problem;
     watched.numerics.solver.newton.watcher = watcher;
     summary = film_summary(watched, films, watcher, std::move(summary), remarks);
   }

@@ -1,7 +1,7 @@
 #include "app/hard_entry.hpp"
 
-#include "app/warning.hpp"
-#include "gearfilm/mesh/static_mesh.hpp"
+#include "mesh/static_mesh.hpp"
+#include "output/screen.hpp"
 
 namespace gearfilm {
 

@@ -1,8 +1,8 @@
 // Teeth that meet their mates under load before the path of contact begins: what is said of them.
 #pragma once
 
-#include "gearfilm/mesh/mesh_model.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "mesh/mesh_model.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

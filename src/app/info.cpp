@@ -1,14 +1,14 @@
 // `gearfilm info`: everything about a case that needs no field solve.
 #include "app/commands.hpp"
-#include "app/derived.hpp"
-#include "app/derived_records.hpp"
 #include "app/result_warnings.hpp"
-#include "app/warning.hpp"
 #include "output/output_directory.hpp"
+#include "output/screen.hpp"
+#include "results/derived.hpp"
+#include "results/derived_records.hpp"
 
 namespace gearfilm {
 
-void run_info(MPI_Comm comm, const Case& problem) {
+void run_info(MPI_Comm comm, const CaseInput& problem) {
   const Summary summary = derived_quantities(problem);
   const OutputDirectory directory(comm, problem.run.directory);
   for (const auto& [name, value] : summary.items()) {

@@ -5,9 +5,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "app/derived.hpp"
-#include "app/friction_summary.hpp"
 #include "gearfilm/error.hpp"
+#include "output/run_identity.hpp"
 
 namespace gearfilm {
 
@@ -16,13 +15,13 @@ namespace {
 constexpr double search_snapshot_interval = 0.05;  // mesh periods
 constexpr std::size_t peak_count = 8;
 
-double snapshot_interval(const Case& problem, MarchPurpose purpose) {
+double snapshot_interval(const CaseInput& problem, MarchPurpose purpose) {
   return problem.march.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
 }
 
 }  // namespace
 
-MarchOutput::MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const MeshModel& mesh,
+MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid& grid, const MeshModel& mesh,
                          MarchPurpose purpose, double expected_periods)
     : checkpoint_(run.checkpoint()),
       problem_(problem),
@@ -152,93 +151,6 @@ void MarchOutput::report(const StepRecord& record, double period) {
     text << ", smallest film " << 1e6 * problem_.scales.thickness * smallest << " um";
   }
   progress_.report(std::min(1.0, period / expected_periods_), text.str());
-}
-
-namespace {
-
-/// One figure over all the periods that have it.
-Summary over_periods(const Summary& periods, const PeriodFigure& figure) {
-  Summary kept;
-  double sum = 0.0;
-  int count = 0;
-  for (const Summary& period : periods) {
-    const auto found = period.find(figure.name);
-    if (found == period.end()) continue;
-    if (figure.reduction == Reduction::mean) {
-      sum += found->get<double>();
-      kept = sum / ++count;
-      continue;
-    }
-    const bool replaces = kept.is_null() || figure.reduction == Reduction::last ||
-                          (figure.reduction == Reduction::largest ? *found > kept : *found < kept);
-    if (replaces) kept = *found;
-  }
-  return kept;
-}
-
-}  // namespace
-
-Summary period_summary(const Scales& scales, const PeriodFigures& period) {
-  Summary summary;
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
-    if (!period.values[n]) continue;
-    const PeriodFigure& figure = period_figures[n];
-    const double value = figure.unit.in_si(scales, *period.values[n]);
-    Summary& entry = summary[std::string(figure.name)];
-    if (figure.unit.whole) {
-      entry = static_cast<long>(value);
-    } else {
-      entry = value;
-    }
-  }
-  return summary;
-}
-
-Summary grid_summary(const Scales& scales, const GridShape& shape) {
-  return {{"nx", shape.nx},
-          {"ny", shape.ny()},
-          {"x_min", shape.x_min},
-          {"x_max", shape.x_max},
-          {"y_half", scales.hertz.ellipticity * shape.row_axis.half_width()}};
-}
-
-Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
-  const Scales& scales = mesh.scales;
-  Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
-  if (problem.march.model == MarchModel::dynamic) summary["motion"] = problem.parameters.text("motion");
-  summary["nx"] = problem.numerics.nx;
-  summary["ny"] = problem.numerics.ny;
-  summary["dT"] = problem.numerics.steps.dT;
-  summary["static_force"] = scales.operation.load;
-  summary["mesh_period"] = scales.time * mesh.path.mesh_period();
-  Summary periods = Summary::array();
-  for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
-  for (const PeriodFigure& figure : period_figures) {
-    if (!figure.of_march()) continue;
-    if (const Summary value = over_periods(periods, figure); !value.is_null())
-      summary[std::string(figure.name)] = value;
-  }
-  add_efficiency(mesh, summary);
-  summary["periods"] = std::move(periods);
-  summary["events"] = Summary::array();
-  for (const MeshEvent& event : statistics.events()) {
-    summary["events"].push_back({{"event", event.kind == MeshEvent::Kind::exit ? "exit" : "entry"},
-                                 {"contact", event.contact},
-                                 {"T", event.T},
-                                 {"distance", mesh.path.distance(event.T)},
-                                 {"H0", event.motion.H0()},
-                                 {"V0", event.motion.V0()}});
-  }
-  summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodFigures& period) {
-    return period["back_force_ratio_max"].value_or(0.0) > 0.0;
-  });
-  summary["contact_losses"] = Summary::array();
-  for (const ContactLoss& loss : statistics.losses()) {
-    Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (!problem.dry()) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
-    summary["contact_losses"].push_back(entry);
-  }
-  return summary;
 }
 
 }  // namespace gearfilm

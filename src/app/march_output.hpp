@@ -3,14 +3,14 @@
 
 #include <optional>
 
-#include "app/resumable_run.hpp"
-#include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/input/case.hpp"
-#include "gearfilm/orbits/periodic_orbit.hpp"
-#include "gearfilm/orbits/poincare.hpp"
-#include "gearfilm/orbits/spectrum.hpp"
+#include "dynamics/march_statistics.hpp"
+#include "input/case.hpp"
+#include "orbits/periodic_orbit.hpp"
+#include "orbits/poincare.hpp"
+#include "orbits/spectrum.hpp"
 #include "output/history.hpp"
 #include "output/progress.hpp"
+#include "output/resumable_run.hpp"
 #include "output/snapshots.hpp"
 #include "output/summary.hpp"
 
@@ -24,8 +24,8 @@ class MarchOutput {
 public:
   /// Creates results.h5 in the run's folder; where a run goes on, it takes the place of the earlier one as soon as it
   /// holds the same. The mesh must outlive the output. expected_periods: the whole of the work, for the time left.
-  MarchOutput(ResumableRun& run, const Case& problem, const Grid& grid, const MeshModel& mesh, MarchPurpose purpose,
-              double expected_periods);
+  MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid& grid, const MeshModel& mesh,
+              MarchPurpose purpose, double expected_periods);
 
   void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
 
@@ -51,7 +51,7 @@ private:
   void report(const StepRecord& record, double period);
 
   Checkpoint& checkpoint_;
-  const Case& problem_;
+  const CaseInput& problem_;
   const MeshModel& mesh_;
   MarchPurpose purpose_;
   bool lubricated_;
@@ -69,11 +69,4 @@ private:
 
 /// How far a period of a search was from repeating, in a line.
 std::string text_of(const SearchPeriod& period);
-/// Figures of one mesh period, in SI.
-Summary period_summary(const Scales& scales, const PeriodFigures& period);
-/// The grid that a run ended on, widened or not, in the units of the case's parameters.
-Summary grid_summary(const Scales& scales, const GridShape& shape);
-/// All of a march: its periods, their extremes, events and losses of contact.
-Summary march_summary(const Case& problem, const MeshModel& mesh, const MarchStatistics& statistics);
-
 }  // namespace gearfilm

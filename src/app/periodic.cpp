@@ -2,41 +2,23 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/error_bar.hpp"
-#include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
-#include "app/orbit_summary.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
-#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_setup.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_setup.hpp"
 #include "orbits/described_dry_orbit.hpp"
+#include "output/screen.hpp"
+#include "results/friction_summary.hpp"
+#include "results/march_summary.hpp"
+#include "results/orbit_summary.hpp"
 
 namespace gearfilm {
 namespace {
 
 constexpr double typical_periods = 4.0;  // of the motion, for the time left
-constexpr double many_swings = 40.0;     // of the pair in a mesh period
-
-/// A pair that swings very often in a mesh period is taken to be in balance at every moment, where the case does not
-/// say how it moves nor ask for what has inertia alone.
-Case without_many_swings(MPI_Comm comm, const Case& given) {
-  ParameterValues values = given.parameters;
-  const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
-  const bool choosable = !values.given("motion") && !multipliers_asked && !values.given("periodic.order") &&
-                         !values.yes("friction.in_motion") && given.march.model == MarchModel::dynamic &&
-                         given.march.geometry == MeshGeometry::moving && !given.march.start_motion && swings(given);
-  const double in_mesh_period = choosable ? mesh_period(given) / natural_period(given) : 0.0;
-  if (in_mesh_period < many_swings) return given;
-  say(comm, std::setprecision(3), "the pair would swing ", in_mesh_period,
-      " times in a mesh period: bodies are taken to be in balance at every moment (motion: quasi_static); -motion "
-      "dynamic follows their swings");
-  values.set("motion", "quasi_static", "the choice of motion by the program");
-  return make_case(values);
-}
 
 /// How far the total force is from the static one at most [static forces]: without inertia, about the size of the
 /// swings that are left out.
@@ -45,37 +27,8 @@ double swing_left_out(const Summary& summary) {
                   1.0 - summary["total_force_ratio_min"].get<double>());
 }
 
-/// The undamped dry pair's orbit, for comparison; null where none is found without long marches, or where the pair
-/// swings so often in a mesh period that an orbit without damping says nothing.
-Summary dry_summary(const Case& problem, const MeshModel& mesh) {
-  constexpr double most_oscillations = 10.0;
-  if (mesh.inertia == 0.0 || mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations)
-    return nullptr;
-  const std::optional<DryOrbit> dry = find_dry_orbit_soon(mesh, 0.0);
-  if (!dry) return nullptr;
-  Summary summary = {{"H0_after_leaving", dry->start.H0()},
-                     {"V0_after_leaving", dry->start.V0()},
-                     {"force_ratio_max", dry->largest_integral / problem.scales.static_force}};
-  add_multipliers(mesh, multipliers(dry->monodromy), summary);
-  for (const char* noise : {"stable", "damping_ratio"}) summary.erase(noise);  // without damping
-  return summary;
-}
-
-/// The fewest mesh periods after which the states repeat; as many as there are states where none does before.
-std::size_t true_order(const std::vector<Motion>& states, double tolerance) {
-  for (std::size_t order = 1; order < states.size(); ++order) {
-    if (states.size() % order != 0) continue;
-    bool same = true;
-    for (std::size_t n = order; n < states.size(); ++n) {
-      same = same && length(difference(states[n], states[n - order])) < tolerance;
-    }
-    if (same) return order;
-  }
-  return states.size();
-}
-
 /// What multipliers and states say about orbits of other orders.
-std::string advice(const Case& problem, const DescribedOrbit& found) {
+std::string advice(const CaseInput& problem, const DescribedOrbit& found) {
   constexpr double noise = 20.0;  // of the search's tolerance
   const std::size_t order = true_order(found.states_after_leaving, noise * problem.search.options.tolerance);
   const long pattern = problem.pair.teeth.pattern();
@@ -98,7 +51,7 @@ std::string stability(const Summary& summary) {
                 summary["floquet_modulus_error"].get<double>(), " in a period");
 }
 
-void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case& problem, const Summary& summary,
+void print_result(MPI_Comm comm, const std::filesystem::path& folder, const CaseInput& problem, const Summary& summary,
                   const std::optional<LargestError>& error, const std::string& advice) {
   const bool in_balance = problem.march.motion == PairMotion::quasi_static;
   ScreenTable(summary)
@@ -130,7 +83,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
        "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
-void find_and_write(MPI_Comm comm, const Case& problem) {
+void find_and_write(MPI_Comm comm, const CaseInput& problem) {
   require_moving_contacts(problem, "periodic", true);
   require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
@@ -167,20 +120,10 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
   const double begin = found.own.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
-  Summary summary = {{"case", problem.name},
-                     {"nx", problem.numerics.nx},
-                     {"ny", problem.numerics.ny},
-                     {"dT", problem.numerics.steps.dT}};
-  summary["motion"] = problem.parameters.text("motion");
-  summary["order"] = problem.search.order;
-  summary["static_force"] = problem.scales.operation.load;
-  summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
-  summary.update(orbit_summary(mesh, found.own));
   const std::vector<OrbitError> errors = errors_of(found);
-  add_errors(errors, mesh.scales, summary);
-  add_efficiency(mesh, summary);
+  Summary summary = periodic_summary(problem, mesh, found, errors);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
-  summary["dry"] = dry_summary(problem, mesh);
+  summary["dry"] = dry_summary(mesh);
   summary["completed"] = true;
   output.finish();
   write_summary(comm, run.directory().path(), summary);
@@ -193,9 +136,12 @@ void find_and_write(MPI_Comm comm, const Case& problem) {
 
 }  // namespace
 
-void run_periodic(MPI_Comm comm, const Case& problem) {
+void run_periodic(MPI_Comm comm, const CaseInput& problem) {
   require_inertia(problem);
-  find_and_write(comm, without_many_swings(comm, problem));
+  std::string remark;
+  const CaseInput chosen = with_chosen_motion(problem, remark);
+  if (!remark.empty()) say(comm, remark);
+  find_and_write(comm, chosen);
 }
 
 }  // namespace gearfilm

@@ -1,10 +1,11 @@
 #include "app/result_warnings.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 
-#include "app/friction_summary.hpp"
-#include "app/warning.hpp"
+#include "output/screen.hpp"
+#include "results/friction_summary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -27,7 +28,7 @@ std::optional<double> value_of(const Summary& summary, std::initializer_list<con
 
 }  // namespace
 
-void warn_of_heating(MPI_Comm comm, const Case& problem, const Summary& heating) {
+void warn_of_heating(MPI_Comm comm, const CaseInput& problem, const Summary& heating) {
   if (problem.traction && problem.traction->heats_film()) return;
   if (problem.parameters.given("thermal.model") && !problem.traction) return;
   const std::optional<double> factor = value_of(heating, {"murch_wilson_thermal_factor"});
@@ -63,6 +64,20 @@ void warn_of_validity(MPI_Comm comm, const Summary& summary) {
     warn(comm, three_digits, "in ", 100.0 * *missed,
          " % of a contact's nodes the temperature across the film did not settle; raise thermal.points");
   }
+}
+
+double tolerable_error(const CaseInput& problem) {
+  constexpr double usual = 0.05;
+  const std::string accuracy = "grid.accuracy";
+  return problem.parameters.given(accuracy) ? std::max(usual, problem.parameters.real(accuracy)) : usual;
+}
+
+void note_spike(MPI_Comm comm, const Summary& summary) {
+  if (!summary.contains("p_max_error") || summary["p_max_error"].is_null()) return;
+  if (!summary["p_max_extrapolated"].is_null()) return;
+  say(comm,
+      "the largest pressure is, or may become on finer grids, that of the outlet's spike, whose limit is not known: "
+      "its error is what doubling the nodes twice may add");
 }
 
 }  // namespace gearfilm

@@ -5,7 +5,7 @@
 #include <iomanip>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {

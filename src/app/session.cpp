@@ -9,10 +9,10 @@
 #include <system_error>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/mpi_settings.hpp"
 #include "output/stop_request.hpp"
 #include "parallel/agreement.hpp"
 #include "parallel/events.hpp"
+#include "parallel/mpi_settings.hpp"
 
 namespace gearfilm {
 

@@ -3,23 +3,23 @@
 #include <iomanip>
 #include <limits>
 
-#include "app/case_at.hpp"
 #include "app/commands.hpp"
-#include "app/derived.hpp"
-#include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
 #include "app/sweep_chain.hpp"
 #include "app/sweep_mending.hpp"
-#include "app/sweep_tables.hpp"
-#include "app/warning.hpp"
-#include "gearfilm/dynamics/period_figures.hpp"
+#include "dynamics/period_figures.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_setup.hpp"
+#include "input/case_at.hpp"
+#include "input/case_setup.hpp"
 #include "output/output_directory.hpp"
 #include "output/results_table.hpp"
+#include "output/screen.hpp"
 #include "parallel/agreement.hpp"
+#include "results/derived.hpp"
+#include "results/friction_summary.hpp"
+#include "results/sweep_tables.hpp"
 
 namespace gearfilm {
 namespace {
@@ -45,7 +45,7 @@ std::vector<SweepChain> chains_of(const SweepOptions& sweep) {
 }
 
 /// Groups of processes, as equal as can be, to which chains are dealt out.
-int group_count(MPI_Comm comm, const Case& problem) {
+int group_count(MPI_Comm comm, const CaseInput& problem) {
   const int size = processes_in(comm);
   const int chains = static_cast<int>(chains_of(problem.sweep).size());
   const int groups = std::min({problem.sweep.groups > 0 ? problem.sweep.groups : chains, chains, size});
@@ -59,7 +59,8 @@ int group_count(MPI_Comm comm, const Case& problem) {
   return groups;
 }
 
-void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, int groups, const StopRequest& stop) {
+void run_chains(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, int groups,
+                const StopRequest& stop) {
   const std::vector<SweepChain> chains = chains_of(problem.sweep);
   const int size = processes_in(comm), rank = rank_in(comm);
   const int own = static_cast<int>(static_cast<long>(rank) * groups / size);
@@ -78,7 +79,7 @@ void run_chains(MPI_Comm comm, const Case& problem, const SweepPoints& points, i
 }
 
 /// The extremes over all points, and where they are.
-void print_extremes(MPI_Comm comm, const Case& problem, const Summary& summary) {
+void print_extremes(MPI_Comm comm, const CaseInput& problem, const Summary& summary) {
   ScreenTable table(summary);
   const auto add = [&](const std::string& label, const char* key, double sign, double factor, const char* unit) {
     const Summary* worst = nullptr;
@@ -98,7 +99,7 @@ void print_extremes(MPI_Comm comm, const Case& problem, const Summary& summary) 
   table.print(comm, problem.run.directory);
 }
 
-void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
+void print_result(MPI_Comm comm, const CaseInput& problem, const Summary& summary) {
   const int found = summary["points_found"].get<int>(), count = found + summary["points_failed"].get<int>();
   say(comm, found, " of ", count, problem.sweep.marched() ? " marches done" : " periodic states found");
   if (problem.sweep.kind == SweepKind::periodic) print_extremes(comm, problem, summary);
@@ -111,7 +112,7 @@ void print_result(MPI_Comm comm, const Case& problem, const Summary& summary) {
 
 }  // namespace
 
-void run_sweep(MPI_Comm comm, const Case& problem) {
+void run_sweep(MPI_Comm comm, const CaseInput& problem) {
   require_inertia(problem);
   require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");
@@ -156,7 +157,7 @@ void run_sweep(MPI_Comm comm, const Case& problem) {
   points.complete(comm);
   print_result(comm, problem, summary);
   if (!problem.dry() && problem.sweep.kind == SweepKind::periodic) {
-    const Case fastest = case_at(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
+    const CaseInput fastest = case_at(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
     warn_of_heating(comm, fastest, heating_at_pitch(fastest));
   }
   if (failures == static_cast<int>(count))

@@ -2,75 +2,25 @@
 
 #include <sstream>
 
-#include "app/case_at.hpp"
-#include "app/orbit_summary.hpp"
-#include "app/warning.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_setup.hpp"
-#include "orbits/described_dry_orbit.hpp"
+#include "input/case_at.hpp"
+#include "input/case_setup.hpp"
 #include "orbits/orbit_chain.hpp"
 #include "output/file_ownership.hpp"
+#include "output/screen.hpp"
 #include "output/state_file.hpp"
 #include "parallel/agreement.hpp"
+#include "results/sweep_point.hpp"
 
 namespace gearfilm {
 namespace {
 
 const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
 
-/// Row by row.
-Summary monodromy_json(const Monodromy& map) {
-  Summary rows = Summary::array();
-  for (const auto& row : map.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
-  return rows;
-}
-
-Monodromy read_monodromy(const Summary& rows) {
-  const auto size = static_cast<Eigen::Index>(rows.size());
-  Monodromy map(size, size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) map(i, j) = rows[i][j].get<double>();
-  }
-  return map;
-}
-
-/// A point on disk, but for its films, as the beginning of the next.
-ChainLink read_link(const Summary& point) {
-  ChainLink link{point["value"].get<double>(), {}, {}};
-  link.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
-  if (!point.contains("monodromy")) return link;  // of a march
-  link.guess.monodromy = read_monodromy(point["monodromy"]);
-  if (point.contains("dry_motion")) link.dry.emplace().start = point["dry_motion"].get<Motion>();
-  return link;
-}
-
-/// In SI.
-Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lubricated) {
-  const SettledFigures figures = figures_of(march, scales);
-  Summary summary = {{"H0_after_leaving", march.end.motion.H0()}, {"V0_after_leaving", march.end.motion.V0()}};
-  summary["poincare"] = Summary::array();
-  for (const PoincarePoint& at : march.points) {
-    Summary entry = {at.motion.H0(), at.motion.V0(), at.largest_force / scales.static_force,
-                     at.smallest_force / scales.static_force};
-    if (lubricated) entry.push_back(scales.thickness * at.smallest_film);
-    summary["poincare"].push_back(std::move(entry));
-  }
-  summary["force_ratio_max"] = figures.largest_force;
-  summary["total_force_ratio_min"] = figures.smallest_force;
-  if (lubricated) summary["h_min"] = scales.thickness * figures.smallest_film;
-  summary["contact_lost"] = figures.contact_lost;
-  const auto known = [](const auto& value) { return value ? Summary(*value) : Summary(); };
-  summary["repeats_every"] = known(figures.repeats_every);
-  summary["repeats_within"] = figures.recurrence ? Summary(figures.recurrence->defect) : Summary();
-  summary["settles_on"] = known(figures.settles_on);
-  summary["settles_at"] = figures.settles_at;
-  return summary;
-}
-
 /// The chain with its points on disk.
 class ChainRun {
 public:
-  ChainRun(MPI_Comm group, const Case& problem, const SweepPoints& points, const StopRequest& stop)
+  ChainRun(MPI_Comm group, const CaseInput& problem, const SweepPoints& points, const StopRequest& stop)
       : group_(group), problem_(problem), points_(points), stop_(stop), chain_(problems_of_sweep(problem)) {}
 
   void run(const SweepChain& chain) {
@@ -129,16 +79,11 @@ private:
   }
 
   Summary compute(const SweepPoint& point, double value) {
-    const Case here = case_of_sweep(problem_, value);
+    const CaseInput here = case_of_sweep(problem_, value);
     const OrbitProblem search = orbit_problem(here);
     const MeshModel& mesh = search.mesh;
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
-    result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
-    result["torque"] = here.pair.torque;
-    result["m_ge"] = *here.pair.equivalent_mass;
-    result["I_n"] = mesh.inertia;
-    result["f_m"] = mesh.mesh_frequency_si();
-    result["f_n"] = mesh.frequency_si();
+    add_conditions(here, mesh, result);
     try {
       if (here.sweep.marched()) {
         march(search, value, point, result);
@@ -213,8 +158,7 @@ private:
       const DescribedOrbit found = chain_.find_on_films(value, films, watch, search);
       describe_search();
       write_films(point, found.orbit.end);
-      result.update(orbit_summary(problem.mesh, found));
-      result["monodromy"] = monodromy_json(found.orbit.monodromy);
+      add_orbit(problem.mesh, found, result);
       if (const std::optional<DryOrbit>& dry = chain_.last()->dry) result["dry_motion"] = dry->start;
     } catch (const SolveError&) {
       describe_search();
@@ -223,7 +167,7 @@ private:
   }
 
   MPI_Comm group_;
-  const Case& problem_;
+  const CaseInput& problem_;
   const SweepPoints& points_;
   const StopRequest& stop_;
   OrbitChain chain_;
@@ -232,14 +176,7 @@ private:
 
 }  // namespace
 
-void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result) {
-  const DescribedOrbit described = describe(problem, found.orbit);
-  result["start"] = found.start;
-  result.update(orbit_summary(problem.mesh, described));
-  result["monodromy"] = monodromy_json(described.orbit.monodromy);
-}
-
-void print_point(MPI_Comm group, const Case& problem, const Summary& point) {
+void print_point(MPI_Comm group, const CaseInput& problem, const Summary& point) {
   std::ostringstream text;
   text << point["direction"].get<std::string>() << " " << point["value"].get<double>() << " " << problem.sweep.unit
        << ": ";
@@ -261,7 +198,7 @@ void print_point(MPI_Comm group, const Case& problem, const Summary& point) {
   say(group, text.str());
 }
 
-void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
+void run_chain(MPI_Comm group, const CaseInput& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop) {
   ChainRun(group, problem, points, stop).run(chain);
 }

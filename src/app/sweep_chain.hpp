@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "app/sweep_points.hpp"
-#include "orbits/dry_sweep_point.hpp"
 #include "output/stop_request.hpp"
+#include "output/sweep_points.hpp"
 
 namespace gearfilm {
 
@@ -15,13 +14,10 @@ using SweepChain = std::vector<SweepPoint>;
 /// Computes the points that are still missing, writes each when it is done, and prints a line on it. A point without a
 /// periodic state is recorded with its error; the next one starts anew, one of the dry pair from the last that was
 /// found. Throws Stopped. Collective on the group.
-void run_chain(MPI_Comm group, const Case& problem, const SweepPoints& points, const SweepChain& chain,
+void run_chain(MPI_Comm group, const CaseInput& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop);
 
-/// The record of a point with its dry orbit. problem: of the point.
-void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result);
-
 /// A line on a point that is done. Collective.
-void print_point(MPI_Comm group, const Case& problem, const Summary& point);
+void print_point(MPI_Comm group, const CaseInput& problem, const Summary& point);
 
 }  // namespace gearfilm

@@ -1,8 +1,9 @@
 #include "app/sweep_mending.hpp"
 
-#include "app/case_at.hpp"
 #include "app/sweep_chain.hpp"
-#include "gearfilm/input/case_setup.hpp"
+#include "input/case_at.hpp"
+#include "input/case_setup.hpp"
+#include "results/sweep_point.hpp"
 
 namespace gearfilm {
 namespace {
@@ -31,12 +32,12 @@ std::vector<BranchState> near(const std::vector<Known>& all, const SweepPoint& p
 }
 
 /// The record of a point with the state that is found from another; nothing where there is none.
-std::optional<Summary> mended(const Case& problem, const Known& failed, const BranchState& from,
+std::optional<Summary> mended(const CaseInput& problem, const Known& failed, const BranchState& from,
                               const DryWatch& watch) {
   const auto value = failed.result["value"].get<double>();
   const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(problem), value, from, watch);
   if (!orbit) return {};
-  const Case here = case_at(problem, problem.sweep.parameter, value);
+  const CaseInput here = case_at(problem, problem.sweep.parameter, value);
   Summary result = failed.result;
   result.erase("error");
   add_dry_orbit(orbit_problem(here), {*orbit, from.parameter == value ? "other way" : "point beyond"}, result);
@@ -45,7 +46,7 @@ std::optional<Summary> mended(const Case& problem, const Known& failed, const Br
 
 }  // namespace
 
-void mend_sweep(MPI_Comm comm, const Case& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
+void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop) {
   const DryWatch watch = stop.count_in(comm);
   std::vector<Known> known;

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "app/sweep_points.hpp"
 #include "output/stop_request.hpp"
+#include "output/sweep_points.hpp"
 
 namespace gearfilm {
 
 /// Over and over until no further one is found; each is written anew, with a line on the screen. all: in the order of
 /// the sweep. Throws Stopped. Collective.
-void mend_sweep(MPI_Comm comm, const Case& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
+void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop);
 
 }  // namespace gearfilm

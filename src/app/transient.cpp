@@ -2,26 +2,27 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/friction_summary.hpp"
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
-#include "app/warning.hpp"
-#include "gearfilm/dynamics/dry_pair.hpp"
+#include "dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case_setup.hpp"
+#include "input/case_setup.hpp"
+#include "output/screen.hpp"
+#include "results/friction_summary.hpp"
+#include "results/march_summary.hpp"
 
 namespace gearfilm {
 namespace {
 
 /// The end of the march: that of the line of action where one contact is followed along it.
-double end_of(const Case& problem, const MeshModel& mesh) {
+double end_of(const CaseInput& problem, const MeshModel& mesh) {
   return mesh.load ? mesh.path.exit_time(0) : mesh.path.time_after(problem.march.mesh_periods);
 }
 
 /// A march that goes on cannot end before where it is.
-void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mesh) {
+void require_beyond(ResumableRun& run, const CaseInput& problem, const MeshModel& mesh) {
   const double kept = run.checkpoint().kept_until();
   if (kept <= end_of(problem, mesh) * (1.0 + 1e-9)) return;
   problem.parameters.refuse("mesh_periods", "is " + format_value(problem.march.mesh_periods) + ", but the march in '" +
@@ -30,7 +31,7 @@ void require_beyond(ResumableRun& run, const Case& problem, const MeshModel& mes
 }
 
 template <class March>
-void drive(March&& march, const Case& problem) {
+void drive(March&& march, const CaseInput& problem) {
   march.start(problem.march.start_motion);
   march.run(end_of(problem, march.mesh()));
 }
@@ -73,7 +74,7 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
 
 }  // namespace
 
-void run_transient(MPI_Comm comm, const Case& problem) {
+void run_transient(MPI_Comm comm, const CaseInput& problem) {
   require_inertia(problem);
   const SharedDiscretisation films = discretise(comm, problem);
   const Grid& grid = films->grid();
@@ -109,7 +110,7 @@ void run_transient(MPI_Comm comm, const Case& problem) {
   };
   try {
     if (lubricated) {
-      Case controlled = problem;
+      CaseInput controlled = problem;
       controlled.numerics.steps.tolerance = problem.march.step_tolerance;
       march = make_march(controlled, films, mesh, observer, &run.checkpoint());
       drive(*march, problem);

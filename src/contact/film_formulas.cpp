@@ -9,7 +9,7 @@
 // The exponents of the last line and s come second-hand. They agree with computed films within 2-3 % for
 // incompressible Barus fluids; for compressible ones, divided by rho(p_h), the formula is 2 % low at M = 200,
 // L = 10 and 9 % high at M = 2400, L = 27: a comparison, not a reference.
-#include "gearfilm/contact/film_formulas.hpp"
+#include "contact/film_formulas.hpp"
 
 #include <cmath>
 

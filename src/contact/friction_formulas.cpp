@@ -1,4 +1,4 @@
-#include "gearfilm/contact/friction_formulas.hpp"
+#include "contact/friction_formulas.hpp"
 
 #include <algorithm>
 #include <cmath>

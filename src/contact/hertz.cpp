@@ -4,7 +4,7 @@
 //   D = kappa^2 (K-E)/(E - kappa^2 K) = kappa^2 S/(1-S).
 // The first form is 0/0 for the circle; S is regular there (1/2) and the arithmetic-geometric mean gives it as
 // a sum of positive terms (DLMF 19.8.6), so the second form keeps its digits for every kappa.
-#include "gearfilm/contact/hertz.hpp"
+#include "contact/hertz.hpp"
 
 #include <cassert>
 #include <cmath>

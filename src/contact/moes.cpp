@@ -1,6 +1,6 @@
 // Moes' groups (doi 10.1016/0043-1648(92)90287-7). Both carry the speed through s = 2 eta_0 u_m/(E' R_x):
 //   M = w/(E' R_x^2) s^(-3/4),  L = alpha_B E' s^(1/4),  D = R_x/R_y
-#include "gearfilm/contact/moes.hpp"
+#include "contact/moes.hpp"
 
 #include <cassert>
 #include <cmath>

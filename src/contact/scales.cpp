@@ -1,6 +1,6 @@
 // The scales of the dimensionless problem, eqs (20)-(26) of doi 10.1016/j.triboint.2013.01.017:
 //   X = x/a, P = p/p_h, H = h R_x*/a^2, T = t u_m*/a
-#include "gearfilm/contact/scales.hpp"
+#include "contact/scales.hpp"
 
 #include <cassert>
 #include <numbers>

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/dynamics/meshed_films.hpp"
+#include "dynamics/meshed_films.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/rescaled_hertz_pressure.hpp"
-#include "gearfilm/mesh/dry_force.hpp"
+#include "film/rescaled_hertz_pressure.hpp"
+#include "mesh/dry_force.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/contact_figures.hpp"
+#include "dynamics/contact_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

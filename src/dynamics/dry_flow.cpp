@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/dry_flow.hpp"
+#include "dynamics/dry_flow.hpp"
 
 #include <petscts.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,9 +1,9 @@
-#include "gearfilm/dynamics/dry_pair.hpp"
+#include "dynamics/dry_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "mesh/back_flanks.hpp"
 
 namespace gearfilm {
 

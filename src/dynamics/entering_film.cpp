@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/entering_film.hpp"
+#include "dynamics/entering_film.hpp"
 
 #include <cmath>
 

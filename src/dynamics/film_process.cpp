@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/film_process.hpp"
+#include "dynamics/film_process.hpp"
 
 #include "dynamics/heat_process.hpp"
 

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/frequency_fit.hpp"
+#include "dynamics/frequency_fit.hpp"
 
 namespace gearfilm {
 

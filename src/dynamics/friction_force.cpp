@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/friction_force.hpp"
+#include "dynamics/friction_force.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/guess_memory.hpp"
+#include "dynamics/guess_memory.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gearfilm/traction/coupled_film.hpp"
+#include "traction/coupled_film.hpp"
 
 namespace gearfilm {
 namespace {

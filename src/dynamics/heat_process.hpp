@@ -5,7 +5,7 @@
 // they make of the flow.
 #pragma once
 
-#include "gearfilm/dynamics/film_process.hpp"
+#include "dynamics/film_process.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/live_contact.hpp"
+#include "dynamics/live_contact.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "gearfilm/dynamics/lubricated_pair.hpp"
+#include "dynamics/lubricated_pair.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "gearfilm/film/rescaled_hertz_pressure.hpp"
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "film/rescaled_hertz_pressure.hpp"
+#include "mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/march_keeper.hpp"
+#include "dynamics/march_keeper.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/march_statistics.hpp"
+#include "dynamics/march_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "gearfilm/dynamics/mesh_march.hpp"
+#include "dynamics/mesh_march.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "gearfilm/film/validity.hpp"
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "film/validity.hpp"
+#include "mesh/back_flanks.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

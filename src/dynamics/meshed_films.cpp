@@ -1,15 +1,15 @@
-#include "gearfilm/dynamics/meshed_films.hpp"
+#include "dynamics/meshed_films.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/rescaled_hertz_pressure.hpp"
-#include "gearfilm/film/validity.hpp"
-#include "gearfilm/grid/integral.hpp"
-#include "gearfilm/grid/remap.hpp"
-#include "gearfilm/mesh/dry_force.hpp"
+#include "film/rescaled_hertz_pressure.hpp"
+#include "film/validity.hpp"
+#include "grid/integral.hpp"
+#include "grid/remap.hpp"
+#include "mesh/dry_force.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

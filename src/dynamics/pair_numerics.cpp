@@ -1,9 +1,9 @@
-#include "gearfilm/dynamics/pair_numerics.hpp"
+#include "dynamics/pair_numerics.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/film/validity.hpp"
+#include "film/validity.hpp"
 
 namespace gearfilm {
 

@@ -1,9 +1,9 @@
-#include "gearfilm/dynamics/pair_state.hpp"
+#include "dynamics/pair_state.hpp"
 
 #include <algorithm>
 
 #include "film/transfer.hpp"
-#include "gearfilm/grid/remap.hpp"
+#include "grid/remap.hpp"
 
 namespace gearfilm {
 

@@ -1,11 +1,11 @@
-#include "gearfilm/dynamics/segment_stepper.hpp"
+#include "dynamics/segment_stepper.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "mesh/back_flanks.hpp"
 
 namespace gearfilm {
 namespace {

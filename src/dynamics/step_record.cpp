@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/step_record.hpp"
+#include "dynamics/step_record.hpp"
 
 namespace gearfilm {
 

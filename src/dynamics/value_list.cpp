@@ -1,4 +1,4 @@
-#include "gearfilm/dynamics/value_list.hpp"
+#include "dynamics/value_list.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/elasticity/compliance.hpp"
+#include "elasticity/compliance.hpp"
 
 namespace gearfilm {
 

@@ -1,9 +1,9 @@
-#include "gearfilm/elasticity/deformation.hpp"
+#include "elasticity/deformation.hpp"
 
 #include <cmath>
 
-#include "gearfilm/elasticity/dense_y_convolution.hpp"
-#include "gearfilm/elasticity/fft_y_convolution.hpp"
+#include "elasticity/dense_y_convolution.hpp"
+#include "elasticity/fft_y_convolution.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

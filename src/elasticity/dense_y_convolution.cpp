@@ -1,6 +1,6 @@
-#include "gearfilm/elasticity/dense_y_convolution.hpp"
+#include "elasticity/dense_y_convolution.hpp"
 
-#include "gearfilm/grid/halo.hpp"
+#include "grid/halo.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/elasticity/x_spectra.hpp"
+#include "elasticity/x_spectra.hpp"
 
 namespace gearfilm {
 namespace {

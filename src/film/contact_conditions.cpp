@@ -1,4 +1,4 @@
-#include "gearfilm/film/contact_conditions.hpp"
+#include "film/contact_conditions.hpp"
 
 #include <algorithm>
 

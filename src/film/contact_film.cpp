@@ -1,13 +1,13 @@
-#include "gearfilm/film/contact_film.hpp"
+#include "film/contact_film.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "gearfilm/film/overshoot.hpp"
-#include "gearfilm/film/pressure_spike.hpp"
-#include "gearfilm/grid/domain.hpp"
-#include "gearfilm/grid/integral.hpp"
+#include "film/overshoot.hpp"
+#include "film/pressure_spike.hpp"
+#include "grid/domain.hpp"
+#include "grid/integral.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

@@ -1,7 +1,7 @@
-#include "gearfilm/film/contact_surfaces.hpp"
+#include "film/contact_surfaces.hpp"
 
 #include "film/transfer.hpp"
-#include "gearfilm/film/contact_film.hpp"
+#include "film/contact_film.hpp"
 
 namespace gearfilm {
 

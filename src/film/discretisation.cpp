@@ -1,4 +1,4 @@
-#include "gearfilm/film/discretisation.hpp"
+#include "film/discretisation.hpp"
 
 namespace gearfilm {
 namespace {

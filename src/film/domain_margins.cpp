@@ -1,4 +1,4 @@
-#include "gearfilm/film/domain_margins.hpp"
+#include "film/domain_margins.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "gearfilm/film/expected_errors.hpp"
+#include "film/expected_errors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <vector>
 
-#include "gearfilm/film/reynolds.hpp"
+#include "film/reynolds.hpp"
 #include "lubricant/independent_iterations.hpp"
 
 namespace gearfilm {

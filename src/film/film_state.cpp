@@ -1,4 +1,4 @@
-#include "gearfilm/film/film_state.hpp"
+#include "film/film_state.hpp"
 
 #include <cmath>
 

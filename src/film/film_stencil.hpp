@@ -9,7 +9,7 @@
 #include <array>
 #include <complex>
 
-#include "gearfilm/film/reynolds.hpp"
+#include "film/reynolds.hpp"
 
 namespace gearfilm {
 

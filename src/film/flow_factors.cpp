@@ -1,4 +1,4 @@
-#include "gearfilm/film/flow_factors.hpp"
+#include "film/flow_factors.hpp"
 
 #include <algorithm>
 #include <cmath>

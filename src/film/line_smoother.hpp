@@ -24,8 +24,8 @@
 #include <array>
 
 #include "film/film_stencil.hpp"
-#include "gearfilm/elasticity/deformation.hpp"
-#include "gearfilm/grid/halo.hpp"
+#include "elasticity/deformation.hpp"
+#include "grid/halo.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/film/linearised_film.hpp"
+#include "film/linearised_film.hpp"
 
 #include <cmath>
 #include <optional>

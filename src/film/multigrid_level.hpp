@@ -5,7 +5,7 @@
 
 #include "film/line_smoother.hpp"
 #include "film/transfer.hpp"
-#include "gearfilm/film/discretisation.hpp"
+#include "film/discretisation.hpp"
 
 namespace gearfilm {
 

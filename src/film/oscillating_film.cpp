@@ -1,4 +1,4 @@
-#include "gearfilm/film/oscillating_film.hpp"
+#include "film/oscillating_film.hpp"
 
 #include "film/line_smoother.hpp"
 

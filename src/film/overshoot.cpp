@@ -1,4 +1,4 @@
-#include "gearfilm/film/overshoot.hpp"
+#include "film/overshoot.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "gearfilm/film/pressure_spike.hpp"
+#include "film/pressure_spike.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "gearfilm/film/rescaled_hertz_pressure.hpp"
+#include "film/rescaled_hertz_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "gearfilm/film/reynolds.hpp"
+#include "film/reynolds.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -4,7 +4,7 @@
 // corrections, injection for states. Cavitated and boundary nodes neither give nor receive.
 #pragma once
 
-#include "gearfilm/film/film_state.hpp"
+#include "film/film_state.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/film/validity.hpp"
+#include "film/validity.hpp"
 
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "gearfilm/gear/flank.hpp"
+#include "gear/flank.hpp"
 
 #include <algorithm>
 #include <cmath>

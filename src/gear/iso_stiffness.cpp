@@ -1,4 +1,4 @@
-#include "gearfilm/gear/iso_stiffness.hpp"
+#include "gear/iso_stiffness.hpp"
 
 namespace gearfilm {
 namespace {

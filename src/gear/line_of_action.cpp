@@ -2,7 +2,7 @@
 // doi 10.1016/j.triboint.2013.01.017. With t = tan(alpha'), cos(alpha') = (R_b1+R_b2)/a_w:
 //   R_1x = R_b1 t + xi,  R_2x = R_b2 t - xi,  R_x = R_1x R_2x/(R_1x+R_2x)
 //   xi_s = -( sqrt(R_a2^2-R_b2^2) - R_b2 t ),  xi_e = sqrt(R_a1^2-R_b1^2) - R_b1 t,  p_b = 2 pi R_b1/Z_1
-#include "gearfilm/gear/line_of_action.hpp"
+#include "gear/line_of_action.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/involute.hpp"
+#include "gear/involute.hpp"
 
 namespace gearfilm {
 

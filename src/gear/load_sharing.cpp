@@ -1,4 +1,4 @@
-#include "gearfilm/gear/load_sharing.hpp"
+#include "gear/load_sharing.hpp"
 
 #include <algorithm>
 #include <cmath>

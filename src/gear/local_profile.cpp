@@ -1,4 +1,4 @@
-#include "gearfilm/gear/local_profile.hpp"
+#include "gear/local_profile.hpp"
 
 namespace gearfilm {
 

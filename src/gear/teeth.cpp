@@ -1,11 +1,11 @@
-#include "gearfilm/gear/teeth.hpp"
+#include "gear/teeth.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/involute.hpp"
+#include "gear/involute.hpp"
 
 namespace gearfilm {
 namespace {

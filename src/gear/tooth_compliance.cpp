@@ -1,4 +1,4 @@
-#include "gearfilm/gear/tooth_compliance.hpp"
+#include "gear/tooth_compliance.hpp"
 
 #include <algorithm>
 #include <array>

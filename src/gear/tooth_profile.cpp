@@ -1,7 +1,7 @@
 // Generation by a rack: with the rack rolled by u from where its tip stands lowest, the centre of the tip's rounding is
 // C = (u, r - D), the point of the fillet Q = C + rho_f n on the line from the pitch point through C, turned back by
 // (u - e_c)/r. n points away from the rack's centre: with D > 0 outwards to the root.
-#include "gearfilm/gear/tooth_profile.hpp"
+#include "gear/tooth_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/involute.hpp"
+#include "gear/involute.hpp"
 
 namespace gearfilm {
 namespace {

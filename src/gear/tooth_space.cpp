@@ -1,10 +1,10 @@
-#include "gearfilm/gear/tooth_space.hpp"
+#include "gear/tooth_space.hpp"
 
 #include <cmath>
 #include <tuple>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/tooth_profile.hpp"
+#include "gear/tooth_profile.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,9 +1,9 @@
-#include "gearfilm/grid/domain.hpp"
+#include "grid/domain.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/contact/film_formulas.hpp"
+#include "contact/film_formulas.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/grid/gather.hpp"
+#include "grid/gather.hpp"
 
 #include <petscdmda.h>
 #include <petscsf.h>

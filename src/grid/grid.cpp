@@ -1,4 +1,4 @@
-#include "gearfilm/grid/grid.hpp"
+#include "grid/grid.hpp"
 
 #include <algorithm>
 #include <string>

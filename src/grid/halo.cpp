@@ -1,4 +1,4 @@
-#include "gearfilm/grid/halo.hpp"
+#include "grid/halo.hpp"
 
 namespace gearfilm {
 

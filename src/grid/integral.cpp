@@ -1,4 +1,4 @@
-#include "gearfilm/grid/integral.hpp"
+#include "grid/integral.hpp"
 
 #include <numeric>
 

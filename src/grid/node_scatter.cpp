@@ -1,4 +1,4 @@
-#include "gearfilm/grid/node_scatter.hpp"
+#include "grid/node_scatter.hpp"
 
 namespace gearfilm {
 

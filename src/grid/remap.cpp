@@ -1,9 +1,9 @@
-#include "gearfilm/grid/remap.hpp"
+#include "grid/remap.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/grid/node_scatter.hpp"
+#include "grid/node_scatter.hpp"
 
 namespace gearfilm {
 namespace {

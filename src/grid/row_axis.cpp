@@ -1,4 +1,4 @@
-#include "gearfilm/grid/row_axis.hpp"
+#include "grid/row_axis.hpp"
 
 #include <algorithm>
 #include <cmath>

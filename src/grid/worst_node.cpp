@@ -1,4 +1,4 @@
-#include "gearfilm/grid/worst_node.hpp"
+#include "grid/worst_node.hpp"
 
 #include <cmath>
 #include <sstream>

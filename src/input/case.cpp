@@ -1,22 +1,22 @@
-#include "gearfilm/input/case.hpp"
+#include "input/case.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/contact/moes.hpp"
+#include "contact/moes.hpp"
+#include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/tooth_space.hpp"
-#include "gearfilm/input/case_setup.hpp"
-#include "gearfilm/mesh/static_mesh.hpp"
 #include "input/case_checks.hpp"
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_setup.hpp"
 #include "input/case_teeth.hpp"
 #include "input/case_traction.hpp"
 #include "input/point_table.hpp"
+#include "mesh/static_mesh.hpp"
 
 namespace gearfilm {
 namespace {
@@ -71,7 +71,7 @@ ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction&
 }
 
 // w* = T_g1/R_b1, or its equivalent point load (27).
-double reference_load(const Case& gear_case, const ContactSolids& solids) {
+double reference_load(const CaseInput& gear_case, const ContactSolids& solids) {
   const double tooth_force = gear_case.pair.tooth_force;
   if (gear_case.parameters.text("gear.load_model") == "point") return tooth_force;
   const double face_width = gear_case.pair.gears->face_width;
@@ -85,7 +85,7 @@ struct ReferenceContact {
   ContactOperation operation;
 };
 
-ReferenceContact set_gear_pair(Case& result) {
+ReferenceContact set_gear_pair(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   result.pair.gears = read_gear_pair(values);
   result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
@@ -138,7 +138,7 @@ std::string read_name(const ParameterValues& values) {
 }
 
 // A position on the line of action, which a bare contact has not.
-double read_position(const Case& result, const std::string& name) {
+double read_position(const CaseInput& result, const std::string& name) {
   const double position = result.parameters.real(name);
   const std::string given =
       result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
@@ -154,7 +154,7 @@ double read_position(const Case& result, const std::string& name) {
 }
 
 // Where the march starts; just after a leaving the remaining contact sits one base pitch before the exit.
-double read_start_position(const Case& result) {
+double read_start_position(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const std::string& place = values.text("start.place");
   const std::string position = "start.position";
@@ -174,7 +174,7 @@ std::optional<Motion> read_start_motion(const ParameterValues& values) {
 }
 
 // An interval shorter than a step stores every step; the next time must not be lost in round-off, though.
-void check_snapshot_interval(const Case& result) {
+void check_snapshot_interval(const CaseInput& result) {
   constexpr double shortest = 1e-9;
   if (result.march.snapshot_interval.value_or(0.0) == 0.0 || *result.march.snapshot_interval >= shortest) return;
   result.parameters.refuse("output.snapshot_interval", "is " + format_value(*result.march.snapshot_interval) +
@@ -189,7 +189,7 @@ MarchModel read_model(const std::string& name) {
   return name == "dry" ? MarchModel::dry : MarchModel::dynamic;
 }
 
-PairMotion read_motion(const Case& result) {
+PairMotion read_motion(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const std::string name = "motion";
   if (values.text(name) == "dynamic") return PairMotion::dynamic;
@@ -214,7 +214,7 @@ std::vector<std::pair<double, double>> read_share_table(const ParameterValues& v
   return read_points(values, name, "a point of the load sharing; give two numbers, position [m] and share");
 }
 
-LoadSharing read_load_sharing(const Case& result) {
+LoadSharing read_load_sharing(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const std::string& kind = values.text("load_sharing.kind");
   if (kind == "step") return LoadSharing::step(*result.pair.line);
@@ -226,7 +226,7 @@ LoadSharing read_load_sharing(const Case& result) {
 }
 
 /// One contact from its entry, or from a chosen position, to its exit.
-void set_single_contact(Case& result) {
+void set_single_contact(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   if (result.march.geometry == MeshGeometry::held) {
     values.refuse("geometry", "is held, but the model " + values.text("model") +
@@ -241,7 +241,7 @@ void set_single_contact(Case& result) {
 }
 
 // Films make friction, and inertia answers to it.
-void check_friction_in_motion(const Case& result) {
+void check_friction_in_motion(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const std::string name = "friction.in_motion";
   if (!values.yes(name)) return;
@@ -255,7 +255,7 @@ void check_friction_in_motion(const Case& result) {
 }
 
 /// A ramp of speed, over all mesh periods where nothing else is said.
-SpeedCourse read_speed_course(const Case& result) {
+SpeedCourse read_speed_course(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const std::string end = "ramp.to_rpm", length = "ramp.periods";
   if (!values.has(end)) {
@@ -277,7 +277,7 @@ std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values)
   values.refuse(films, "is given, but not " + quoted(motion) + "; give the tolerance on the motion too");
 }
 
-void set_march(Case& result) {
+void set_march(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   result.pair.stiffness = pitch_stiffness(result.scales, *result.pair.line, result.pair.teeth);
   result.march.start_position = read_start_position(result);
@@ -321,8 +321,8 @@ void set_march(Case& result) {
 
 }  // namespace
 
-Case make_case(const ParameterValues& values) {
-  Case result;
+CaseInput make_case(const ParameterValues& values) {
+  CaseInput result;
   result.parameters = values;
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
@@ -347,13 +347,10 @@ Case make_case(const ParameterValues& values) {
   }
   result.run.directory = values.text("output.dir");
   in_file_of(values, [&] { check_loads(result); });
-  result.numerics.on_widening = [scales = result.scales, contacts = contacts_at_a_time(result),
-                                 points = heated_points(result)](MPI_Comm comm, const GridShape& shape) {
-    announce_widening(comm, shape, scales, contacts, points);
-  };
+  result.numerics.on_widening = widening_notice(result.scales, contacts_at_a_time(result), heated_points(result));
   return result;
 }
 
-Case read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
+CaseInput read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }
 
 }  // namespace gearfilm

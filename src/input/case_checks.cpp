@@ -21,7 +21,7 @@ void check_strain(const Scales& scales, double load_ratio, const std::string& na
 }
 
 // A displacement at the start beyond what a contact with such a pressure has: p_h grows with the root of the approach.
-void check_start_motion(const Case& result) {
+void check_start_motion(const CaseInput& result) {
   if (!result.march.start_motion) return;
   const double depth = -result.march.start_motion->H0() / result.scales.approach;
   if (depth <= 1.0) return;
@@ -29,7 +29,7 @@ void check_start_motion(const Case& result) {
 }
 
 // Teeth that give way by a module are out of mesh.
-void check_deflection(const Case& result) {
+void check_deflection(const CaseInput& result) {
   const double load = result.scales.operation.load, module_length = result.pair.gears->module_length;
   const double deflection = load * result.pair.teeth.compliance(0.0);
   if (deflection < module_length) return;
@@ -40,9 +40,9 @@ void check_deflection(const Case& result) {
 
 }  // namespace
 
-void check_strain(const Case& problem) { check_strain(problem.scales, 1.0, "the load"); }
+void check_strain(const CaseInput& problem) { check_strain(problem.scales, 1.0, "the load"); }
 
-void check_loads(const Case& problem) {
+void check_loads(const CaseInput& problem) {
   check_strain(problem.scales, problem.steady.load_ratio, "steady.load_ratio with a load");
   if (problem.kind != CaseKind::gear_pair) return;
   check_strain(problem.scales, std::ranges::max(problem.statics.load_ratios), "static.load_ratios with a load");

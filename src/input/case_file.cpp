@@ -194,4 +194,12 @@ ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
   return values;
 }
 
+ParameterValues with_values(MPI_Comm comm, ParameterValues values, const std::map<std::string, std::string>& given,
+                            const std::string& origin) {
+  for (const auto& [name, text] : given) values.set(name, text, origin);
+  values.complete();
+  attach_tables(comm, values);
+  return values;
+}
+
 }  // namespace gearfilm

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "gearfilm/input/parameter_values.hpp"
-#include "gearfilm/lubricant/thermal_oil.hpp"
+#include "input/parameter_values.hpp"
+#include "lubricant/thermal_oil.hpp"
 
 namespace gearfilm {
 

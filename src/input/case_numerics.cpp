@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/dynamics/mesh_march.hpp"
+#include "dynamics/mesh_march.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/mesh/natural_frequency.hpp"
+#include "mesh/natural_frequency.hpp"
 
 namespace gearfilm {
 namespace {
@@ -30,7 +30,7 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 
 /// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
 /// force at the ends of the path, where flanks may be much more curved.
-Steps steps_on_path(const Case& problem, double accuracy) {
+Steps steps_on_path(const CaseInput& problem, double accuracy) {
   constexpr double accuracy_at_ends = 0.3;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
@@ -48,7 +48,7 @@ Steps steps_on_path(const Case& problem, double accuracy) {
   return steps;
 }
 
-void set_nodes(Case& result) {
+void set_nodes(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const Domain& domain = result.numerics.domain;
   const Steps steps = steps_on_path(result, values.real("grid.accuracy"));
@@ -62,7 +62,7 @@ void set_nodes(Case& result) {
 // Under more force the ellipse comes nearer to the inlet, but needs no longer one: half of what is there at first
 // stays. Sides that were asked for stay until the ellipse is there but for a tenth of its distance; chosen ones go
 // before they matter.
-MarginRule margin_rule(const Case& result) {
+MarginRule margin_rule(const CaseInput& result) {
   const Domain& domain = result.numerics.domain;
   const bool chosen = result.parameters.text("grid.domain") == "auto" && !result.parameters.has("grid.y_half");
   MarginRule rule{.inlet = 0.5 * (-domain.x_min - 1.0), .side = 1.0 + (chosen ? 0.4 : 0.1) * (domain.y_half - 1.0)};
@@ -102,7 +102,7 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
 // 0.026, since what they resolve besides stands still before the contact. By the mesh, and by the swing of the gears.
-double time_step(const Case& result) {
+double time_step(const CaseInput& result) {
   const double cell = steps_of(result.numerics).x;
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
   const double faster = largest_speed_ratio(result.parameters);  // than at first, where scales are taken
@@ -115,7 +115,7 @@ double time_step(const Case& result) {
 
 }  // namespace
 
-std::string thin_film_remark(const Case& problem) {
+std::string thin_film_remark(const CaseInput& problem) {
   const ParameterValues& values = problem.parameters;
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
   if (expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
@@ -125,9 +125,11 @@ std::string thin_film_remark(const Case& problem) {
                 " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another");
 }
 
-bool swings(const Case& problem) { return problem.pair.equivalent_mass && problem.march.motion == PairMotion::dynamic; }
+bool swings(const CaseInput& problem) {
+  return problem.pair.equivalent_mass && problem.march.motion == PairMotion::dynamic;
+}
 
-double natural_period(const Case& problem) {
+double natural_period(const CaseInput& problem) {
   return 1.0 / natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
 
@@ -136,11 +138,11 @@ double largest_speed_ratio(const ParameterValues& values) {
   return std::max(1.0, values.real("ramp.to_rpm") / values.real("pinion.speed_rpm"));
 }
 
-double mesh_period(const Case& problem) {
+double mesh_period(const CaseInput& problem) {
   return 1.0 / (mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed) * problem.scales.time);
 }
 
-void set_film_numerics(Case& result) {
+void set_film_numerics(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   // Thicker films begin further before the contact.
   ContactOperation fastest = result.scales.operation;
@@ -154,7 +156,7 @@ void set_film_numerics(Case& result) {
                             read_multigrid_options(values)};
 }
 
-void set_time_steps(Case& result) {
+void set_time_steps(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
                            .newton = read_step_newton_options(values, result.scales)};
@@ -163,6 +165,22 @@ void set_time_steps(Case& result) {
   const double period = mesh_period(result) / largest_speed_ratio(values);
   result.numerics.steps.of_transfer = part_of_transfer * period / steps_of_transfer;
   if (!values.has("time.dt")) result.numerics.steps.without_event = period / steps_in_mesh_period;
+}
+
+CaseInput with_chosen_motion(const CaseInput& given, std::string& remark) {
+  constexpr double many_swings = 40.0;  // of the pair in a mesh period
+  ParameterValues values = given.parameters;
+  const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
+  const bool choosable = !values.given("motion") && !multipliers_asked && !values.given("periodic.order") &&
+                         !values.yes("friction.in_motion") && given.march.model == MarchModel::dynamic &&
+                         given.march.geometry == MeshGeometry::moving && !given.march.start_motion && swings(given);
+  const double in_mesh_period = choosable ? mesh_period(given) / natural_period(given) : 0.0;
+  if (in_mesh_period < many_swings) return given;
+  remark = worded(std::setprecision(3), "the pair would swing ", in_mesh_period,
+                  " times in a mesh period: bodies are taken to be in balance at every moment (motion: quasi_static); "
+                  "-motion dynamic follows their swings");
+  values.set("motion", "quasi_static", "the choice of motion by the program");
+  return make_case(values);
 }
 
 }  // namespace gearfilm

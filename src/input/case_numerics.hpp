@@ -3,30 +3,30 @@
 
 #include <string>
 
-#include "gearfilm/input/case.hpp"
+#include "input/case.hpp"
 
 namespace gearfilm {
 
 /// Domain, nodes and solvers of the films; the scales and gears of the case are set.
-void set_film_numerics(Case& result);
+void set_film_numerics(CaseInput& result);
 
 /// Time steps of a gear pair; its grid is set.
-void set_time_steps(Case& result);
+void set_time_steps(CaseInput& result);
 
 /// The thinnest film [m] that the program chooses a grid for. Molecules of oil are 1 to 2 nm long; oil between walls
 /// less than about ten of them apart is no continuum any more.
 constexpr double thinnest_film = 10e-9;
 /// What is to be said where the film to be expected is thinner and the grid chosen; else empty.
-std::string thin_film_remark(const Case& problem);
+std::string thin_film_remark(const CaseInput& problem);
 
 /// The pair has inertia, and it is part of its motion.
-bool swings(const Case& problem);
+bool swings(const CaseInput& problem);
 /// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
-double natural_period(const Case& problem);
+double natural_period(const CaseInput& problem);
 /// The largest speed of a march over its first; 1 without a ramp.
 double largest_speed_ratio(const ParameterValues& values);
 /// The mesh period of a gear pair at the first speed [T].
-double mesh_period(const Case& problem);
+double mesh_period(const CaseInput& problem);
 
 /// Steps that a mesh period and a free oscillation are given at least, where the program chooses.
 constexpr double steps_in_mesh_period = 100.0;
@@ -34,5 +34,9 @@ constexpr double steps_in_swing = 30.0;
 /// Of bodies without inertia, while the load passes to other contacts.
 constexpr int steps_of_transfer = 8;
 constexpr double steps_in_dry_swing = 40.0;  // whose largest force is taken at the steps' ends
+
+/// The case as it is, or, where its pair swings very often in a mesh period and it neither says how the bodies move nor
+/// asks for what has inertia alone, with bodies in balance at every moment; a remark says so.
+CaseInput with_chosen_motion(const CaseInput& given, std::string& remark);
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-#include "gearfilm/input/case_setup.hpp"
+#include "input/case_setup.hpp"
 
 #include <cmath>
 
@@ -7,17 +7,17 @@
 
 namespace gearfilm {
 
-GridShape case_grid(const Case& problem) { return grid_shape(problem.numerics, problem.scales); }
+GridShape case_grid(const CaseInput& problem) { return grid_shape(problem.numerics, problem.scales); }
 
-SharedDiscretisation discretise(MPI_Comm comm, const Case& problem) {
+SharedDiscretisation discretise(MPI_Comm comm, const CaseInput& problem) {
   return discretise(comm, problem.numerics, problem.scales);
 }
 
-SharedDiscretisation discretise(const Grid& grid, const Case& problem) {
+SharedDiscretisation discretise(const Grid& grid, const CaseInput& problem) {
   return discretise(grid, problem.numerics, problem.scales);
 }
 
-void require_tooth_force(const Case& problem, const std::string& what) {
+void require_tooth_force(const CaseInput& problem, const std::string& what) {
   const std::string name = "gear.load_model";
   if (!problem.pair.line || problem.parameters.text(name) == "point") return;
   throw InputError(std::setprecision(4), problem.parameters.origin(name), ": '", name,
@@ -26,7 +26,7 @@ void require_tooth_force(const Case& problem, const std::string& what) {
                    " needs the whole force; set it to point");
 }
 
-void require_inertia(const Case& problem) {
+void require_inertia(const CaseInput& problem) {
   const bool quasi_static =
       problem.march.model == MarchModel::quasistatic || problem.march.motion == PairMotion::quasi_static;
   if (problem.march.model != MarchModel::quasistatic) require_tooth_force(problem, "the motion of the pair");
@@ -36,7 +36,7 @@ void require_inertia(const Case& problem) {
                    "wheel.inertia, of a gear pair, or motion: quasi_static");
 }
 
-void require_moving_contacts(const Case& problem, const std::string& command, bool dry_too) {
+void require_moving_contacts(const CaseInput& problem, const std::string& command, bool dry_too) {
   const auto refuse = [&](const std::string& name, const std::string& needed) {
     problem.parameters.refuse(name, "is " + problem.parameters.text(name) + ", but " + command +
                                         " is for all contacts of the pair, which travel; set it to " + needed);
@@ -50,7 +50,7 @@ void require_moving_contacts(const Case& problem, const std::string& command, bo
   }
 }
 
-void require_one_pattern(const Case& problem, const std::string& command) {
+void require_one_pattern(const CaseInput& problem, const std::string& command) {
   const long pattern = problem.pair.teeth.pattern();
   if (pattern <= problem.search.max_pattern) return;
   std::string name;
@@ -64,7 +64,7 @@ void require_one_pattern(const Case& problem, const std::string& command) {
                    "; raise that, delete '", name, "', or march that long (transient)");
 }
 
-GearInertias inertias_of(const Case& problem) {
+GearInertias inertias_of(const CaseInput& problem) {
   const LineOfAction& line = *problem.pair.line;
   return problem.pair.inertias.value_or(
       disc_inertias({line.base_radius_pinion(), line.base_radius_wheel()}, *problem.pair.equivalent_mass));
@@ -72,7 +72,7 @@ GearInertias inertias_of(const Case& problem) {
 
 namespace {
 
-std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
+std::optional<InertiaShares> friction_couples_dynamics(const CaseInput& problem) {
   if (!problem.parameters.yes("friction.in_motion")) return {};
   const LineOfAction& line = *problem.pair.line;
   const auto [pinion, wheel] = inertias_of(problem);
@@ -83,7 +83,7 @@ std::optional<InertiaShares> friction_couples_dynamics(const Case& problem) {
 
 }  // namespace
 
-MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, const SpeedCourse& course) {
+MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geometry, const SpeedCourse& course) {
   const bool inert = problem.march.model != MarchModel::quasistatic && problem.march.motion == PairMotion::dynamic &&
                      problem.pair.equivalent_mass;
   return {.scales = problem.scales,
@@ -100,35 +100,44 @@ MeshModel mesh_model(const Case& problem, double start, MeshGeometry geometry, c
           .order = problem.search.order};
 }
 
-MeshModel mesh_after_leaving(const Case& problem) {
+MeshModel mesh_after_leaving(const CaseInput& problem) {
   return mesh_model(problem, problem.pair.line->exit() - problem.pair.line->base_pitch());
 }
 
-int contacts_at_a_time(const Case& problem) {
+int contacts_at_a_time(const CaseInput& problem) {
   const bool all = problem.pair.line && problem.march.geometry != MeshGeometry::single;
   return all ? static_cast<int>(std::ceil(problem.pair.line->contact_ratio())) : 1;
 }
 
-int heated_points(const Case& problem) {
+int heated_points(const CaseInput& problem) {
   return problem.traction && problem.traction->heats_film() ? problem.traction->heat->points : 0;
 }
 
-void announce_widening(MPI_Comm comm, const GridShape& shape, const Scales& scales, int contacts, int points) {
-  try {
-    require_memory(comm, shape.nx, shape.ny(), contacts, points);
-  } catch (const InputError& error) {
-    throw SolveError(std::string("the grid cannot be widened: ") + error.what());
-  }
-  petsc_check(PetscPrintf(comm, "the grid is widened to %.3f < X < %.3f a, |y| < %.3f b: %d x %d nodes\n", shape.x_min,
-                          shape.x_max, scales.hertz.ellipticity * shape.row_axis.half_width(), shape.nx, shape.ny()));
+WideningObserver widening_check(int contacts, int points) {
+  return [contacts, points](MPI_Comm comm, const GridShape& shape) {
+    try {
+      require_memory(comm, shape.nx, shape.ny(), contacts, points);
+    } catch (const InputError& error) {
+      throw SolveError(std::string("the grid cannot be widened: ") + error.what());
+    }
+  };
 }
 
-MeshMarch make_march(const Case& problem, const SharedDiscretisation& films, const MeshModel& mesh,
+WideningObserver widening_notice(const Scales& scales, int contacts, int points) {
+  return [scales, check = widening_check(contacts, points)](MPI_Comm comm, const GridShape& shape) {
+    check(comm, shape);
+    petsc_check(PetscPrintf(comm, "the grid is widened to %.3f < X < %.3f a, |y| < %.3f b: %d x %d nodes\n",
+                            shape.x_min, shape.x_max, scales.hertz.ellipticity * shape.row_axis.half_width(), shape.nx,
+                            shape.ny()));
+  };
+}
+
+MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper) {
   return make_march(mesh, problem.numerics, films, std::move(observer), keeper);
 }
 
-OrbitProblem orbit_problem(const Case& problem) {
+OrbitProblem orbit_problem(const CaseInput& problem) {
   return {mesh_after_leaving(problem), problem.numerics, problem.search};
 }
 

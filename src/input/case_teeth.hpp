@@ -1,8 +1,8 @@
 // The teeth of a case: reliefs, errors and compliance from its parameters.
 #pragma once
 
-#include "gearfilm/gear/teeth.hpp"
-#include "gearfilm/input/parameter_values.hpp"
+#include "gear/teeth.hpp"
+#include "input/parameter_values.hpp"
 
 namespace gearfilm {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "gearfilm/input/parameter_values.hpp"
-#include "gearfilm/traction/traction_model.hpp"
+#include "input/parameter_values.hpp"
+#include "traction/traction_model.hpp"
 
 namespace gearfilm {
 

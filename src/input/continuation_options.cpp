@@ -1,4 +1,4 @@
-#include "gearfilm/input/continuation_options.hpp"
+#include "input/continuation_options.hpp"
 
 #include <algorithm>
 #include <map>

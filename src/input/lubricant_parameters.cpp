@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gearfilm/lubricant/thermal_oil.hpp"
+#include "lubricant/thermal_oil.hpp"
 #include "input/parameter_records.hpp"
 
 namespace gearfilm {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/contact/film_formulas.hpp"
+#include "contact/film_formulas.hpp"
+#include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/tooth_space.hpp"
 #include "input/case_numerics.hpp"
 
 namespace gearfilm {
@@ -74,7 +74,7 @@ void compare_contact(const Scales& scales, Oddities& found) {
           found);
 }
 
-void compare_gears(const Case& problem, Oddities& found) {
+void compare_gears(const CaseInput& problem, Oddities& found) {
   const LineOfAction& line = *problem.pair.line;
   const double pitch_radius = line.base_radius_pinion() / std::cos(line.working_pressure_angle());
   compare(problem.pair.pinion_speed * largest_speed_ratio(problem.parameters) * pitch_radius,
@@ -91,7 +91,7 @@ void compare_gears(const Case& problem, Oddities& found) {
 }
 
 /// m_ge, and inertias that are given, beside those of two steel discs of the face width on the base circles.
-void compare_mass(const Case& problem, Oddities& found) {
+void compare_mass(const CaseInput& problem, Oddities& found) {
   constexpr double steel = 7850.0;  // [kg/m^3]
   const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
   const auto disc = [&](double r) {
@@ -114,7 +114,7 @@ void compare_mass(const Case& problem, Oddities& found) {
           found);
 }
 
-void compare_teeth(const Case& problem, Oddities& found) {
+void compare_teeth(const CaseInput& problem, Oddities& found) {
   const SpurGearPair& pair = *problem.pair.gears;
   const double m = pair.module_length;
   const auto in_modules = [&](const std::string& name, double largest, const std::string& question) {
@@ -150,7 +150,7 @@ void compare_teeth(const Case& problem, Oddities& found) {
 }
 
 /// Teeth whose foot the rack has cut away are computed as long as their active flank is whole.
-void say_undercut(const Case& problem, Oddities& found) {
+void say_undercut(const CaseInput& problem, Oddities& found) {
   const std::string& kind = problem.parameters.text("gear.tooth_compliance");
   if (kind != "weber" && kind != "sainsot") return;
   const SpurGearPair& pair = *problem.pair.gears;
@@ -165,7 +165,7 @@ void say_undercut(const Case& problem, Oddities& found) {
   }
 }
 
-void say_load_model(const Case& problem, Oddities& found) {
+void say_load_model(const CaseInput& problem, Oddities& found) {
   if (problem.parameters.text("gear.load_model") == "point") return;
   found.push_back("'gear.load_model' is line_equivalent: the contact carries " +
                   in_words(problem.scales.operation.load, "N") + " in the place of the tooth's " +
@@ -173,7 +173,7 @@ void say_load_model(const Case& problem, Oddities& found) {
                   ", and its forces are of that; powers and heats are those of the whole tooth");
 }
 
-void compare_steps(const Case& problem, Oddities& found) {
+void compare_steps(const CaseInput& problem, Oddities& found) {
   constexpr double fewest_in_period = 30, most_in_march = 1e7;
   const double in_period = mesh_period(problem) / problem.numerics.steps.dT;
   compare(in_period,
@@ -192,7 +192,7 @@ void compare_steps(const Case& problem, Oddities& found) {
           found);
 }
 
-void compare_grid(const Case& problem, Oddities& found) {
+void compare_grid(const CaseInput& problem, Oddities& found) {
   const Steps steps = steps_of(problem.numerics);
   compare(1.0 / steps.x,
           {"the number of nodes along the half-axis a", "", 3, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
@@ -204,7 +204,7 @@ void compare_grid(const Case& problem, Oddities& found) {
 
 }  // namespace
 
-std::vector<std::string> oddities(const Case& problem) {
+std::vector<std::string> oddities(const CaseInput& problem) {
   Oddities found;
   compare_parameters(problem.parameters, found);
   compare_contact(problem.scales, found);

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "gearfilm/input/case.hpp"
+#include "input/case.hpp"
 
 namespace gearfilm {
 
 /// One line each, what, the value, and why it is odd; empty for a usual case.
-std::vector<std::string> oddities(const Case& problem);
+std::vector<std::string> oddities(const CaseInput& problem);
 
 }  // namespace gearfilm

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 #include "input/case_file.hpp"
 
 namespace gearfilm {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearfilm/input/parameter_values.hpp"
+#include "input/parameter_values.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/input/parameter.hpp"
+#include "input/parameter.hpp"
 
 #include <algorithm>
 #include <cctype>

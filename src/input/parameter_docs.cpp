@@ -1,7 +1,7 @@
 // The table of parameters as text: -help and docs/parameters.md.
 #include <sstream>
 
-#include "gearfilm/input/parameter.hpp"
+#include "input/parameter.hpp"
 
 namespace gearfilm {
 namespace {

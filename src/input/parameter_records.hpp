@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "gearfilm/input/parameter.hpp"
+#include "input/parameter.hpp"
 
 namespace gearfilm {
 

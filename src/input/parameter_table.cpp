@@ -5,12 +5,12 @@
 #include <iterator>
 #include <utility>
 
-#include "gearfilm/film/solver_options.hpp"
-#include "gearfilm/grid/domain.hpp"
-#include "gearfilm/input/continuation_options.hpp"
-#include "gearfilm/orbits/dry_orbit.hpp"
-#include "gearfilm/orbits/film_modes.hpp"
-#include "gearfilm/orbits/periodic_orbit.hpp"
+#include "film/solver_options.hpp"
+#include "grid/domain.hpp"
+#include "input/continuation_options.hpp"
+#include "orbits/dry_orbit.hpp"
+#include "orbits/film_modes.hpp"
+#include "orbits/periodic_orbit.hpp"
 #include "input/parameter_records.hpp"
 
 namespace gearfilm {

@@ -1,4 +1,4 @@
-#include "gearfilm/input/parameter_values.hpp"
+#include "input/parameter_values.hpp"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "gearfilm/input/parameter_values.hpp"
+#include "input/parameter_values.hpp"
 
 namespace gearfilm {
 

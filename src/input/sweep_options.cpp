@@ -1,4 +1,4 @@
-#include "gearfilm/input/sweep_options.hpp"
+#include "input/sweep_options.hpp"
 
 #include <algorithm>
 #include <map>

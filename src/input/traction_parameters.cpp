@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "gearfilm/traction/traction_model.hpp"
+#include "traction/traction_model.hpp"
 #include "input/parameter_records.hpp"
 
 namespace gearfilm {

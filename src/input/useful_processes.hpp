@@ -1,7 +1,7 @@
 // How many processes a grid is worth.
 #pragma once
 
-#include "gearfilm/grid/grid.hpp"
+#include "grid/grid.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/lubricant/lubricant.hpp"
+#include "lubricant/lubricant.hpp"
 
 #include <cmath>
 #include <sstream>

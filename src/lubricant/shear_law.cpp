@@ -1,4 +1,4 @@
-#include "gearfilm/lubricant/shear_law.hpp"
+#include "lubricant/shear_law.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "gearfilm/lubricant/thermal_oil.hpp"
+#include "lubricant/thermal_oil.hpp"
 
 namespace gearfilm {
 

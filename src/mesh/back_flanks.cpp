@@ -1,4 +1,4 @@
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "mesh/back_flanks.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "gearfilm/mesh/contact_path.hpp"
+#include "mesh/contact_path.hpp"
 
 #include <algorithm>
 #include <cmath>

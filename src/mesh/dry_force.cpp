@@ -1,4 +1,4 @@
-#include "gearfilm/mesh/dry_force.hpp"
+#include "mesh/dry_force.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

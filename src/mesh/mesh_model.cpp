@@ -1,4 +1,4 @@
-#include "gearfilm/mesh/mesh_model.hpp"
+#include "mesh/mesh_model.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "gearfilm/mesh/static_mesh.hpp"
+#include "mesh/static_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

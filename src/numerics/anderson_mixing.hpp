@@ -7,7 +7,7 @@
 #include <deque>
 #include <vector>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/numerics/estimate.hpp"
+#include "numerics/estimate.hpp"
 
 #include <algorithm>
 #include <cmath>

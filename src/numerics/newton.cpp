@@ -1,4 +1,4 @@
-#include "gearfilm/numerics/newton.hpp"
+#include "numerics/newton.hpp"
 
 #include <algorithm>
 #include <cmath>

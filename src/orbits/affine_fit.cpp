@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/affine_fit.hpp"
+#include "orbits/affine_fit.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/bifurcation.hpp"
+#include "orbits/bifurcation.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/branch_point.hpp"
+#include "orbits/branch_point.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

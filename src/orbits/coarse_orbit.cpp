@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/expected_errors.hpp"
+#include "film/expected_errors.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {

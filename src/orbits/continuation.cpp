@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/continuation.hpp"
+#include "orbits/continuation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -52,4 +52,16 @@ FreeDecay decay_from(const OrbitProblem& problem, const SharedDiscretisation& fi
   return free_decay(march, found.orbit, {.lead = problem.search.options.lead});
 }
 
+std::size_t true_order(const std::vector<Motion>& states, double tolerance) {
+  for (std::size_t order = 1; order < states.size(); ++order) {
+    if (states.size() % order != 0) continue;
+    bool same = true;
+    for (std::size_t n = order; n < states.size(); ++n) {
+      same = same && length(difference(states[n], states[n - order])) < tolerance;
+    }
+    if (same) return order;
+  }
+  return states.size();
+}
+
 }  // namespace gearfilm

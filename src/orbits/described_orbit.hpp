@@ -2,10 +2,10 @@
 // contact is lost in it, its transmission error, and how a disturbance dies away.
 #pragma once
 
-#include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/orbits/free_decay.hpp"
-#include "gearfilm/orbits/orbit_search.hpp"
-#include "gearfilm/orbits/spectrum.hpp"
+#include "dynamics/march_statistics.hpp"
+#include "orbits/free_decay.hpp"
+#include "orbits/orbit_search.hpp"
+#include "orbits/spectrum.hpp"
 
 namespace gearfilm {
 
@@ -30,5 +30,8 @@ OrbitGuess improve_guess(const OrbitProblem& problem, const SharedDiscretisation
 /// The return of the pair pushed off an orbit that was found with other tolerances.
 FreeDecay decay_from(const OrbitProblem& problem, const SharedDiscretisation& films, const DescribedOrbit& found,
                      const SearchWatch& watch);
+
+/// The fewest mesh periods after which states repeat; as many as there are where none does before.
+std::size_t true_order(const std::vector<Motion>& states, double tolerance);
 
 }  // namespace gearfilm

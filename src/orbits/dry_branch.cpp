@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/dry_branch.hpp"
+#include "orbits/dry_branch.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/dry_following.hpp"
+#include "orbits/dry_following.hpp"
 
 #include <algorithm>
 #include <cmath>

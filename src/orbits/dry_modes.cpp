@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/dry_modes.hpp"
+#include "orbits/dry_modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,14 +1,14 @@
-#include "gearfilm/orbits/dry_orbit.hpp"
+#include "orbits/dry_orbit.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/dynamics/dry_flow.hpp"
+#include "dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/domain.hpp"
-#include "gearfilm/orbits/dry_settling.hpp"
+#include "grid/domain.hpp"
+#include "orbits/dry_settling.hpp"
 
 namespace gearfilm {
 namespace {

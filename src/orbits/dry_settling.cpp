@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/dry_settling.hpp"
+#include "orbits/dry_settling.hpp"
 
 #include <algorithm>
 #include <cmath>

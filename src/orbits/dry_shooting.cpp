@@ -1,11 +1,11 @@
-#include "gearfilm/orbits/dry_shooting.hpp"
+#include "orbits/dry_shooting.hpp"
 
 #include <petscsnes.h>
 
 #include <algorithm>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,7 +1,7 @@
 #include "orbits/dry_sweep_point.hpp"
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/orbits/dry_following.hpp"
+#include "orbits/dry_following.hpp"
 #include "orbits/settled_march.hpp"
 
 namespace gearfilm {

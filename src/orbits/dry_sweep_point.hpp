@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "gearfilm/orbits/branch_point.hpp"
-#include "gearfilm/orbits/orbit_search.hpp"
+#include "orbits/branch_point.hpp"
+#include "orbits/orbit_search.hpp"
 
 namespace gearfilm {
 

@@ -1,12 +1,12 @@
-#include "gearfilm/orbits/dynamic_stiffness.hpp"
+#include "orbits/dynamic_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/oscillating_film.hpp"
-#include "gearfilm/grid/integral.hpp"
+#include "film/oscillating_film.hpp"
+#include "grid/integral.hpp"
 #include "numerics/lu_factors.hpp"
 #include "orbits/mode_solver.hpp"
 

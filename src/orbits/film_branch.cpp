@@ -1,11 +1,11 @@
-#include "gearfilm/orbits/film_branch.hpp"
+#include "orbits/film_branch.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
 
-#include "gearfilm/grid/remap.hpp"
-#include "gearfilm/orbits/free_decay.hpp"
+#include "grid/remap.hpp"
+#include "orbits/free_decay.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/film_modes.hpp"
+#include "orbits/film_modes.hpp"
 
 #include <slepceps.h>
 

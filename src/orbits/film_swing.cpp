@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/film/discretisation.hpp"
-#include "gearfilm/numerics/estimate.hpp"
+#include "film/discretisation.hpp"
+#include "numerics/estimate.hpp"
 
 namespace gearfilm {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "gearfilm/dynamics/lubricated_pair.hpp"
-#include "gearfilm/dynamics/pair_numerics.hpp"
-#include "gearfilm/numerics/estimate.hpp"
-#include "gearfilm/orbits/dynamic_stiffness.hpp"
+#include "dynamics/lubricated_pair.hpp"
+#include "dynamics/pair_numerics.hpp"
+#include "numerics/estimate.hpp"
+#include "orbits/dynamic_stiffness.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/floquet.hpp"
+#include "orbits/floquet.hpp"
 
 #include <slepceps.h>
 

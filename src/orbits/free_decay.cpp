@@ -1,9 +1,9 @@
-#include "gearfilm/orbits/free_decay.hpp"
+#include "orbits/free_decay.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/orbits/affine_fit.hpp"
+#include "orbits/affine_fit.hpp"
 
 namespace gearfilm {
 namespace {

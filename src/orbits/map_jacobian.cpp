@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/map_jacobian.hpp"
+#include "orbits/map_jacobian.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/numerics/newton.hpp"
+#include "numerics/newton.hpp"
 
 namespace gearfilm {
 

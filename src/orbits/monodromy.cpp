@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/monodromy.hpp"
+#include "orbits/monodromy.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>

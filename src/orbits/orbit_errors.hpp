@@ -1,7 +1,7 @@
 // Error bars of a periodic state's figures, from the state with longer steps in space and time.
 #pragma once
 
-#include "gearfilm/numerics/estimate.hpp"
+#include "numerics/estimate.hpp"
 #include "orbits/coarse_orbit.hpp"
 
 namespace gearfilm {

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/orbit_search.hpp"
+#include "orbits/orbit_search.hpp"
 
 namespace gearfilm {
 

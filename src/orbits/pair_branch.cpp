@@ -1,8 +1,8 @@
 #include "orbits/pair_branch.hpp"
 
-#include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/orbits/dry_branch.hpp"
-#include "gearfilm/orbits/film_branch.hpp"
+#include "dynamics/march_statistics.hpp"
+#include "orbits/dry_branch.hpp"
+#include "orbits/film_branch.hpp"
 #include "orbits/coarse_orbit.hpp"
 
 namespace gearfilm {

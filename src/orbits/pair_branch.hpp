@@ -1,7 +1,7 @@
 // What a continuation of the pair follows and where it begins, on films and dry.
 #pragma once
 
-#include "gearfilm/orbits/continuation.hpp"
+#include "orbits/continuation.hpp"
 #include "orbits/dry_sweep_point.hpp"
 
 namespace gearfilm {

@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/periodic_orbit.hpp"
+#include "orbits/periodic_orbit.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/remap.hpp"
-#include "gearfilm/orbits/map_jacobian.hpp"
+#include "grid/remap.hpp"
+#include "orbits/map_jacobian.hpp"
 
 namespace gearfilm {
 namespace {

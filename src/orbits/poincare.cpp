@@ -1,10 +1,10 @@
-#include "gearfilm/orbits/poincare.hpp"
+#include "orbits/poincare.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "gearfilm/orbits/affine_fit.hpp"
+#include "orbits/affine_fit.hpp"
 
 namespace gearfilm {
 namespace {

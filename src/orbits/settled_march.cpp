@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gearfilm/dynamics/dry_flow.hpp"
-#include "gearfilm/dynamics/march_statistics.hpp"
+#include "dynamics/dry_flow.hpp"
+#include "dynamics/march_statistics.hpp"
 
 namespace gearfilm {
 namespace {

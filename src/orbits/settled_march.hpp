@@ -2,8 +2,8 @@
 // the end, and what it settles on.
 #pragma once
 
-#include "gearfilm/orbits/orbit_search.hpp"
-#include "gearfilm/orbits/poincare.hpp"
+#include "orbits/orbit_search.hpp"
+#include "orbits/poincare.hpp"
 
 namespace gearfilm {
 

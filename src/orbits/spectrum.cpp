@@ -1,4 +1,4 @@
-#include "gearfilm/orbits/spectrum.hpp"
+#include "orbits/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "gearfilm/elasticity/fftw.hpp"
+#include "elasticity/fftw.hpp"
 
 namespace gearfilm {
 

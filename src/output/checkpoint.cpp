@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/remap.hpp"
+#include "grid/remap.hpp"
 #include "output/file_ownership.hpp"
 #include "output/own_file.hpp"
 #include "output/state_file.hpp"

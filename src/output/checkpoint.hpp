@@ -12,7 +12,7 @@
 
 #include <deque>
 
-#include "gearfilm/dynamics/march_keeper.hpp"
+#include "dynamics/march_keeper.hpp"
 #include "output/disk_flush.hpp"
 #include "output/film_snapshot.hpp"
 #include "output/record_journal.hpp"

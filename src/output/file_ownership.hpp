@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

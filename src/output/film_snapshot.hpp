@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gearfilm/dynamics/step_record.hpp"
-#include "gearfilm/grid/field.hpp"
+#include "dynamics/step_record.hpp"
+#include "grid/field.hpp"
 
 namespace gearfilm {
 

@@ -3,8 +3,8 @@
 // of the motion in a search. A row begins with what tells it from others; the figures of the tables in dynamics follow.
 #pragma once
 
-#include "gearfilm/dynamics/step_figures.hpp"
-#include "gearfilm/mesh/mesh_model.hpp"
+#include "dynamics/step_figures.hpp"
+#include "mesh/mesh_model.hpp"
 #include "output/results_table.hpp"
 
 namespace gearfilm {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

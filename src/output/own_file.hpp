@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 #include "parallel/agreement.hpp"
 

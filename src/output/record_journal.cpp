@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "gearfilm/dynamics/value_list.hpp"
+#include "dynamics/value_list.hpp"
 #include "gearfilm/error.hpp"
 #include "output/checksum.hpp"
 #include "output/output_directory.hpp"

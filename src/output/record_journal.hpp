@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "gearfilm/dynamics/step_record.hpp"
+#include "dynamics/step_record.hpp"
 
 namespace gearfilm {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <sstream>
 
-#include "gearfilm/dynamics/period_figures.hpp"
+#include "dynamics/period_figures.hpp"
 #include "output/history.hpp"
 
 namespace gearfilm {

@@ -16,7 +16,7 @@
 #include <map>
 #include <string>
 
-#include "gearfilm/contact/scales.hpp"
+#include "contact/scales.hpp"
 #include "gearfilm/error.hpp"
 #include "output/whole_domain.hpp"
 #include "parallel/agreement.hpp"

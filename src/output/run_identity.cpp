@@ -5,11 +5,12 @@
 #include "gearfilm/error.hpp"
 #include "input/case_file.hpp"
 #include "output/format_version.hpp"
+#include "output/provenance.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
 
-Summary identity_of(const Case& problem, const std::string& command, const std::vector<std::string>& free) {
+Summary identity_of(const CaseInput& problem, const std::string& command, const std::vector<std::string>& free) {
   Summary identity = {{"command", command}};
   for (const EchoedValue& echoed : problem.parameters.echo()) {
     const std::string section = find_parameter(echoed.name)->section();
@@ -48,6 +49,24 @@ void require_same_identity(const Summary& before, const Summary& now, const std:
       throw InputError("'" + file.parent_path().string() + "' holds another run, with " + name + " " + then +
                        " instead of " + today + "; choose another folder with -output_dir, or delete that one");
     }
+  }
+}
+
+void write_identity(ResultsFile& file, const CaseInput& problem, const std::string& command) {
+  file.attribute("/", "program", std::string("gearfilm"));
+  file.attribute("/", "format_version", results_format);
+  const Summary libraries = provenance(file.comm());
+  for (const auto& [name, value] : libraries.items()) {
+    file.attribute("/", name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  file.attribute("/", "command", command);
+  // Chosen bounds too, which the parameters do not show where they follow from M.
+  file.attribute("/", "x_min", problem.numerics.domain.x_min);
+  file.attribute("/", "x_max", problem.numerics.domain.x_max);
+  file.attribute("/", "y_half", problem.numerics.domain.y_half);
+  for (const EchoedValue& echoed : problem.parameters.echo()) {
+    const bool pure = echoed.unit.empty() || echoed.unit == "-";
+    file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);
   }
 }
 

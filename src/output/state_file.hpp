@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
-#include "gearfilm/dynamics/pair_state.hpp"
-#include "gearfilm/grid/grid.hpp"
+#include "dynamics/pair_state.hpp"
+#include "grid/grid.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

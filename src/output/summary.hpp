@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "gearfilm/mesh/motion.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "mesh/motion.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

@@ -1,8 +1,8 @@
 // Fields on all nodes of a domain, for output: mirrored rows are stored once (grid/row_axis.hpp).
 #pragma once
 
-#include "gearfilm/grid/field.hpp"
-#include "gearfilm/grid/node_scatter.hpp"
+#include "grid/field.hpp"
+#include "grid/node_scatter.hpp"
 #include "output/distributed_array.hpp"
 
 namespace gearfilm {

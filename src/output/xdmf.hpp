@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearfilm/grid/grid.hpp"
+#include "grid/grid.hpp"
 
 namespace gearfilm {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

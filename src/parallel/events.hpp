@@ -1,7 +1,7 @@
 // The names under which -log_view reports the kernels of the film solver.
 #pragma once
 
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/mpi_settings.hpp"
+#include "parallel/mpi_settings.hpp"
 
 #include <mpi.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "gearfilm/parallel/patient_waits.hpp"
+#include "parallel/patient_waits.hpp"
 
 namespace gearfilm {
 namespace {

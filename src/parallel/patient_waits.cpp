@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/patient_waits.hpp"
+#include "parallel/patient_waits.hpp"
 
 #ifdef __linux__
 #include <sched.h>

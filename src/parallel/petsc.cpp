@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/petsc.hpp"
+#include "parallel/petsc.hpp"
 
 #include <sys/resource.h>
 

@@ -1,4 +1,4 @@
-#include "gearfilm/parallel/state_version.hpp"
+#include "parallel/state_version.hpp"
 
 #include <petsc/private/petscimpl.h>  // declares PetscObjectStateGet
 

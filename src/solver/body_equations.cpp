@@ -1,4 +1,4 @@
-#include "gearfilm/solver/body_equations.hpp"
+#include "solver/body_equations.hpp"
 
 namespace gearfilm {
 

@@ -1,4 +1,4 @@
-#include "gearfilm/solver/film_system.hpp"
+#include "solver/film_system.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "gearfilm/solver/stationary.hpp"
+#include "solver/stationary.hpp"
 
 #include <memory>
 #include <sstream>
 
 #include "film/transfer.hpp"
-#include "gearfilm/contact/film_formulas.hpp"
+#include "contact/film_formulas.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/integral.hpp"
+#include "grid/integral.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

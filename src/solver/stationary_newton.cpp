@@ -1,4 +1,4 @@
-#include "gearfilm/solver/stationary_newton.hpp"
+#include "solver/stationary_newton.hpp"
 
 #include <sstream>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/film/validity.hpp"
-#include "gearfilm/grid/domain.hpp"
+#include "film/validity.hpp"
+#include "grid/domain.hpp"
 
 namespace gearfilm {
 namespace {

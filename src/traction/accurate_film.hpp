@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "gearfilm/film/contact_film.hpp"
-#include "gearfilm/film/discretisation.hpp"
-#include "gearfilm/solver/grid_error.hpp"
-#include "gearfilm/traction/coupled_film.hpp"
+#include "film/contact_film.hpp"
+#include "film/discretisation.hpp"
+#include "solver/grid_error.hpp"
+#include "traction/coupled_film.hpp"
 
 namespace gearfilm {
 

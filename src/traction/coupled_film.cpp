@@ -1,4 +1,4 @@
-#include "gearfilm/traction/coupled_film.hpp"
+#include "traction/coupled_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "traction/sheared_flow.hpp"
 #include "numerics/anderson_mixing.hpp"
 
 namespace gearfilm {

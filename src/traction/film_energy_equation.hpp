@@ -15,7 +15,7 @@
 #include <array>
 #include <vector>
 
-#include "gearfilm/traction/traction_model.hpp"
+#include "traction/traction_model.hpp"
 #include "traction/film_flow.hpp"
 
 namespace gearfilm {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "gearfilm/lubricant/vector_math.hpp"
+#include "lubricant/vector_math.hpp"
 
 namespace gearfilm {
 

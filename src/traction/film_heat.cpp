@@ -1,11 +1,11 @@
-#include "gearfilm/traction/film_heat.hpp"
+#include "traction/film_heat.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "traction/sheared_flow.hpp"
 #include "lubricant/independent_iterations.hpp"
 #include "traction/film_energy_equation.hpp"
 #include "traction/film_line.hpp"

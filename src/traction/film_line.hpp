@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "gearfilm/film/contact_film.hpp"
-#include "gearfilm/traction/traction_model.hpp"
+#include "film/contact_film.hpp"
+#include "traction/traction_model.hpp"
 
 namespace gearfilm {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "gearfilm/traction/traction_model.hpp"
+#include "traction/traction_model.hpp"
 
 namespace gearfilm {
 

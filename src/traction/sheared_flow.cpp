@@ -1,4 +1,4 @@
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "traction/sheared_flow.hpp"
 
 #include <cmath>
 

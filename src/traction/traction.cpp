@@ -1,4 +1,4 @@
-#include "gearfilm/traction/traction.hpp"
+#include "traction/traction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/integral.hpp"
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "grid/integral.hpp"
+#include "traction/sheared_flow.hpp"
 #include "parallel/agreement.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"

@@ -195,7 +195,7 @@ def results_in(folder):
 
 
 def checksum(text):
-    """Of the bytes of a description, as in include/gearfilm/output/checksum.hpp."""
+    """Of the bytes of a description, as in src/output/checksum.hpp."""
     total = 0
     for place, byte in enumerate(text, start=1):
         z = byte ^ place * 0x9e3779b97f4a7c15 % 2**64

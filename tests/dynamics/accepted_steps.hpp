@@ -35,7 +35,7 @@ inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveCon
 /// The march of a case up to T, the last three states of which are kept.
 class AcceptedSteps {
 public:
-  AcceptedSteps(const Case& problem, double T_end) : march(problem) {
+  AcceptedSteps(const CaseInput& problem, double T_end) : march(problem) {
     march.on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
       before_last = std::move(last_but_one);
       last_but_one = std::move(last);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/dynamics/lubricated_pair.hpp"
-#include "gearfilm/mesh/back_flanks.hpp"
+#include "dynamics/lubricated_pair.hpp"
+#include "mesh/back_flanks.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -89,8 +89,8 @@ TEST(BendingFilms, quasi_static_fields_do_not_depend_on_the_teeth) {
 // The mesh turned so slowly that nothing swings, and films as thin as they are at 15000 rpm: the shares and the shape
 // of the transmission error are those of the dry pair.
 TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
-  Case problem = table3_case(with(with(at_rest(after_leaving()), with(bending(), relieved())),
-                                  {{"pinion.speed_rpm", "5000"}, {"time.dt", "0.1"}}));
+  CaseInput problem = table3_case(with(with(at_rest(after_leaving()), with(bending(), relieved())),
+                                       {{"pinion.speed_rpm", "5000"}, {"time.dt", "0.1"}}));
   MeshModel mesh = mesh_of(problem);
   mesh.inertia = 0.0;
   std::vector<StepRecord> records;
@@ -157,7 +157,7 @@ TEST(BendingFilms, a_film_is_pressed_and_not_crushed_when_its_neighbour_leaves) 
 
 // sigma and chi of a parabolic relief shift and narrow the contact: R = 1/(1/R_x + chi), x_0 = -sigma R.
 TEST(FlanksAsAField, have_their_nearest_point_and_its_radius) {
-  const Case problem = table3_case(
+  const CaseInput problem = table3_case(
       {{"pinion.tip_relief", "20e-6"}, {"pinion.tip_relief_length", "9e-3"}, {"gear.profile_local", "field"}});
   const MeshModel mesh = mesh_of(problem);
   const LineOfAction& line = mesh.path.line();

@@ -1,7 +1,7 @@
 // What travels between processes: the model of docs/performance.md against PETSc's counters.
-#include "gearfilm/elasticity/dense_y_convolution.hpp"
-#include "gearfilm/traction/traction.hpp"
+#include "elasticity/dense_y_convolution.hpp"
 #include "pair_case.hpp"
+#include "traction/traction.hpp"
 
 namespace gearfilm {
 namespace {
@@ -68,11 +68,11 @@ protected:
   }
 
   static constexpr double in_single = sizeof(float), in_double = sizeof(double);
-  const Case problem = table3_case({{"grid.nx", "65"},
-                                    {"grid.ny", "33"},
-                                    {"friction.law", "eyring"},
-                                    {"thermal.model", "film"},
-                                    {"lubricant.temperature_viscosity", "0.04"}});
+  const CaseInput problem = table3_case({{"grid.nx", "65"},
+                                         {"grid.ny", "33"},
+                                         {"friction.law", "eyring"},
+                                         {"thermal.model", "film"},
+                                         {"lubricant.temperature_viscosity", "0.04"}});
   const MeshModel mesh = mesh_of(problem);
   const Grid grid{PETSC_COMM_WORLD, case_grid(problem)};
   const double processes = grid.processes();

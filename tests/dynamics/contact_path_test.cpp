@@ -65,7 +65,7 @@ protected:
   /// True when an entering and a leaving are one event.
   bool whole() const { return std::abs(line.contact_ratio() - std::round(line.contact_ratio())) < 1e-9; }
 
-  Case pair = input_case(GetParam().file);
+  CaseInput pair = input_case(GetParam().file);
   LineOfAction line = GetParam().contact_ratio > 0.0
                           ? line_with_contact_ratio(*pair.pair.gears, GetParam().contact_ratio)
                           : *pair.pair.line;
@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(contact_ratios, PathOfContact,
                          });
 
 TEST(HeldGeometry, contacts_stay_and_no_event_comes) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, 4e-3, MeshGeometry::held);
   const ContactPath moving(*problem.pair.line, problem.scales, problem.pair.pinion_speed, 4e-3);
   for (double T : {0.0, 3.0, 1e4}) {

@@ -1,11 +1,11 @@
 // Branches of maps whose folds, flips and doubled periods are known in closed form, and those of the dry pair.
-#include "gearfilm/orbits/continuation.hpp"
+#include "orbits/continuation.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/orbits/dry_branch.hpp"
-#include "gearfilm/orbits/dry_orbit.hpp"
+#include "orbits/dry_branch.hpp"
+#include "orbits/dry_orbit.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

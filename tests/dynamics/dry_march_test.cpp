@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "gearfilm/mesh/natural_frequency.hpp"
+#include "mesh/natural_frequency.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -15,7 +15,7 @@ const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>
 /// The motion by classical Runge-Kutta steps between events that are found here again.
 class RungeKutta {
 public:
-  explicit RungeKutta(const Case& problem)
+  explicit RungeKutta(const CaseInput& problem)
       : line_(*problem.pair.line),
         scales_(problem.scales),
         inertia_(mesh_of(problem).inertia),
@@ -74,7 +74,7 @@ private:
 };
 
 TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const MeshModel mesh = mesh_of(problem);
   DryMarch march(mesh, 0.05, nobody);
   march.start({});
@@ -91,7 +91,7 @@ TEST(DryMarch, three_periods_from_rest_agree_with_an_integration_of_its_own) {
 
 TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
   for (const char* file : {"barbieri2013.yaml", "high_contact_ratio.yaml"}) {
-    const Case problem = input_case(file);
+    const CaseInput problem = input_case(file);
     const MeshModel mesh = mesh_of(problem);
     const DryForce force(mesh);
     const LineOfAction& line = mesh.path.line();
@@ -107,7 +107,7 @@ TEST(DryForce, is_that_of_hertz_at_every_radius_of_the_path) {
 
 // The record's step is an output interval only.
 TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const MeshModel mesh = mesh_of(problem);
   Motion ends[2];
   for (int n : {0, 1}) {
@@ -121,7 +121,7 @@ TEST(DryMarch, the_interval_of_the_records_does_not_matter) {
 }
 
 TEST(DryMarch, records_reach_every_event_and_share_the_force) {
-  const Case problem = input_case("high_contact_ratio.yaml");
+  const CaseInput problem = input_case("high_contact_ratio.yaml");
   const MeshModel mesh = mesh_of(problem);
   const ContactPath& path = mesh.path;
   double last = 0.0, next = path.next_event(0.0);
@@ -155,7 +155,7 @@ protected:
            problem.scales.static_force * motion.H0();
   }
 
-  Case problem = table3_case();
+  CaseInput problem = table3_case();
   MeshModel mesh{.scales = problem.scales,
                  .path = ContactPath(*problem.pair.line, problem.scales, 1e-15 * problem.pair.pinion_speed, 0.0),
                  .inertia = problem.scales.inertia(*problem.pair.equivalent_mass),

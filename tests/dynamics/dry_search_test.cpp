@@ -1,10 +1,10 @@
 // Searches of the dry pair's periodic motion where its force has kinks, and what they say where there is none.
 #include <gmock/gmock.h>
 
-#include "gearfilm/dynamics/dry_flow.hpp"
-#include "gearfilm/orbits/dry_following.hpp"
-#include "gearfilm/orbits/dry_orbit.hpp"
-#include "gearfilm/orbits/dry_settling.hpp"
+#include "dynamics/dry_flow.hpp"
+#include "orbits/dry_following.hpp"
+#include "orbits/dry_orbit.hpp"
+#include "orbits/dry_settling.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

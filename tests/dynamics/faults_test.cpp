@@ -47,7 +47,7 @@ TEST(Faults, error_in_an_observer_comes_out_of_the_time_steps_as_it_was) {
 }
 
 TEST(Faults, stationary_film_without_iterations_enough_says_where_its_residual_is) {
-  const Case problem = table3_case(after_leaving());
+  const CaseInput problem = table3_case(after_leaving());
   const Grid grid(PETSC_COMM_WORLD, case_grid(problem));
   ContactFilm film(discretise(grid, problem), problem.scales, problem.numerics.solver.multigrid);
   SolverOptions options = problem.numerics.solver;

@@ -1,7 +1,7 @@
 // The figures of contacts: what their records compute, and that every list follows from them.
 #include <set>
 
-#include "gearfilm/dynamics/period_figures.hpp"
+#include "dynamics/period_figures.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -9,7 +9,7 @@ namespace {
 
 /// The figures of one contact of Table 3's pair at xi under a force in units of F*.
 ContactFigures figures_at(double xi, double force_ratio) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const MeshModel mesh = mesh_of(problem);
   FilmFigures film;
   film.pressure_integral = force_ratio * problem.scales.static_force;
@@ -27,7 +27,7 @@ TEST(ContactFigures, hertz_pressure_grows_with_the_cube_root_of_the_force) {
 }
 
 TEST(ContactFigures, sliding_is_negative_before_the_pitch_point_and_positive_behind) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const double u = problem.scales.operation.entrainment_velocity;
   for (const double xi : {-3e-3, 2e-3}) {
     const double expected = problem.pair.line->sliding_velocity(xi, problem.pair.pinion_speed);
@@ -38,7 +38,7 @@ TEST(ContactFigures, sliding_is_negative_before_the_pitch_point_and_positive_beh
 
 TEST(ContactFigures, film_comes_back_out_of_the_figures) {
   const FilmFigures film{5.0, 0.3, 0.2, 1.1, 1.2, 1.15, true};
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const FilmFigures again = film_figures(contact_record(mesh_of(problem), 0, 0.0, film).figures);
   EXPECT_EQ(again.pressure_integral, film.pressure_integral);
   EXPECT_EQ(again.central_film, film.central_film);

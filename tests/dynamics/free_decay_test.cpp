@@ -1,5 +1,5 @@
 // The map that a pushed pair follows back to its orbit, from motions that are known.
-#include "gearfilm/orbits/free_decay.hpp"
+#include "orbits/free_decay.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A free oscillation stepped by difference formulas whose inertia and damping are fitted to it.
-#include "gearfilm/dynamics/frequency_fit.hpp"
+#include "dynamics/frequency_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Friction in the motion of the pair, and losses of mesh periods.
 #include <gtest/gtest.h>
 
-#include "gearfilm/dynamics/friction_force.hpp"
+#include "dynamics/friction_force.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

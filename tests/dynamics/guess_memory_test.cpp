@@ -1,17 +1,17 @@
 // Guesses that know what those of the mesh period before missed: fewer iterations to the same states.
-#include "gearfilm/dynamics/guess_memory.hpp"
+#include "dynamics/guess_memory.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "gearfilm/dynamics/entering_film.hpp"
+#include "dynamics/entering_film.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
 namespace {
 
 TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
-  const Case problem = table3_case(after_leaving());
+  const CaseInput problem = table3_case(after_leaving());
   const double mesh_period = mesh_of(problem).path.mesh_period();
   Memory first;
   int newton = 0;
@@ -53,7 +53,7 @@ TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
 }
 
 TEST(Guesses, the_film_that_entered_last_is_one_for_another_that_lies_near) {
-  const Case problem = table3_case(after_leaving());
+  const CaseInput problem = table3_case(after_leaving());
   const MeshModel mesh = mesh_of(problem);
   ContactFilm film(discretise(PETSC_COMM_WORLD, problem), problem.scales, MultigridOptions{});
   move_surfaces(film, mesh.contact(0, 0.0).conditions);
@@ -74,7 +74,7 @@ TEST(Guesses, the_film_that_entered_last_is_one_for_another_that_lies_near) {
 }
 
 TEST(Guesses, are_what_they_were_after_being_kept) {
-  const Case problem = table3_case(before_an_entry());
+  const CaseInput problem = table3_case(before_an_entry());
   Memory memory;
   MeshMarch march = make_march(
       problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),

@@ -64,7 +64,7 @@ const ContactRecord& of_contact(const StepRecord& record, int contact) {
 }
 
 TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
-  const Case problem = table3_case(after_leaving());
+  const CaseInput problem = table3_case(after_leaving());
   Memory memory;
   const auto march_to = [&](double T) {
     MeshMarch march = make_march(
@@ -116,11 +116,11 @@ TEST(March, three_contacts_share_the_force_and_come_and_go) {
 
 // At 8000 rpm the force reaches 1.33 times the static one, under which the ellipse is as long as a face of 2.2 b.
 TEST(March, a_contact_that_outgrows_its_face_ends_the_march) {
-  Case problem = table3_case({{"grid.nx", "65"},
-                              {"grid.ny", "33"},
-                              {"time.dt", "0.05"},
-                              {"pinion.speed_rpm", "8000"},
-                              {"grid.y_half", "1.1"}});
+  CaseInput problem = table3_case({{"grid.nx", "65"},
+                                   {"grid.ny", "33"},
+                                   {"time.dt", "0.05"},
+                                   {"pinion.speed_rpm", "8000"},
+                                   {"grid.y_half", "1.1"}});
   problem.numerics.margins.face = 1.1 / problem.scales.hertz.ellipticity;
   RecordedMarch march(problem);
   march.start();

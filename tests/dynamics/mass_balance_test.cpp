@@ -90,7 +90,7 @@ BorderFlow border_flow(const Grid& grid, const FaceFluxes& fluxes, const std::ve
 // The discrete equations of all full nodes telescope: what flows in through the border of the full set flows out or is
 // stored. The cavitated nodes, where the film is not full, are outside.
 TEST(MassBalance, mass_is_conserved_over_a_step) {
-  const Case problem =
+  const CaseInput problem =
       table3_case(with(after_leaving(), {{"time.newton_tolerance", "1e-9"}, {"film.discretisation", "fitted"}}));
   const AcceptedSteps steps(problem, 0.5);
   ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);

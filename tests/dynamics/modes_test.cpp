@@ -2,19 +2,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/mesh/natural_frequency.hpp"
-#include "gearfilm/mesh/static_mesh.hpp"
-#include "gearfilm/orbits/dry_modes.hpp"
-#include "gearfilm/orbits/dynamic_stiffness.hpp"
-#include "gearfilm/orbits/film_modes.hpp"
 #include "input/case_numerics.hpp"
+#include "mesh/natural_frequency.hpp"
+#include "mesh/static_mesh.hpp"
+#include "orbits/dry_modes.hpp"
+#include "orbits/dynamic_stiffness.hpp"
+#include "orbits/film_modes.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
 namespace {
 
 TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const double k_el = mesh_of(problem).stiffness_si();
   const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
   const GearInertias inertias = disc_inertias(radii, *problem.pair.equivalent_mass);
@@ -32,7 +32,7 @@ TEST(DryModes, one_is_rigid_and_one_has_the_natural_frequency) {
 
 // Teeth and contact in series, 1/k = 1/k_el + c_kk(0); reference: another program's.
 TEST(DryModes, bending_teeth_are_in_series_with_the_contact) {
-  const Case problem = table3_case(bending());
+  const CaseInput problem = table3_case(bending());
   const double k = mesh_of(problem).stiffness_si();
   EXPECT_NEAR(1.0 / k - 1.0 / mesh_of(table3_case()).stiffness_si(), problem.pair.teeth.compliance(0.0), 1e-15);
   const std::array<double, 2> radii = {problem.pair.line->base_radius_pinion(), problem.pair.line->base_radius_wheel()};
@@ -42,7 +42,7 @@ TEST(DryModes, bending_teeth_are_in_series_with_the_contact) {
 
 // Three contacts at the pitch point swing together.
 TEST(DryModes, stiffness_is_that_of_all_contacts_at_the_pitch_point) {
-  const Case problem = input_case("high_contact_ratio.yaml");
+  const CaseInput problem = input_case("high_contact_ratio.yaml");
   const MeshModel mesh = mesh_of(problem);
   const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 50);
   ASSERT_EQ(turned.at_pitch.contacts.size(), 3u);
@@ -55,8 +55,8 @@ TEST(DryModes, stiffness_is_that_of_all_contacts_at_the_pitch_point) {
 TEST(DryModes, pitch_errors_do_not_change_the_stiffness) {
   std::string errors;
   for (int tooth = 0; tooth < 40; ++tooth) errors += tooth % 2 ? " 2e-5" : " 0";
-  const Case plain = input_case("high_contact_ratio.yaml");
-  const Case rough = input_case("high_contact_ratio.yaml", {{"pinion.pitch_errors", errors}});
+  const CaseInput plain = input_case("high_contact_ratio.yaml");
+  const CaseInput rough = input_case("high_contact_ratio.yaml", {{"pinion.pitch_errors", errors}});
   EXPECT_EQ(plain.pair.stiffness, rough.pair.stiffness);
 }
 
@@ -95,7 +95,7 @@ public:
     pair_->set_motion(state_, at_rest.motion);
   }
 
-  const Case& problem() const { return problem_; }
+  const CaseInput& problem() const { return problem_; }
   const SharedDiscretisation& discretisation() const { return march_.contacts().front().film->discretisation(); }
   const MeshModel& mesh() const { return march_.mesh(); }
   LubricatedPair& pair() { return *pair_; }
@@ -104,7 +104,7 @@ public:
   double natural_rate() const { return 2.0 * std::numbers::pi * mesh().frequency(); }
 
 private:
-  Case problem_;
+  CaseInput problem_;
   MeshMarch march_;
   std::unique_ptr<LubricatedPair> pair_;
   OwnedVec state_;
@@ -170,7 +170,7 @@ TEST_P(SwingingMode, agrees_with_a_march_that_rings_down) {
   const RingDown& tested = GetParam();
   PairAtRest rest(tested.settings);
   const std::complex<double> mode = swinging_mode(rest.pair(), rest.state()).rate;
-  const Case& problem = rest.problem();
+  const CaseInput& problem = rest.problem();
   std::vector<double> samples;
   StepOptions steps = problem.numerics.steps;
   steps.dT = tested.dT;

@@ -2,19 +2,19 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "gearfilm/mesh/natural_frequency.hpp"
-#include "gearfilm/orbits/floquet.hpp"
-#include "gearfilm/orbits/free_decay.hpp"
-#include "gearfilm/orbits/periodic_orbit.hpp"
-#include "gearfilm/solver/stationary.hpp"
+#include "mesh/natural_frequency.hpp"
+#include "orbits/floquet.hpp"
+#include "orbits/free_decay.hpp"
+#include "orbits/periodic_orbit.hpp"
 #include "pair_case.hpp"
+#include "solver/stationary.hpp"
 
 namespace gearfilm {
 namespace {
 
 Settings after_leaving_place() { return {{"start.place", "after_leaving"}, {"time.dt", "0.026"}}; }
 
-double free_frequency_of(const Case& problem, const Monodromy& monodromy) {
+double free_frequency_of(const CaseInput& problem, const Monodromy& monodromy) {
   return free_oscillation(multipliers(monodromy), mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed),
                           mesh_of(problem).frequency_si())
       .value()
@@ -46,7 +46,7 @@ TEST(Monodromy, free_oscillation_takes_the_branch_next_to_the_natural_frequency)
 
 TEST(DryOrbit, repeats_and_matches_the_reference) {
   const auto& reference = table3::reference().at("dry_periodic");
-  const Case problem = table3_case(after_leaving_place());
+  const CaseInput problem = table3_case(after_leaving_place());
   const MeshModel mesh = mesh_of(problem);
   const DryOrbit orbit = find_dry_orbit(mesh, 0.0);
   DryMarch march(mesh, 1.0, [](const StepRecord&, const std::vector<LiveContact>&) {});
@@ -75,7 +75,7 @@ TEST(DryOrbit, product_of_both_multipliers_is_the_dampers) {
 
 TEST(DryOrbit, damping_leads_over_the_end_of_a_branch) {
   // At 10500 rpm the orbit of the strongly damped pair ends in a fold; the lightly damped one loses contact.
-  const Case problem = table3_case(with(after_leaving_place(), {{"pinion.speed_rpm", "10500"}}));
+  const CaseInput problem = table3_case(with(after_leaving_place(), {{"pinion.speed_rpm", "10500"}}));
   const MeshModel mesh = mesh_of(problem);
   const DryOrbit orbit = find_dry_orbit(mesh, 0.05);
   EXPECT_GT(orbit.largest_integral / problem.scales.static_force, 2.0);
@@ -90,7 +90,7 @@ PeriodicOrbit search(RecordedMarch& march, const OrbitGuess& guess) {
 
 /// The dry orbit, shifted by the stationary film at the pitch point.
 OrbitGuess dry_guess_of(const RecordedMarch& march) {
-  const Case& problem = march.problem();
+  const CaseInput& problem = march.problem();
   const DryOrbit dry = find_dry_orbit(march.mesh(), typical_film_damping);
   ContactFilm film(discretise(march.grid(), problem), problem.scales, problem.numerics.solver.multigrid);
   const StationaryResult at_pitch =
@@ -187,7 +187,7 @@ TEST(SlowOrbit, the_lubricated_orbit_is_found_within_six_mesh_periods) {
   };
   expect("H0_after_leaving", orbit.start.motion.H0());
   expect("V0_after_leaving", orbit.start.motion.V0());
-  const Case& problem = march.problem();
+  const CaseInput& problem = march.problem();
   const FloquetMultipliers few = floquet_multipliers(march.march(), orbit, {});
   const FreeOscillation oscillation =
       free_oscillation(few.gear_pair, mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed),

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/dry_pair.hpp"
+#include "dynamics/march_statistics.hpp"
+#include "dynamics/mesh_march.hpp"
 #include "film_case.hpp"
-#include "gearfilm/dynamics/dry_pair.hpp"
-#include "gearfilm/dynamics/march_statistics.hpp"
-#include "gearfilm/dynamics/mesh_march.hpp"
-#include "gearfilm/input/case.hpp"
-#include "gearfilm/input/case_setup.hpp"
+#include "input/case.hpp"
 #include "input/case_file.hpp"
+#include "input/case_setup.hpp"
 
 namespace gearfilm {
 
@@ -30,13 +30,13 @@ inline Settings with(Settings settings, const Settings& replaced) {
 }
 
 /// A case of input/ with some of its values replaced.
-inline Case input_case(const std::string& file, const Settings& settings = {}) {
+inline CaseInput input_case(const std::string& file, const Settings& settings = {}) {
   ParameterValues values = read_parameters(PETSC_COMM_WORLD, std::string(GEARFILM_SOURCE_DIR) + "/input/" + file);
   for (const auto& [key, value] : settings) values.set(key, value, "test");
   return make_case(values);
 }
 
-inline Case table3_case(const Settings& settings = {}) { return input_case("barbieri2013.yaml", settings); }
+inline CaseInput table3_case(const Settings& settings = {}) { return input_case("barbieri2013.yaml", settings); }
 
 /// Teeth and bodies that give way, with bores that are not in the paper.
 inline Settings bending(const std::string& body = "yes") {
@@ -72,12 +72,12 @@ inline Settings before_an_entry() {
 }
 
 /// The mesh of a case at its start.
-inline MeshModel mesh_of(const Case& problem) { return mesh_model(problem, problem.march.start_position); }
+inline MeshModel mesh_of(const CaseInput& problem) { return mesh_model(problem, problem.march.start_position); }
 
 /// A lubricated march of a case that keeps its records.
 class RecordedMarch {
 public:
-  explicit RecordedMarch(Case problem, MPI_Comm comm = PETSC_COMM_WORLD)
+  explicit RecordedMarch(CaseInput problem, MPI_Comm comm = PETSC_COMM_WORLD)
       : problem_(std::move(problem)),
         discretisation_(discretise(comm, problem_)),
         march_(make_march(problem_, discretisation_, mesh_of(problem_),
@@ -92,7 +92,7 @@ public:
   void start() { march_.start(problem_.march.start_motion); }
   void run(double T_end) { march_.run(T_end); }
 
-  const Case& problem() const { return problem_; }
+  const CaseInput& problem() const { return problem_; }
   const SharedDiscretisation& discretisation() const { return discretisation_; }
   const Grid& grid() const { return discretisation_->grid(); }
   const MeshModel& mesh() const { return march_.mesh(); }
@@ -105,7 +105,7 @@ public:
   StepObserver on_step;  ///< called after the record is kept
 
 private:
-  Case problem_;
+  CaseInput problem_;
   SharedDiscretisation discretisation_;
   std::vector<StepRecord> records_;
   MeshMarch march_;

@@ -1,5 +1,5 @@
 // What points of a known map say of its recurrence and its multipliers.
-#include "gearfilm/orbits/poincare.hpp"
+#include "orbits/poincare.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearfilm/solver/stationary.hpp"
 #include "pair_case.hpp"
+#include "solver/stationary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -28,7 +28,7 @@ public:
     march_.run(path().exit_time(0));
   }
 
-  const Case& problem() const { return problem_; }
+  const CaseInput& problem() const { return problem_; }
   const Grid& grid() const { return discretisation_->grid(); }
   const MeshModel& mesh() const { return march_.mesh(); }
   const ContactPath& path() const { return mesh().path; }
@@ -36,7 +36,7 @@ public:
   const std::vector<StepRecord>& records() const { return records_; }
 
 private:
-  Case problem_;
+  CaseInput problem_;
   SharedDiscretisation discretisation_;
   std::vector<StepRecord> records_;
   MeshMarch march_;
@@ -145,7 +145,7 @@ TEST(SimplifiedDynamic, a_large_inertia_hardly_moves_and_none_follows_the_load) 
 }
 
 TEST(SinglePath, has_one_contact_until_its_exit) {
-  const Case problem = table3_case();
+  const CaseInput problem = table3_case();
   const ContactPath path(*problem.pair.line, problem.scales, problem.pair.pinion_speed, problem.pair.line->entry(),
                          MeshGeometry::single);
   EXPECT_EQ(path.contacts_after(0.0), std::vector<int>{0});

@@ -26,7 +26,7 @@ TEST(LongWork, is_silent_at_first_and_then_says_what_it_is_at) {
 }
 
 TEST(LongWork, stationary_films_tell_their_watcher_of_every_iteration) {
-  Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
+  CaseInput problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
   std::vector<std::string> told;
   problem.numerics.solver.newton.watcher = [&](const std::string& text) { told.push_back(text); };
   const StationaryResult film = pitch_film(problem.scales, problem.numerics, discretise(PETSC_COMM_WORLD, problem));

@@ -1,12 +1,12 @@
 // After every step films show the state that the step has found, however it was found.
-#include "gearfilm/grid/integral.hpp"
+#include "grid/integral.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
 namespace {
 
 /// The figures of a step come from its state; what a film shows must be the film of that state to the bit.
-void expect_shown_films(const Case& problem, double mesh_periods, int least_halvings = 0) {
+void expect_shown_films(const CaseInput& problem, double mesh_periods, int least_halvings = 0) {
   RecordedMarch march(problem);
   ContactFilm fresh(march.discretisation(), problem.scales, {});
   std::vector<double> pressure(march.grid().local_size());
@@ -44,7 +44,7 @@ TEST(ShownFilm, is_that_of_the_step_with_controlled_steps) {
 
 // So few Newton iterations that steps fail: they are tried again, from where shorter ones lead too, and are halved.
 TEST(ShownFilm, is_that_of_the_step_after_steps_that_failed) {
-  Case problem = table3_case(after_leaving());
+  CaseInput problem = table3_case(after_leaving());
   problem.numerics.steps.newton.max_iterations = 4;
   for (const bool by_short_steps : {false, true}) {
     problem.numerics.steps.guess_by_short_steps = by_short_steps;

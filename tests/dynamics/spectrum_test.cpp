@@ -1,5 +1,5 @@
 // Spectra of signals that are known.
-#include "gearfilm/orbits/spectrum.hpp"
+#include "orbits/spectrum.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // Ramps of speed: phase and time belong to each other, and contacts are where the phase says.
-#include "gearfilm/mesh/speed_course.hpp"
+#include "mesh/speed_course.hpp"
 
 #include <gtest/gtest.h>
 

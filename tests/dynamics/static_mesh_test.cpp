@@ -1,5 +1,5 @@
 // The dry pair on teeth that bend: turned slowly and marched, against tests/reference/teeth.json.
-#include "gearfilm/mesh/static_mesh.hpp"
+#include "mesh/static_mesh.hpp"
 
 #include <numeric>
 
@@ -38,7 +38,7 @@ class StaticMeshOf : public testing::TestWithParam<const char*> {};
 TEST_P(StaticMeshOf, agrees_with_the_reference) {
   const auto& expected = reference().at("static").at(GetParam());
   const auto& tolerances = reference().at("tolerances");
-  const Case problem = table3_case(settings_of(GetParam()));
+  const CaseInput problem = table3_case(settings_of(GetParam()));
   const MeshModel mesh = mesh_of(problem);
   const double micrometre = mesh.scales.thickness * 1e6;
   const auto expect = [&](const char* name, double computed, double tolerance) {
@@ -82,12 +82,12 @@ TEST(StaticMesh, has_the_natural_frequencies_of_the_reference) {
 // The loss of FZG C under 200 N m at 1500 rpm with a coefficient of friction of 0.0449, as GEARpie prints it: its teeth
 // share the load by their stiffness, in bending and foundation of another model. Equal shares lose 280.2 W.
 TEST(StaticMesh, loss_by_a_constant_coefficient_of_friction) {
-  const Case problem = input_case("fzg_c.yaml", {{"pinion.outer_radius", "41.318e-3"},
-                                                 {"wheel.outer_radius", "59.272e-3"},
-                                                 {"pinion.tip_relief", "0"},
-                                                 {"wheel.tip_relief", "0"},
-                                                 {"pinion.torque", "200"},
-                                                 {"pinion.speed_rpm", "1500"}});
+  const CaseInput problem = input_case("fzg_c.yaml", {{"pinion.outer_radius", "41.318e-3"},
+                                                      {"wheel.outer_radius", "59.272e-3"},
+                                                      {"pinion.tip_relief", "0"},
+                                                      {"wheel.tip_relief", "0"},
+                                                      {"pinion.torque", "200"},
+                                                      {"pinion.speed_rpm", "1500"}});
   const MeshModel mesh = mesh_after_leaving(problem);
   const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 2000);
   const double friction = 0.0449;
@@ -112,10 +112,10 @@ TEST(StaticMesh, loss_by_a_constant_coefficient_of_friction) {
 
 // All teeth lack the same: the gears turn that much further, and nothing else changes.
 TEST(StaticMesh, a_common_gap_shifts_h0_alone) {
-  const Case perfect = table3_case(with(bending(), just_after_leaving));
+  const CaseInput perfect = table3_case(with(bending(), just_after_leaving));
   std::string errors;
   for (int tooth = 0; tooth < 28; ++tooth) errors += " -3e-5";
-  const Case ground = table3_case(with(with(bending(), just_after_leaving), {{"pinion.pitch_errors", errors}}));
+  const CaseInput ground = table3_case(with(with(bending(), just_after_leaving), {{"pinion.pitch_errors", errors}}));
   const StaticMesh before = turn_slowly(mesh_of(perfect), perfect.scales.static_force, 50);
   const StaticMesh after = turn_slowly(mesh_of(ground), ground.scales.static_force, 50);
   const double gap = 3e-5 / perfect.scales.thickness;
@@ -149,7 +149,7 @@ TEST(StaticMesh, forces_satisfy_every_contacts_equation_and_give_the_stiffness) 
 }
 
 /// Largest total force and largest on one contact over the last mesh periods, over the static force.
-std::array<double, 2> marched(const Case& problem, double stiffness_si, int periods, int last) {
+std::array<double, 2> marched(const CaseInput& problem, double stiffness_si, int periods, int last) {
   const MeshModel mesh = mesh_of(problem);
   const double stiffness = stiffness_si * mesh.scales.thickness / mesh.scales.force(1.0);
   // 2 zeta sqrt(k m)/m in units of 1/t*, zeta = 0.05.
@@ -181,7 +181,7 @@ TEST(DryMarch, on_bending_teeth_with_and_without_relief_agrees_with_the_referenc
     const auto& expected = reference().at("march_dry").at(name);
     for (std::size_t n = 0; n < expected.at("rpm").size(); n += 2) {
       const std::string rpm = std::to_string(expected.at("rpm")[n].get<double>());
-      const Case problem = table3_case(with(settings_of(settings), {{"pinion.speed_rpm", rpm}}));
+      const CaseInput problem = table3_case(with(settings_of(settings), {{"pinion.speed_rpm", rpm}}));
       const std::array<double, 2> largest = marched(problem, expected.at("k_for_damping"), 40, 5);
       EXPECT_NEAR(largest[0] / expected.at("Fmax")[n].get<double>(), 1.0, tolerance) << name << " at " << rpm << " rpm";
       EXPECT_NEAR(largest[1] / expected.at("Fc")[n].get<double>(), 1.0, tolerance) << name << " at " << rpm << " rpm";

@@ -1,7 +1,7 @@
 // The figures of a march, from records made up by hand: mesh period 1, static force 10.
 #include <gtest/gtest.h>
 
-#include "gearfilm/dynamics/march_statistics.hpp"
+#include "dynamics/march_statistics.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,7 +1,7 @@
 // Films that feel their heat, along a march.
 #include <gtest/gtest.h>
 
-#include "gearfilm/traction/coupled_film.hpp"
+#include "traction/coupled_film.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {

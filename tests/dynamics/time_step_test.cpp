@@ -43,7 +43,7 @@ struct LinearisedStep {
     return pair.system().field(change, 0);
   }
 
-  Case problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
+  CaseInput problem = table3_case({{"grid.nx", "65"}, {"grid.ny", "33"}});
   MeshModel mesh = mesh_of(problem);
   SharedDiscretisation shared = discretise(Grid{PETSC_COMM_WORLD, case_grid(problem)}, problem);
   const Grid& grid = shared->grid();
@@ -97,7 +97,7 @@ struct ControlledMarch {
 };
 
 ControlledMarch controlled_march(const std::string& dT, std::optional<ErrorTolerance> tolerance) {
-  Case problem = table3_case(with(after_leaving(), {{"time.dt", dT}}));
+  CaseInput problem = table3_case(with(after_leaving(), {{"time.dt", dT}}));
   problem.numerics.steps.tolerance = tolerance;
   RecordedMarch march(problem);
   march.start();
@@ -123,7 +123,7 @@ TEST(TimeSteps, a_tolerance_on_their_errors_chooses_their_lengths) {
 
 /// Few Newton iterations, so that many a step of 0.05 fails.
 RecordedMarch march_with(int max_iterations, int max_rejections, bool by_short_steps = false) {
-  Case problem = table3_case(after_leaving());
+  CaseInput problem = table3_case(after_leaving());
   problem.numerics.steps.guess_by_short_steps = by_short_steps;
   problem.numerics.steps.newton.max_iterations = max_iterations;
   problem.numerics.steps.max_rejections = max_rejections;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <complex>
 
-#include "gearfilm/orbits/affine_fit.hpp"
-#include "gearfilm/orbits/continuation.hpp"
-#include "gearfilm/orbits/free_decay.hpp"
-#include "gearfilm/orbits/map_jacobian.hpp"
-#include "gearfilm/orbits/poincare.hpp"
+#include "orbits/affine_fit.hpp"
+#include "orbits/continuation.hpp"
+#include "orbits/free_decay.hpp"
+#include "orbits/map_jacobian.hpp"
+#include "orbits/poincare.hpp"
 
 namespace gearfilm::two_freedoms {
 namespace {

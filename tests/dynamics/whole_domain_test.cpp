@@ -6,7 +6,7 @@ namespace {
 
 /// Records of a march through the entering and the leaving of contacts, heat on its films or not.
 std::vector<StepRecord> records_with(Edge lower, const Settings& settings, double mesh_periods) {
-  const Case problem = table3_case(settings);
+  const CaseInput problem = table3_case(settings);
   const PairNumerics& numerics = problem.numerics;
   const Grid grid(PETSC_COMM_WORLD,
                   grid_shape(numerics.domain, problem.scales.hertz.ellipticity, numerics.nx, numerics.ny, lower));

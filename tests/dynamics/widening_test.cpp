@@ -2,7 +2,7 @@
 // two.
 #include <algorithm>
 
-#include "gearfilm/grid/remap.hpp"
+#include "grid/remap.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -15,7 +15,7 @@ protected:
     return {
         {"grid.nx", "65"}, {"grid.ny", ny}, {"time.dt", "0.05"}, {"grid.y_half", y_half}, {"pinion.speed_rpm", "8000"}};
   }
-  std::unique_ptr<MeshMarch> march_with(const Case& problem, MarchKeeper* keeper = nullptr) {
+  std::unique_ptr<MeshMarch> march_with(const CaseInput& problem, MarchKeeper* keeper = nullptr) {
     auto march = std::make_unique<MeshMarch>(make_march(
         problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
         [this](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); }, keeper));
@@ -24,18 +24,18 @@ protected:
   }
 
   std::vector<StepRecord> records;
-  static Case with_clear_sides(Case problem) {
+  static CaseInput with_clear_sides(CaseInput problem) {
     problem.numerics.margins.side = 1.4;
     return problem;
   }
-  const Case narrow = with_clear_sides(table3_case(settings("1.65", "45")));
+  const CaseInput narrow = with_clear_sides(table3_case(settings("1.65", "45")));
   const double T_end = mesh_of(narrow).path.mesh_period();
 };
 
 TEST_F(Widening, gives_the_forces_of_a_grid_that_was_wide_from_the_start) {
   // The same steps: 22 cells to the narrow side, 28 to the wide one.
-  const Case wide = with_clear_sides(table3_case(settings("2.1", "57")));
-  const auto marches = [&](const Case& problem) {
+  const CaseInput wide = with_clear_sides(table3_case(settings("2.1", "57")));
+  const auto marches = [&](const CaseInput& problem) {
     records.clear();
     const auto march = march_with(problem);
     march->run(T_end);

@@ -1,5 +1,5 @@
 // The body equations: their rows in each kind, and their solution together with films that give way.
-#include "gearfilm/solver/body_equations.hpp"
+#include "solver/body_equations.hpp"
 
 #include <gtest/gtest.h>
 

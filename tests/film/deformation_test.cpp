@@ -1,5 +1,5 @@
 // Elastic deformation: the kernel, the distributed convolution, and Hertz' solution.
-#include "gearfilm/elasticity/deformation.hpp"
+#include "elasticity/deformation.hpp"
 
 #include <numbers>
 

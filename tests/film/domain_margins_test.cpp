@@ -1,9 +1,9 @@
 // Fields carried to another grid of the same lattice, and grids that are widened.
-#include "gearfilm/film/domain_margins.hpp"
+#include "film/domain_margins.hpp"
 
 #include "film_case.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/grid/remap.hpp"
+#include "grid/remap.hpp"
 
 namespace gearfilm {
 namespace {

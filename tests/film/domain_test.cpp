@@ -1,7 +1,7 @@
 // Domain and steps that follow from the film to be expected, and the error that a film says its grid has.
 #include "film_case.hpp"
-#include "gearfilm/film/expected_errors.hpp"
-#include "gearfilm/solver/grid_error.hpp"
+#include "film/expected_errors.hpp"
+#include "solver/grid_error.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,12 +1,12 @@
 // Error bars: what figures on two grids say of finer ones.
-#include "gearfilm/numerics/estimate.hpp"
+#include "numerics/estimate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "film_case.hpp"
-#include "gearfilm/film/pressure_spike.hpp"
+#include "film/pressure_spike.hpp"
 
 namespace gearfilm {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "gearfilm/gear/line_of_action.hpp"
-#include "gearfilm/solver/stationary.hpp"
+#include "gear/line_of_action.hpp"
+#include "solver/stationary.hpp"
 #include "table3.hpp"
 
 namespace gearfilm {

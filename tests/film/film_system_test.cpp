@@ -1,6 +1,6 @@
 // Two films on bodies with three scalars, which displace the films and feel their forces each in its own way: rest, a
 // time step, the Jacobian, and the elimination of scalars.
-#include "gearfilm/solver/film_system.hpp"
+#include "solver/film_system.hpp"
 
 #include <Eigen/LU>
 

@@ -1,5 +1,5 @@
 // Integrals over the grid, common to all processes.
-#include "gearfilm/grid/integral.hpp"
+#include "grid/integral.hpp"
 
 #include "film_case.hpp"
 

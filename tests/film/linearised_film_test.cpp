@@ -1,12 +1,12 @@
 // The multigrid preconditioner of the linearised film: contraction, and independence of the number of processes.
-#include "gearfilm/film/linearised_film.hpp"
+#include "film/linearised_film.hpp"
 
 #include <algorithm>
 #include <string>
 #include <tuple>
 
 #include "film_case.hpp"
-#include "gearfilm/numerics/newton.hpp"
+#include "numerics/newton.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,7 +1,7 @@
 // The parts of the preconditioner put together by hand must be the preconditioner.
 #include "film/multigrid_level.hpp"
 #include "film_case.hpp"
-#include "gearfilm/film/linearised_film.hpp"
+#include "film/linearised_film.hpp"
 
 namespace gearfilm {
 namespace {

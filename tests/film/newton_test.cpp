@@ -1,5 +1,5 @@
 // Newton's method on a system of two numbers.
-#include "gearfilm/numerics/newton.hpp"
+#include "numerics/newton.hpp"
 
 #include <gtest/gtest.h>
 

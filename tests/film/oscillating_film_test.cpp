@@ -1,10 +1,10 @@
 // The film that oscillates: the linearised film at a complex rate, and its relaxation where oil carries waves along.
-#include "gearfilm/film/oscillating_film.hpp"
+#include "film/oscillating_film.hpp"
 
 #include <algorithm>
 
 #include "film_case.hpp"
-#include "gearfilm/numerics/newton.hpp"
+#include "numerics/newton.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,5 @@
 // The part that a node takes of a change of which it has overshot.
-#include "gearfilm/film/overshoot.hpp"
+#include "film/overshoot.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What waiting for another process costs the core.
-#include "gearfilm/parallel/patient_waits.hpp"
+#include "parallel/patient_waits.hpp"
 
 #include <gtest/gtest.h>
 #include <petscsys.h>

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "film_case.hpp"
-#include "gearfilm/traction/traction_model.hpp"
+#include "traction/traction_model.hpp"
 
 namespace gearfilm {
 

@@ -1,9 +1,9 @@
 // Pressures of a contact whose ellipse has become smaller or larger.
-#include "gearfilm/film/rescaled_hertz_pressure.hpp"
+#include "film/rescaled_hertz_pressure.hpp"
 
 #include "film_case.hpp"
-#include "gearfilm/film/contact_film.hpp"
-#include "gearfilm/grid/integral.hpp"
+#include "film/contact_film.hpp"
+#include "grid/integral.hpp"
 
 namespace gearfilm {
 namespace {

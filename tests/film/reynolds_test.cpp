@@ -1,5 +1,5 @@
 // Reynolds' equation with cavitation: oil properties on the grid, consistency, complementarity.
-#include "gearfilm/film/reynolds.hpp"
+#include "film/reynolds.hpp"
 
 #include "film_case.hpp"
 

@@ -1,5 +1,5 @@
 // Rows and what lies beyond them.
-#include "gearfilm/grid/row_axis.hpp"
+#include "grid/row_axis.hpp"
 
 #include <gtest/gtest.h>
 

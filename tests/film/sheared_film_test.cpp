@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "gearfilm/traction/coupled_film.hpp"
-#include "gearfilm/traction/sheared_flow.hpp"
+#include "traction/coupled_film.hpp"
+#include "traction/sheared_flow.hpp"
 #include "placed_film.hpp"
 
 namespace gearfilm {

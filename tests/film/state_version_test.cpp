@@ -1,5 +1,5 @@
 // Versions of vectors.
-#include "gearfilm/parallel/state_version.hpp"
+#include "parallel/state_version.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "friction_reference.hpp"
-#include "gearfilm/traction/coupled_film.hpp"
+#include "traction/coupled_film.hpp"
 #include "placed_film.hpp"
 #include "traction/film_flow.hpp"
 

@@ -1,6 +1,6 @@
 // Friction and heat in films: the energy equation across a film against closed solutions, surfaces under known sources
 // of heat, and the case study against an independent program.
-#include "gearfilm/traction/traction.hpp"
+#include "traction/traction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "film/face_flow.hpp"
 #include "friction_reference.hpp"
-#include "gearfilm/grid/integral.hpp"
+#include "grid/integral.hpp"
 #include "placed_film.hpp"
 #include "traction/film_energy_equation.hpp"
 #include "traction/moving_source.hpp"

@@ -1,5 +1,5 @@
 // Films that must not be believed, and solves that fail, end with a SolveError.
-#include "gearfilm/film/validity.hpp"
+#include "film/validity.hpp"
 
 #include "film_case.hpp"
 

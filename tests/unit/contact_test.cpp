@@ -5,11 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "gearfilm/contact/film_formulas.hpp"
-#include "gearfilm/contact/hertz.hpp"
-#include "gearfilm/contact/moes.hpp"
-#include "gearfilm/contact/scales.hpp"
-#include "gearfilm/gear/line_of_action.hpp"
+#include "contact/film_formulas.hpp"
+#include "contact/hertz.hpp"
+#include "contact/moes.hpp"
+#include "contact/scales.hpp"
+#include "gear/line_of_action.hpp"
 #include "table3.hpp"
 
 namespace gearfilm {

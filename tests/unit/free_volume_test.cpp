@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "gearfilm/lubricant/thermal_oil.hpp"
+#include "lubricant/thermal_oil.hpp"
 #include "table3.hpp"
 
 namespace gearfilm {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "gearfilm/gear/line_of_action.hpp"
+#include "gear/line_of_action.hpp"
 #include "table3.hpp"
 
 namespace gearfilm {

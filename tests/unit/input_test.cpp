@@ -11,18 +11,18 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/input/case.hpp"
-#include "gearfilm/parallel/petsc.hpp"
+#include "input/case.hpp"
 #include "input/case_file.hpp"
 #include "input/options.hpp"
 #include "input/useful_processes.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {
 
 const std::string source_dir = GEARFILM_SOURCE_DIR;
 
-Case read_input(const std::string& name) { return read_case(PETSC_COMM_WORLD, source_dir + "/input/" + name); }
+CaseInput read_input(const std::string& name) { return read_case(PETSC_COMM_WORLD, source_dir + "/input/" + name); }
 
 std::string content(const std::string& path) {
   std::ifstream stream(path);
@@ -68,7 +68,7 @@ TEST(CaseFile, barbieri_case_has_the_derived_quantities_of_table_3) {
     const double wanted = derived.at(name).at("value");
     EXPECT_NEAR(value, wanted, std::abs(wanted) * derived.at(name).at("rel_tol").get<double>()) << name;
   };
-  const Case barbieri = read_input("barbieri2013.yaml");
+  const CaseInput barbieri = read_input("barbieri2013.yaml");
   EXPECT_EQ(barbieri.name, "barbieri2013");
   EXPECT_EQ(barbieri.kind, CaseKind::gear_pair);
   EXPECT_EQ(barbieri.run.directory, "output/barbieri2013");
@@ -89,7 +89,7 @@ TEST(CaseFile, barbieri_case_has_the_derived_quantities_of_table_3) {
 }
 
 TEST(CaseFile, wang_case_carries_the_equivalent_point_load) {
-  const Case wang = read_input("wang2004.yaml");
+  const CaseInput wang = read_input("wang2004.yaml");
   // design values of eq. (27): 493.6 N, 0.1179 mm, 0.786 GPa, printed to that many digits.
   EXPECT_NEAR(wang.scales.operation.load, 493.6, 0.05);
   EXPECT_NEAR(wang.scales.hertz.a, 0.1179e-3, 0.5e-7);
@@ -100,7 +100,7 @@ TEST(CaseFile, wang_case_carries_the_equivalent_point_load) {
 }
 
 TEST(CaseFile, circular_case_has_moes_groups_20_and_10) {
-  const Case circular = read_input("circular_m20_l10.yaml");
+  const CaseInput circular = read_input("circular_m20_l10.yaml");
   EXPECT_EQ(circular.kind, CaseKind::contact);
   EXPECT_FALSE(circular.pair.gears.has_value());
   EXPECT_FALSE(circular.pair.line.has_value());
@@ -150,7 +150,7 @@ TEST(CaseFile, name_of_the_file_is_the_default_name) {
 TEST(CommandLine, overrides_the_file_and_leaves_nothing_to_the_next_case) {
   {
     const CommandLine options{{"-grid_nx", "65"}, {"-pinion_speed_rpm", "8000"}, {"-steady_position", "-1e-3"}};
-    const Case overridden = read_input("barbieri2013.yaml");
+    const CaseInput overridden = read_input("barbieri2013.yaml");
     EXPECT_EQ(overridden.numerics.nx, 65);
     EXPECT_DOUBLE_EQ(overridden.pair.pinion_speed, 8000 * 2 * std::numbers::pi / 60);
     EXPECT_DOUBLE_EQ(overridden.steady.position, -1e-3);
@@ -318,7 +318,7 @@ TEST(Parameters, yes_and_no_may_be_written_as_yaml_libraries_write_them) {
 
 TEST(Parameters, true_and_false_are_echoed_as_yes_and_no) {
   const CommandLine options{{"-keep_checkpoint", "true"}, {"-periodic_multipliers", "false"}};
-  const Case given = read_input("barbieri2013.yaml");
+  const CaseInput given = read_input("barbieri2013.yaml");
   EXPECT_TRUE(given.run.keep_checkpoint);
   EXPECT_FALSE(given.search.with_multipliers);
   std::map<std::string, std::string> echoed;
@@ -328,11 +328,11 @@ TEST(Parameters, true_and_false_are_echoed_as_yes_and_no) {
 }
 
 TEST(Parameters, echo_reads_back_as_the_same_case) {
-  const Case original = read_input("wang2004.yaml");
+  const CaseInput original = read_input("wang2004.yaml");
   ParameterValues again("echo");
   for (const EchoedValue& echoed : original.parameters.echo()) again.set(echoed.name, echoed.value, "echo");
   again.complete();
-  const Case repeated = make_case(again);
+  const CaseInput repeated = make_case(again);
   EXPECT_EQ(repeated.name, original.name);
   EXPECT_EQ(repeated.scales.operation.load, original.scales.operation.load);
   EXPECT_EQ(repeated.scales.lambda, original.scales.lambda);

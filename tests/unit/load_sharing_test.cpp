@@ -1,5 +1,5 @@
 // Shares of the static force along the line of action.
-#include "gearfilm/gear/load_sharing.hpp"
+#include "gear/load_sharing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // An oil by the laws of Roelands, Barus, Dowson and Higginson: values, and oils that are refused.
-#include "gearfilm/lubricant/lubricant.hpp"
+#include "lubricant/lubricant.hpp"
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "gearfilm/lubricant/lubricant.hpp"
+#include "lubricant/lubricant.hpp"
 
 namespace gearfilm {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/contact/hertz.hpp"
+#include "contact/hertz.hpp"
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/iso_stiffness.hpp"
-#include "gearfilm/gear/tooth_profile.hpp"
-#include "gearfilm/gear/tooth_space.hpp"
+#include "gear/iso_stiffness.hpp"
+#include "gear/tooth_profile.hpp"
+#include "gear/tooth_space.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,5 @@
 // Mean shear stresses against values computed by hand, and put back into their laws.
-#include "gearfilm/lubricant/shear_law.hpp"
+#include "lubricant/shear_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/gear_pair.hpp"
+#include "gear/gear_pair.hpp"
 
 namespace gearfilm::table3 {
 

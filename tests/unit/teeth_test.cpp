@@ -1,5 +1,5 @@
 // Teeth that bend, and flanks that are not perfect involutes, against tests/reference/teeth.json.
-#include "gearfilm/gear/teeth.hpp"
+#include "gear/teeth.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "gearfilm/error.hpp"
-#include "gearfilm/gear/involute.hpp"
-#include "gearfilm/gear/iso_stiffness.hpp"
+#include "gear/involute.hpp"
+#include "gear/iso_stiffness.hpp"
 #include "teeth_reference.hpp"
 
 namespace gearfilm {

@@ -1,12 +1,12 @@
 // The oil's viscosity over temperature, and formulas for friction.
-#include "gearfilm/lubricant/thermal_oil.hpp"
+#include "lubricant/thermal_oil.hpp"
 
 #include <gtest/gtest.h>
 
 #include "friction_reference.hpp"
-#include "gearfilm/contact/friction_formulas.hpp"
-#include "gearfilm/contact/hertz.hpp"
-#include "gearfilm/gear/line_of_action.hpp"
+#include "contact/friction_formulas.hpp"
+#include "contact/hertz.hpp"
+#include "gear/line_of_action.hpp"
 #include "table3.hpp"
 
 namespace gearfilm {

@@ -1,0 +1,25 @@
+// The oil of a case: its laws of viscosity and density at the temperature of the case.
+#pragma once
+
+#include "gearfilm/case.hpp"
+
+namespace gearfilm {
+
+class Oil {
+public:
+  explicit Oil(const Case& of) : case_(of) {}
+
+  /// eta(p) [Pa s], p [Pa].
+  double viscosity(double pressure) const;
+  /// rho(p)/rho(0) [-].
+  double density_ratio(double pressure) const;
+  /// Pressure-viscosity coefficient [1/Pa]: alpha_B, or alpha* of a law that does not take it.
+  double pressure_viscosity() const;
+  /// [K].
+  double temperature() const;
+
+private:
+  Case case_;
+};
+
+}  // namespace gearfilm

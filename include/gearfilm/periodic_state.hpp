@@ -1,0 +1,34 @@
+// The periodic state of a gear pair on its films, found by shooting.
+#pragma once
+
+#include <complex>
+
+#include "gearfilm/simulation.hpp"
+
+namespace gearfilm {
+
+class PeriodicState {
+public:
+  /// Searches for the state that repeats after the case's order of mesh periods, and for the same on coarser grids,
+  /// from which errors are known. The observer sees the steps of all periods that are marched on the case's own grid,
+  /// the periodic one last. Throws InputError for a case without a periodic state, and SolveError where none is found.
+  /// Collective.
+  PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer = {});
+
+  /// Those of `gearfilm periodic`: force_ratio_max, h_min, p_max, transmission_error_peak_to_peak, ... with NAME_error.
+  const Results& results() const { return results_; }
+  /// Floquet multipliers of the motion; none where the case does not ask for them (periodic.multipliers).
+  const std::vector<std::complex<double>>& multipliers() const { return multipliers_; }
+  /// The disturbances of the motion die away.
+  bool stable() const;
+  /// Where its period begins and ends, on the clock of the observer's steps [s].
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+
+private:
+  Results results_;
+  std::vector<std::complex<double>> multipliers_;
+  double begin_ = 0.0, end_ = 0.0;
+};
+
+}  // namespace gearfilm

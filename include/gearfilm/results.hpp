@@ -1,0 +1,86 @@
+// What a computation has found, by name and in SI, and the files that it is written into.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gearfilm/case.hpp"
+
+namespace gearfilm {
+
+/// The results of one computation under the names that summary.json has (docs/results.md, docs/user-guide.md).
+class Results {
+public:
+  Results();
+
+  /// There is a number of that name.
+  bool has(const std::string& name) const;
+  /// The number; throws std::out_of_range, with the name, where there is none.
+  double number(const std::string& name) const;
+  /// Adds a number, or takes the place of the one that there is.
+  void set(const std::string& name, double value);
+  /// All of them, nested ones too, as JSON text.
+  std::string json() const;
+
+  /// What they are kept in.
+  struct Content;
+  explicit Results(Content content);
+  const Content& content() const { return *content_; }
+
+private:
+  std::shared_ptr<const Content> content_;
+};
+
+/// The film of one contact on the nodes that this process stores: i = 0..nx-1 along X, j = 0..rows-1 across. Where the
+/// film is its own mirror image in Y = 0, nodes with Y >= 0 are stored.
+class Film {
+public:
+  int nx() const;
+  int rows() const;
+  double x(int i) const;                 ///< from the contact's centre [m]
+  double y(int j) const;                 ///< [m]
+  double pressure(int i, int j) const;   ///< [Pa]
+  double thickness(int i, int j) const;  ///< [m]
+
+  /// What it is seen through; the film itself must outlive the view.
+  struct View;
+  explicit Film(std::shared_ptr<const View> view) : view_(std::move(view)) {}
+  const View& view() const { return *view_; }
+
+private:
+  std::shared_ptr<const View> view_;
+};
+
+/// summary.json and results.h5 in the output folder of a case (output.dir). All calls are collective; they throw
+/// OutputError where files cannot be written.
+class ResultsFolder {
+public:
+  /// Makes the folder and removes an earlier run's results there. `command`: what computes them, written into the
+  /// files. Throws InputError where the folder holds what this library did not write.
+  ResultsFolder(MPI_Comm comm, const Case& of, const std::string& command);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+  /// A field on the nodes of a film, in results.h5 as GROUP/NAME beside its coordinates; value(i, j) in the unit given.
+  void field(const std::string& group, const std::string& name, const std::string& unit, const Film& film,
+             const std::function<double(int i, int j)>& value);
+
+  struct Column {
+    std::string name;
+    std::string unit;  ///< "-" for pure numbers
+  };
+  /// A table of rows with a value for each column.
+  void table(const std::string& path, const std::vector<Column>& columns, const std::vector<std::vector<double>>& rows);
+
+  /// Writes summary.json and closes the files.
+  void finish(const Results& results);
+
+private:
+  struct Files;
+  std::unique_ptr<Files> files_;
+};
+
+}  // namespace gearfilm

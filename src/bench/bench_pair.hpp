@@ -1,0 +1,29 @@
+// Speed of the lubricated pair: a contact-step, a whole periodic job, and what several processes make of them.
+#pragma once
+
+#include <functional>
+
+#include "input/case.hpp"
+#include "output/summary.hpp"
+#include "traction/traction_model.hpp"
+
+namespace gearfilm {
+
+struct GridSize {
+  int nx, ny;
+};
+
+/// A convolution's time as the first process has it now; on a shared machine it changes. Collective.
+double common_unit(MPI_Comm comm, GridSize size);
+
+/// A film that feels its heat, in the case's own oil or one that thins as oils do.
+TractionModel warm_film(const CaseInput& problem);
+
+/// A whole command.
+using Job = std::function<void(MPI_Comm, const CaseInput&)>;
+
+/// periodic: the command of that name. Measures and prints, on 129 x 65 nodes; several processes on 257 x 257 too.
+/// Collective.
+Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic);
+
+}  // namespace gearfilm

@@ -1,0 +1,12 @@
+// Speed of the kernels and of stationary films on one grid, in seconds, per node, and in convolution times
+// (yardstick.hpp).
+#pragma once
+
+#include "bench/bench_pair.hpp"
+
+namespace gearfilm {
+
+/// Measures and prints. Collective.
+Summary bench_grid(MPI_Comm comm, const CaseInput& problem, GridSize size);
+
+}  // namespace gearfilm

@@ -1,0 +1,103 @@
+// What a contact carries in time: fields under their names.
+//
+// Whoever keeps, restores, compares or shows the state of a contact does so for every name there is: a new field is one
+// name here. It stays as it is over a time step or a jump unless somebody advances it.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dynamics/figure.hpp"
+#include "traction/film_heat.hpp"
+
+namespace gearfilm {
+
+/// Compact fields by their names: nx*y_count dimensionless values of this process each.
+using ContactFields = std::map<std::string, std::vector<double>, std::less<>>;
+
+/// What is to be known of a name.
+struct ContactField {
+  std::string_view name;
+  std::string_view dataset;   ///< its name in results.h5; empty: not written
+  Unit unit = units::number;  ///< there
+  bool compared = true;       ///< counts in the defect of a periodic state, and in disturbances of it
+  double smallest = -std::numeric_limits<double>::infinity();  ///< that a disturbed state may have
+  bool loaded_only =
+      false;  ///< compared where there is pressure: in the cavitated film it may differ and means nothing
+};
+
+namespace field {
+inline constexpr ContactField pressure{.name = "pressure", .dataset = "P", .unit = units::pascal, .smallest = 0.0};
+/// Film thickness: of snapshots only, since it follows from pressure and motion.
+inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = units::metre};
+/// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
+inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
+
+/// beta (T - T_0) at a point across the film: the name begins so.
+inline constexpr std::string_view heat = "heat_";
+/// A field and where it is among those of its owner.
+template <class Owner>
+struct Of {
+  ContactField field;
+  std::vector<double> Owner::*values;
+};
+
+/// What heat and shear make of the flow: nothing to compare, since temperatures and pressures are.
+constexpr Of<FlowFactors> of_flow_factors(std::string_view name, std::vector<double> FlowFactors::*values) {
+  return {{.name = name, .dataset = "", .compared = false}, values};
+}
+
+inline constexpr auto correction = std::to_array<Of<FlowFactors>>(
+    {of_flow_factors("thinning", &FlowFactors::log_poiseuille),
+     of_flow_factors("wedge", &FlowFactors::entrainment_excess),
+     of_flow_factors("density_factor", &FlowFactors::density_ratio),
+     of_flow_factors("shear", &FlowFactors::shear_index), of_flow_factors("across", &FlowFactors::cross_flow)});
+
+/// What follows from a film for friction and heat: of results only.
+constexpr Of<TractionFields> of_traction(std::string_view name, Unit unit,
+                                         std::vector<double> TractionFields::*values) {
+  return {{.name = name, .dataset = name, .unit = unit, .compared = false}, values};
+}
+
+inline constexpr auto traction = std::to_array<Of<TractionFields>>(
+    {of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress),
+     of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion),
+     of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel),
+     of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean),
+     of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
+     of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
+     of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
+     of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
+     of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
+
+inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
+}  // namespace field
+
+/// A name that says nothing else of itself is a pure number, written under its name and compared.
+constexpr ContactField field_named(std::string_view name) {
+  for (const ContactField& known : field::all) {
+    if (known.name == name) return known;
+  }
+  for (const auto& known : field::correction) {
+    if (known.field.name == name) return known.field;
+  }
+  for (const auto& known : field::traction) {
+    if (known.field.name == name) return known.field;
+  }
+  if (name.starts_with(field::heat)) return {.name = name, .dataset = "", .loaded_only = true};
+  return {.name = name, .dataset = name};
+}
+
+/// A field that must be there; throws std::out_of_range.
+inline const std::vector<double>& values_of(const ContactFields& fields, const ContactField& field) {
+  return fields.at(std::string(field.name));
+}
+inline std::vector<double>& values_of(ContactFields& fields, const ContactField& field) {
+  return fields.at(std::string(field.name));
+}
+
+}  // namespace gearfilm

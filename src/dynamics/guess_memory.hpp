@@ -1,0 +1,57 @@
+// What the first guesses of time steps missed a mesh period ago.
+//
+// Teeth that mesh one after the other go through nearly the same: where the extrapolated film of one falls short, that
+// of the next does so at the same place. The guess of a step is therefore
+//
+//   g + m,  where |e' - m'|^2 < |e'|^2 / 2,  else g
+//
+// g: the stepper's own guess; m: what its own guess missed at this step a mesh period ago; e' and m': what it missed at
+// the step before this one, and a mesh period before that. That is the state a mesh period ago and the extrapolated
+// difference from it, for as long as the past is a guide. Guesses decide how soon a step converges, not to what:
+// pressures are kept to four digits.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "dynamics/lubricated_pair.hpp"
+#include "dynamics/value_list.hpp"
+
+namespace gearfilm {
+
+class GuessMemory {
+public:
+  GuessMemory() = default;
+  /// Back from a list, to its end.
+  explicit GuessMemory(ValueReader values);
+  /// All that is remembered on this process, for whoever keeps it, at the end of a list.
+  void append_to(std::vector<double>& values) const;
+
+  /// Corrects the stepper's own guess of the state at T. Collective, as is learn().
+  void correct(const LubricatedPair& pair, Vec guess, double T);
+  /// A state at T was solved for, after one at T0.
+  void learn(const LubricatedPair& pair, Vec solved, double T0, double T);
+
+private:
+  /// The pressures of all contacts as multiples of a unit.
+  struct Miss {
+    double learnt = 0.0;  ///< mesh periods marched until then
+    Motion motion;
+    double unit = 0.0;
+    std::vector<std::int16_t> pressures;
+  };
+
+  /// That of as many contacts at this place a mesh period ago; null where there is none.
+  const Miss* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;
+
+  GridShape shape_{};           ///< of the grid of all that is remembered
+  std::map<int, Miss> misses_;  ///< by the place in the mesh period
+  double marched_ = 0.0;        ///< mesh periods
+  bool trusted_ = false;
+  double guessed_at_ = 0.0;  ///< T of the last guess
+  Motion guessed_motion_;
+  std::vector<double> guessed_;  ///< pressures of the stepper's own; empty once its state is known
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,38 @@
+// A tooth contact that is being computed: its film, the fields that it carries in time, and what follows the film.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dynamics/film_process.hpp"
+
+namespace gearfilm {
+
+struct LiveContact {
+  int number = 0;                                         ///< of the tooth pair, counted from the leading one at T = 0
+  ContactFilm* film = nullptr;                            ///< at its present state; null in the dry model
+  ContactFields fields{};                                 ///< as the last segment left them
+  std::vector<std::shared_ptr<FilmProcess>> processes{};  ///< that follow the film
+};
+
+/// A contact that begins with a stationary film, which `found` is; with the film and its processes in equilibrium
+/// `found` is the common one. Collective. Throws SolveError.
+LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
+                          const SolverOptions& options, StationaryResult& found);
+
+/// A contact that goes on with these fields, the states of its processes among them.
+LiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields);
+
+/// Takes the states of its processes from the contact's fields.
+void restore_processes(LiveContact& contact);
+
+/// Puts the states of its processes among the contact's fields, and goes on with what is kept there, to the bit.
+void save_processes(LiveContact& contact);
+
+/// Friction and temperatures of a contact's film at its present state: of the process that knows them, else of the film
+/// alone. Collective.
+std::shared_ptr<const Traction> traction_of(const TractionModel& model, const LiveContact& contact);
+
+std::vector<int> numbers_of(const std::vector<LiveContact>& contacts);
+
+}  // namespace gearfilm

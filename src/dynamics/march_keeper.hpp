@@ -1,0 +1,55 @@
+// How a march that was stopped with its program is done again without being computed again.
+//
+// A march is a series of runs; between two runs its state may be set anew (a jump of the motion, another period of a
+// search). A run is a series of segments, between which contacts enter or leave, or the grid is widened, and the time
+// scheme starts afresh: the points at which a march can be taken up with not a bit changed. A program that is started
+// again asks for the same runs in the same order. What is kept of a run is taken over; the rest is computed.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/pair_state.hpp"
+
+namespace gearfilm {
+
+/// What is kept of a run: its steps up to the end of a segment, and the state there.
+struct KeptRun {
+  std::vector<StepRecord> records;
+  double T = 0.0;
+  PairState state;
+  std::vector<double> memory;  ///< of the march, on this process
+};
+
+class MarchKeeper {
+public:
+  virtual ~MarchKeeper() = default;
+  /// A run begins with this motion at T. Collective, as are the others.
+  virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
+  /// A step of the run, or its state after an entering or leaving.
+  virtual void record(const StepRecord& record) = 0;
+  /// A segment ends at T with this state; whatever enters or leaves then is still to do so. memory: of the
+  /// march, on this process.
+  virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
+  /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
+  virtual bool is_new(const StepRecord& record) const { return !record.recalled; }
+  /// Keeps another march, which the run makes on the way on a grid of its own, under this name; null where none is
+  /// kept.
+  virtual std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const;
+};
+
+/// The same of a keeper that may be absent.
+inline bool is_new(const MarchKeeper* keeper, const StepRecord& record) {
+  return keeper ? keeper->is_new(record) : !record.recalled;
+}
+inline std::unique_ptr<MarchKeeper> keeper_within(const MarchKeeper* keeper, const std::string& name,
+                                                  const Grid& grid) {
+  return keeper ? keeper->within(name, grid) : nullptr;
+}
+
+/// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.
+std::optional<KeptRun> take_over(MarchKeeper* keeper, double T, const Motion& motion, const StepObserver& observer);
+
+}  // namespace gearfilm

@@ -1,0 +1,51 @@
+// The numerical choices of a lubricated pair, or of one contact: first grid, discretisation, solvers and time steps;
+// and how they become longer for a march that costs less.
+#pragma once
+
+#include <optional>
+
+#include "dynamics/mesh_march.hpp"
+#include "film/discretisation.hpp"
+#include "film/expected_errors.hpp"
+#include "grid/domain.hpp"
+#include "solver/stationary.hpp"
+
+namespace gearfilm {
+
+struct PairNumerics {
+  Domain domain;       ///< at first
+  MarginRule margins;  ///< by which it follows the contacts
+  int nx = 0;          ///< nodes along X
+  int ny = 0;          ///< nodes along Y
+  FilmDiscretisation discretisation = FilmDiscretisation::fitted;
+  SolverOptions solver;
+  StepOptions steps;
+  int step_levels = 0;  ///< multigrid levels in time steps; 0: chosen by the grid
+  WideningObserver on_widening{};
+};
+
+/// The first grid.
+GridShape grid_shape(const PairNumerics& numerics, const Scales& scales);
+/// What all films on the first grid, or on another, share. Collective.
+SharedDiscretisation discretise(MPI_Comm comm, const PairNumerics& numerics, const Scales& scales);
+SharedDiscretisation discretise(const Grid& grid, const PairNumerics& numerics, const Scales& scales);
+/// Of the first grid.
+Steps steps_of(const PairNumerics& numerics);
+
+/// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
+std::optional<PairNumerics> coarser(const PairNumerics& numerics);
+
+/// Steps in space and time that are longer by about the root of two; along X and in time by a ratio that is told.
+struct SlightlyCoarser {
+  PairNumerics numerics;
+  double ratio = 1.0;
+};
+SlightlyCoarser slightly_coarser(const PairNumerics& numerics);
+
+/// A march of the lubricated pair. A keeper must outlive it.
+MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
+                     StepObserver observer, MarchKeeper* keeper = nullptr);
+/// The film at the pitch point under the whole static force. Throws SolveError.
+StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films);
+
+}  // namespace gearfilm

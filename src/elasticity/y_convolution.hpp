@@ -1,0 +1,25 @@
+// The convolution with K in y, between the transforms in x of rows and those of their deformation (deformation.hpp).
+#pragma once
+
+#include <functional>
+
+#include "elasticity/x_spectra.hpp"
+
+namespace gearfilm {
+
+/// K between nodes that are i lines and j rows apart.
+using Influence = std::function<double(int i, int j)>;
+
+template <class Real>
+class YConvolution {
+public:
+  virtual ~YConvolution() = default;
+  YConvolution() = default;
+  YConvolution(const YConvolution&) = delete;
+  YConvolution& operator=(const YConvolution&) = delete;
+
+  /// The spectra of rows become those of their deformation. All processes of the grid call it together.
+  virtual void apply(XSpectra<Real>& spectra) = 0;
+};
+
+}  // namespace gearfilm

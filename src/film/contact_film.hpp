@@ -1,0 +1,121 @@
+// The film of one contact on one grid: the nonlinear equations in (P, H_0), their exact Jacobian, a preconditioner.
+//
+//   H = H_0 + E + K P                   film thickness (24), E of contact_surfaces.hpp, K of deformation.hpp
+//   G(P, H_0; d(rho H)/dT) = min(d P, R)        Reynolds' equation with cavitation, reynolds.hpp
+// Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
+// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
+// depends on a state is told it, and the version of its pressures where they have one (state_version.hpp): the film of
+// the version and H_0 that it shows is not computed again.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "elasticity/deformation.hpp"
+#include "film/contact_surfaces.hpp"
+#include "film/linearised_film.hpp"
+#include "film/reynolds.hpp"
+#include "parallel/state_version.hpp"
+
+namespace gearfilm {
+
+/// Figures of a film that are common to all processes; dimensionless.
+struct FilmFigures {
+  double pressure_integral = 0.0;  ///< Int Int P dX dY
+  double central_film = 0.0;       ///< H at the node nearest X = Y = 0
+  double smallest_film = 0.0;
+  double central_pressure = 0.0;
+  double largest_pressure = 0.0;
+  double spike_pressure = 0.0;  ///< of the outlet's spike (pressure_spike.hpp); zero where there is none
+  bool finite = true;           ///< false where any pressure or film is not a number
+};
+
+class ContactFilm {
+public:
+  ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options);
+
+  const SharedDiscretisation& discretisation() const { return discretisation_; }
+  const Grid& grid() const { return grid_; }
+  const Scales& scales() const { return scales_; }
+  const ContactSurfaces& surfaces() const { return surfaces_; }
+  const ContactConditions& conditions() const { return surfaces_.conditions; }
+  void set_surfaces(ContactSurfaces surfaces);
+  const FlowFactors& flow_factors() const { return flow_factors_; }
+  void set_flow_factors(FlowFactors factors);
+
+  // Collective, all of them.
+
+  /// Film and oil at (pressure, H_0), which state() and the fields then show.
+  void evaluate(std::span<const double> pressure, double H0, StateVersion state_version = 0);
+  FilmFigures figures(std::span<const double> pressure, double H0, StateVersion state_version = 0);
+  /// rows = G at (pressure, H_0).
+  void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
+                StateVersion state_version = 0);
+  /// mass = rho H at (pressure, H_0): what the time scheme differentiates.
+  void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion state_version = 0);
+
+  /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
+  /// says which nodes are full.
+  void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
+                 StateVersion state_version = 0);
+  /// rows = dG/dP change + dG/dH_0 change_H0.
+  void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
+  /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the
+  /// state: an error once another one was evaluated.
+  void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
+  /// change = approximately (dG/dP)^-1 rows.
+  void precondition(std::span<const double> rows, std::span<double> change);
+  /// The same by one relaxation of the smoother.
+  void relax(std::span<const double> rows, std::span<double> change);
+  /// Sum of the squares of own rows, each relative to the scale of its node where that is large: in thick film, whose
+  /// pressures follow all others, tiny changes of pressure make huge rows.
+  double merit(std::span<const double> rows) const;
+  /// Shortens the own nodes' changes that have overshot (overshoot.hpp) in a step whose end was evaluated last, with
+  /// these rows before and after it; false where there are none. Not collective.
+  bool relax_overshot_nodes(std::span<double> change, std::span<const double> whole, std::span<const double> before,
+                            std::span<const double> after) const;
+  /// dG/dH_0.
+  std::span<const double> displacement_column() const { return displacement_column_; }
+
+  // Of the state that was evaluated last.
+  const FilmState& state() const { return state_; }
+  const Field<double>& total_pressure() const { return state_.total_pressure; }
+  const Field<double>& film_pressure() const { return state_.film_pressure(); }
+  const Field<double>& thickness() const { return state_.thickness; }
+  /// Convolutions so far on this grid, but for those of the preconditioner.
+  long convolutions() const { return convolutions_; }
+
+private:
+  LinearisedFilm& linearisation_for(double shift);
+  void set_entrained();
+
+  SharedDiscretisation discretisation_;
+  const Grid& grid_;
+  const Deformation<double>& deformation_;
+  Scales scales_;
+  ContactSurfaces surfaces_;
+  FlowFactors flow_factors_;
+  FilmProperties properties_;
+  FilmState state_;
+  MultigridOptions options_;
+  double longest_step_;                             ///< along X, of the preconditioner's levels
+  std::unique_ptr<LinearisedFilm> preconditioner_;  ///< in the precision of the options
+  std::unique_ptr<LinearisedFilm>
+      double_preconditioner_;                ///< in double precision, for stiff squeezing; made when first needed
+  LinearisedFilm* linearised_ = nullptr;     ///< the last one of them
+  bool at_linearised_ = false;               ///< the evaluated state is that of the Jacobian
+  std::vector<double> displacement_column_;  ///< dG/dH_0
+  std::vector<double> smallest_scales_;      ///< d of a node that conducts nothing, by row
+  std::vector<float> weights_;               ///< of rows in the merit: the smallest d over d
+  std::vector<float> conductance_;           ///< xi_R at the state of the Jacobian
+  StateVersion shown_ = 0;  ///< of the pressures of state_; 0 where surfaces or correction have changed since
+  double shown_H0_ = 0.0;
+  long convolutions_ = 0;
+};
+
+/// Pressure of a dry contact about X = centre on the own nodes, zero on the boundary; compact.
+void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure,
+                    double centre = 0.0);
+
+}  // namespace gearfilm

@@ -1,0 +1,131 @@
+// The film at every node: pressures, film thickness, and the oil properties that enter Reynolds' equation.
+//
+// The total pressure is the unknown: it deforms the solids and carries the load. The film pressure is that of the oil:
+// it drives the flow, sets viscosity and density, and cavitates. Between smooth surfaces both are the same.
+//
+//   fluidity phi = F S/(eta lambda),  conductance xi_R = rho H^3 phi    (22) of doi 10.1016/j.triboint.2013.01.017
+// with the factors of flow_factors.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept beside
+// the values: the exact Jacobian and every coarser level of the preconditioner are made from them without evaluating
+// the oil again.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "contact/scales.hpp"
+#include "film/flow_factors.hpp"
+#include "grid/halo.hpp"
+
+namespace gearfilm {
+
+struct FilmState {
+  explicit FilmState(const Grid& grid)
+      : total_pressure(grid),
+        thickness(grid),
+        density(grid),
+        density_by_pressure(grid),
+        fluidity(grid),
+        log_fluidity(grid),
+        log_fluidity_by_pressure(grid),
+        entrained(grid),
+        full_film(grid),
+        row_scale(grid),
+        ones(static_cast<std::size_t>(thickness.stride()), 1.0) {
+    entrained.fill(1.0);
+  }
+
+  /// Pressure of the oil in units of the Hertz pressure, on own nodes and ghosts.
+  const Field<double>& film_pressure() const { return total_pressure; }
+  Field<double>& film_pressure() { return total_pressure; }
+
+  Field<double> total_pressure;            ///< P
+  Field<double> thickness;                 ///< H
+  Field<double> density;                   ///< rho
+  Field<double> density_by_pressure;       ///< d rho/dP
+  Field<double> fluidity;                  ///< phi
+  Field<double> log_fluidity;              ///< ln(phi lambda)
+  Field<double> log_fluidity_by_pressure;  ///< d ln phi/dP
+  Field<double> entrained;                 ///< U + W, with which the wedge carries oil
+  Field<double> full_film;                 ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
+  Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
+  std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
+                                           ///< it is 1 everywhere
+  std::vector<double> ones;                ///< of a line with its ghosts, for lines of A where that is absent
+};
+
+/// All fields of a state but A, for what treats them alike (injection, gathering).
+inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&FilmState::total_pressure,
+                                                                            &FilmState::thickness,
+                                                                            &FilmState::density,
+                                                                            &FilmState::density_by_pressure,
+                                                                            &FilmState::fluidity,
+                                                                            &FilmState::log_fluidity,
+                                                                            &FilmState::log_fluidity_by_pressure,
+                                                                            &FilmState::entrained,
+                                                                            &FilmState::full_film,
+                                                                            &FilmState::row_scale};
+
+/// The fields of a state on one line of nodes, with their ghosts.
+struct StateLine {
+  StateLine(const FilmState& state, int i)
+      : p(state.film_pressure().row(i)),
+        h(state.thickness.row(i)),
+        rho(state.density.row(i)),
+        rho_p(state.density_by_pressure.row(i)),
+        phi(state.fluidity.row(i)),
+        f(state.log_fluidity.row(i)),
+        f_p(state.log_fluidity_by_pressure.row(i)),
+        entrained(state.entrained.row(i)),
+        across(state.across ? state.across->row(i) : state.ones.data() + 1) {}
+
+  /// m = rho H (U + W), what the wedge carries, with its derivatives.
+  double carried(int j) const { return rho[j] * h[j] * entrained[j]; }
+  double carried_by_pressure(int j) const { return rho_p[j] * h[j] * entrained[j]; }
+  double carried_by_thickness(int j) const { return rho[j] * entrained[j]; }
+  /// xi_R. A film H < 0 (met only inside an iteration) conducts nothing.
+  double conductance(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return rho[j] * phi[j] * (film * film * film);
+  }
+  /// d xi_R/dP at constant H, and d xi_R/dH at constant P.
+  double conductance_by_pressure(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return phi[j] * (film * film * film) * (rho_p[j] + rho[j] * f_p[j]);
+  }
+  double conductance_by_thickness(int j) const {
+    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    return 3.0 * rho[j] * phi[j] * (film * film);
+  }
+
+  const double *p, *h, *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
+};
+
+/// Oil properties of one contact in dimensionless form.
+class FilmProperties {
+public:
+  explicit FilmProperties(const Scales& scales)
+      : viscosity_(viscosity_evaluator(scales.oil)),
+        density_(density_evaluator(scales.oil)),
+        pressure_scale_(scales.pressure),
+        inverse_lambda_(1.0 / scales.lambda) {}
+
+  /// Fills density, fluidity and their derivatives from the pressure of the own nodes.
+  void evaluate(FilmState& state, const FlowFactors& factors = {}) const;
+
+private:
+  template <EvaluatesViscosity Viscosity, EvaluatesDensity Density>
+  void evaluate_line(Viscosity viscosity, Density density_law, FilmState& state, int i) const;
+  template <bool sheared, EvaluatesViscosity Viscosity>
+  void correct_line(Viscosity viscosity, FilmState& state, int i, const FlowFactors& factors) const;
+
+  ViscosityEvaluator viscosity_;
+  DensityEvaluator density_;
+  double pressure_scale_;
+  double inverse_lambda_;
+};
+
+/// Exchanges what faces read from the neighbouring rows: pressure, film and oil, and A where it is not one.
+void exchange_ghosts(const Halo& halo, FilmState& state);
+
+}  // namespace gearfilm

@@ -1,0 +1,43 @@
+// The linearised film of one contact on all its levels: its products, and its multigrid preconditioner.
+//
+// One V-cycle of PETSc's PCMG. Its levels are shells: the operator of every level is the film linearised about the
+// state injected from the finest one (film_stencil.hpp) with that level's own convolution, its smoother the
+// distributive line relaxation (line_smoother.hpp), its transfers those of transfer.hpp. Where cells are long across,
+// levels have half the lines and all rows: what the smoother leaves there are long waves along X of single rows. One
+// level means the smoother alone. Where a coarser grid would leave a process fewer than two rows, every process goes on
+// with the whole rest of the hierarchy itself: the same cycle for any number of processes.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <span>
+
+#include "film/discretisation.hpp"
+#include "film/film_state.hpp"
+#include "film/solver_options.hpp"
+
+namespace gearfilm {
+
+class LinearisedFilm {
+public:
+  virtual ~LinearisedFilm() = default;
+
+  /// Linearises about a state (with ghosts and full-film mask) of the finest grid.
+  virtual void update(const FilmState& state, double shift) = 0;
+  /// rows = linearised rows for a change of the pressure; compact.
+  virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;
+  /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.
+  virtual void displacement_column(std::span<double> column) const = 0;
+  /// change = approximate inverse of the linearised rows applied to residual; both compact.
+  virtual void apply(std::span<const double> residual, std::span<double> change) = 0;
+  /// The same by one relaxation on the finest level.
+  virtual void relax(std::span<const double> residual, std::span<double> change) = 0;
+  virtual int levels() const = 0;
+};
+
+/// Arithmetic and number of levels by the options; where these leave the number open, no level is coarser along X than
+/// the longest step. The discretisation must outlive the preconditioner.
+std::unique_ptr<LinearisedFilm> make_linearised_film(Discretisation& discretisation, const MultigridOptions& options,
+                                                     double longest_step = HUGE_VAL);
+
+}  // namespace gearfilm

@@ -1,0 +1,27 @@
+// Choices that change how a film is solved for, not what it is.
+#pragma once
+
+#include "numerics/newton.hpp"
+
+namespace gearfilm {
+
+/// Arithmetic of the linearised film: its products and its preconditioner. Residuals and Krylov vectors are always
+/// double, so that single costs no digit of a solution; where it would cost convergence double is taken.
+enum class Precision { single_precision, double_precision };
+
+/// Of the preconditioner of one contact's film.
+struct MultigridOptions {
+  int levels = 0;            ///< 0 = chosen by the grid; 1 = the smoother alone
+  bool keep_rows = true;     ///< where cells are long: levels are coarser along X alone
+  int smoothing_sweeps = 1;  ///< before and after each coarse-grid correction
+  int coarse_sweeps = 4;     ///< on the coarsest level
+  Precision precision = Precision::single_precision;
+};
+
+/// Of a stationary film.
+struct SolverOptions {
+  NewtonOptions newton;
+  MultigridOptions multigrid;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,31 @@
+#include "input/case_at.hpp"
+
+#include "input/case_setup.hpp"
+
+namespace gearfilm {
+
+CaseInput case_at(const CaseInput& problem, const std::string& parameter, double value) {
+  ParameterValues values = problem.parameters;
+  values.set(parameter, format_value(value), "value of what is varied");
+  // Films go from point to point: all are on the grid that the case has by itself.
+  const PairNumerics& numerics = problem.numerics;
+  const auto keep = [&](const std::string& name, const std::string& text) {
+    if (!values.has(name)) values.set(name, text, "grid of what is varied");
+  };
+  keep("grid.nx", std::to_string(numerics.nx));
+  keep("grid.ny", std::to_string(numerics.ny));
+  keep("grid.x_min", format_value(numerics.domain.x_min));
+  keep("grid.x_max", format_value(numerics.domain.x_max));
+  keep("grid.y_half", format_value(numerics.domain.y_half));
+  return make_case(values);
+}
+
+CaseInput case_of_sweep(const CaseInput& problem, double value) {
+  return problem.sweep.kind == SweepKind::basins ? problem : case_at(problem, problem.sweep.parameter, value);
+}
+
+ProblemAt problems_of_sweep(const CaseInput& problem) {
+  return [&problem](double value) { return orbit_problem(case_of_sweep(problem, value)); };
+}
+
+}  // namespace gearfilm

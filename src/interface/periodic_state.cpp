@@ -1,0 +1,54 @@
+#include "gearfilm/periodic_state.hpp"
+
+#include "input/case_numerics.hpp"
+#include "input/case_setup.hpp"
+#include "interface/step_view.hpp"
+#include "interface/views.hpp"
+#include "orbits/described_dry_orbit.hpp"
+#include "results/orbit_summary.hpp"
+
+namespace gearfilm {
+namespace {
+
+CaseInput periodic_case(const Case& of) {
+  require_gears(of.input());
+  require_inertia(of.input());
+  std::string remark;
+  CaseInput chosen = with_chosen_motion(of.input(), remark);
+  chosen.numerics.on_widening = of.input().numerics.on_widening;
+  require_moving_contacts(chosen, "periodic", true);
+  require_one_pattern(chosen, "periodic");
+  return chosen;
+}
+
+FoundOrbit find(MPI_Comm comm, const OrbitProblem& problem, bool dry, const SearchWatch& watch) {
+  if (dry) return {.own = find_described_dry_orbit(problem, watch.on_step)};
+  FoundOrbit found = find_orbit(problem, discretise(comm, problem), dry_start(problem.mesh), watch);
+  find_coarse_orbit(problem, watch, comm, found);
+  return found;
+}
+
+}  // namespace
+
+PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer) {
+  const CaseInput input = periodic_case(of);
+  const OrbitProblem problem = orbit_problem(input);
+  const Scales& scales = problem.mesh.scales;
+  SearchWatch watch;
+  if (observer) {
+    watch.on_step = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+      observer(step_of(scales, record, contacts));
+    };
+  }
+  const FoundOrbit found = find(comm, problem, input.dry(), watch);
+  results_ = Results(Results::Content{periodic_summary(input, problem.mesh, found, errors_of(found))});
+  if (found.own.decay) multipliers_.assign(found.own.decay->multipliers.begin(), found.own.decay->multipliers.end());
+  begin_ = scales.time * found.own.orbit.begin;
+  end_ = begin_ + scales.time * problem.mesh.period();
+}
+
+bool PeriodicState::stable() const {
+  return std::ranges::all_of(multipliers_, [](const std::complex<double>& value) { return std::abs(value) < 1.0; });
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,124 @@
+#include "gearfilm/simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <variant>
+
+#include "dynamics/dry_pair.hpp"
+#include "dynamics/march_statistics.hpp"
+#include "gearfilm/error.hpp"
+#include "input/case_setup.hpp"
+#include "interface/step_view.hpp"
+#include "interface/views.hpp"
+#include "results/march_summary.hpp"
+
+namespace gearfilm {
+
+struct ContactInStep::View {
+  const Scales& scales;
+  const ContactRecord& record;
+  const ContactFilm* film;  ///< null in the dry model
+};
+
+int ContactInStep::number() const { return view_->record.number; }
+double ContactInStep::position() const { return view_->record.position; }
+
+double ContactInStep::value(const std::string& name) const {
+  for (std::size_t n = 0; n < contact_figures.size(); ++n) {
+    if (contact_figures[n].name == name)
+      return contact_figures[n].unit.in_si(view_->scales, view_->record.figures.values[n]);
+  }
+  throw std::out_of_range("contacts have no figure '" + name + "'");
+}
+
+bool ContactInStep::has_film() const { return view_->film != nullptr; }
+
+Film ContactInStep::film() const {
+  if (!has_film()) throw std::logic_error("a contact of the dry model has no film");
+  return film_of(*view_->film);
+}
+
+double Step::total_force() const {
+  double sum = 0.0;
+  for (const ContactInStep& contact : contacts) sum += contact.value("force");
+  return sum;
+}
+
+Step step_of(const Scales& scales, const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  Step step{scales.time * record.T, scales.time * record.dT, record.motion.H0(), record.motion.V0(), {}};
+  for (const ContactRecord& contact : record.contacts) {
+    const auto live = std::ranges::find(contacts, contact.number, &LiveContact::number);
+    const ContactFilm* film = live == contacts.end() ? nullptr : live->film;
+    step.contacts.emplace_back(std::make_shared<const ContactInStep::View>(scales, contact, film));
+  }
+  return step;
+}
+
+struct Simulation::March {
+  March(MPI_Comm comm, const Case& of, Observer watching)
+      : input(of.input()),
+        observer(std::move(watching)),
+        mesh(mesh_model(input, input.march.start_position, input.march.geometry, input.march.course)),
+        statistics(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()) {
+    const auto on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+      statistics.add(record, given_figures(mesh, !input.dry()));
+      if (observer) observer(step_of(mesh.scales, record, contacts));
+    };
+    if (input.dry()) {
+      const double damping = dry_damping(mesh, input.march.dry_damping_ratio.value_or(0.0));
+      march.emplace<DryMarch>(mesh, input.numerics.steps.dT, on_step, damping);
+    } else {
+      PairNumerics numerics = input.numerics;
+      numerics.steps.tolerance = input.march.step_tolerance;
+      march = make_march(mesh, numerics, discretise(comm, numerics, mesh.scales), on_step);
+    }
+  }
+
+  template <class Action>
+  void act(Action action) {
+    std::visit(
+        [&]<class Kind>(Kind& kind) {
+          if constexpr (!std::is_same_v<Kind, std::monostate>) action(kind);
+        },
+        march);
+  }
+
+  CaseInput input;
+  Observer observer;
+  MeshModel mesh;
+  MarchStatistics statistics;
+  std::variant<std::monostate, MeshMarch, DryMarch> march;
+};
+
+namespace {
+
+const Case& marchable(const Case& of) {
+  require_gears(of.input());
+  require_inertia(of.input());
+  return of;
+}
+
+}  // namespace
+
+Simulation::Simulation(MPI_Comm comm, const Case& of, Observer observer)
+    : march_(std::make_unique<March>(comm, marchable(of), std::move(observer))) {
+  march_->act([&](auto& march) { march.start(march_->input.march.start_motion); });
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::run_to(double mesh_periods) {
+  march_->act([&](auto& march) { march.run(march_->mesh.path.time_after(mesh_periods)); });
+}
+
+double Simulation::time() const {
+  double T = 0.0;
+  march_->act([&](auto& march) { T = march.T(); });
+  return march_->mesh.scales.time * T;
+}
+
+Results Simulation::results() const {
+  return Results(Results::Content{march_summary(march_->input, march_->mesh, march_->statistics)});
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,54 @@
+// The forces of dry contacts of a mesh: Hertz contacts on teeth that bend.
+//
+//   q_k F_k^(2/3) + c_kk F_k = -H_0 - e_k - sum_{j != k} c_kj F_j ,   q_k = k(R_x)^(-2/3), k the force at unit approach
+// ln k is a smooth function of ln R_x: a series has it to round-off over the radii of a path of contact.
+#pragma once
+
+#include <vector>
+
+#include "gear/chebyshev.hpp"
+#include "mesh/mesh_model.hpp"
+
+namespace gearfilm {
+
+class DryForce {
+public:
+  explicit DryForce(const MeshModel& mesh);
+
+  /// k of a contact [-]. Relative error below 1e-12.
+  double at_unit_approach(const ContactConditions& conditions) const;
+
+private:
+  Chebyshev<20> logarithm_;  ///< of k over ln Rbar
+};
+
+/// The dry contacts present at one time, and what they do together at any H_0.
+class DryContacts {
+public:
+  DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T);
+
+  /// Takes gaps with which the contacts have these forces where they are displaced like this: those of films, which
+  /// keep their thickness.
+  void stand_for(const std::vector<double>& forces, const std::vector<double>& displacements);
+  /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
+  std::vector<double> forces(double H0) const;
+  double total_force(double H0) const;
+  /// Of the contact that a rigid pair would press most; negative where all are apart [-].
+  double largest_approach(double H0) const;
+  /// d(total force)/d(-H_0) at these forces [-].
+  double stiffness(const std::vector<double>& forces) const;
+  /// H_0 at which they carry a load [-] together.
+  double balance(double load) const;
+
+private:
+  struct Contact {
+    double gap = 0.0;         ///< e_k [-]
+    double unit_force = 0.0;  ///< k [-]
+  };
+
+  std::vector<Contact> contacts_;
+  Compliance compliance_;
+  bool coupled_;
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,81 @@
+// A gear pair in mesh, as films, dry contacts, marches and modes all see it: which contacts there are at a time, what
+// each of them is like, and what they move.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "elasticity/compliance.hpp"
+#include "gear/teeth.hpp"
+#include "mesh/contact_path.hpp"
+#include "mesh/meshed_contact.hpp"
+#include "mesh/motion.hpp"
+#include "mesh/natural_frequency.hpp"
+#include "mesh/prescribed_load.hpp"
+#include "traction/traction_model.hpp"
+
+namespace gearfilm {
+
+/// g_i = m_ge R_bi^2/I_i, by which forces on either gear count in the motion; together 1.
+struct InertiaShares {
+  double pinion = 0.0;
+  double wheel = 0.0;
+};
+
+struct MeshModel {
+  Scales scales;
+  ContactPath path;
+  double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
+  std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
+  Teeth teeth{};
+  double stiffness = 0.0;                   ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
+  double tooth_force = 0.0;                 ///< T_g1/R_b1, which the reference load stands for [N]
+  std::optional<TractionModel> traction{};  ///< absent: no friction is computed
+  std::optional<double> roughness{};        ///< of both flanks together [m]
+  std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
+  int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
+  int order = 1;                                             ///< patterns after which a periodic motion repeats
+
+  /// A contact at time T, and one at a place xi [m] at the first speed.
+  MeshedContact contact(int number, double T) const;
+  MeshedContact contact_at(int number, double xi) const;
+  /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
+  Compliance compliance(std::span<const int> numbers, double T) const;
+  /// Films feel their heat or their shear.
+  bool corrects_films() const { return traction && traction->corrects_film(); }
+  /// Bodies without inertia, on all contacts.
+  bool in_balance() const { return inertia == 0.0 && !load; }
+  /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
+  std::optional<LoadSharing::Piece> share_from(double T) const;
+
+  /// Of a periodic motion, in mesh periods and in T, and its next beginning from T on.
+  int periods() const { return order * pattern; }
+  double period() const { return periods() * path.mesh_period(); }
+  double next_period(double T) const { return period() * std::ceil(T / period() - 1e-9); }
+
+  /// The stiffness of the dry mesh at the pitch point, k_el [N/m].
+  double stiffness_si() const { return scales.force(stiffness) / scales.thickness; }
+  /// f_n of the pair on that stiffness [1/t*].
+  double frequency() const { return natural_frequency(stiffness, inertia); }
+  /// The same [Hz].
+  double frequency_si() const { return frequency() / scales.time; }
+  /// Weight of V_0 in the norm of a motion: half a free oscillation, in which V_0 becomes a way, or 1 where that is
+  /// less.
+  double velocity_weight() const { return inertia > 0.0 ? std::min(1.0, 0.5 / frequency()) : 1.0; }
+  /// Norm of a change of the motion, the largest of displacements and of velocities with their weight.
+  double weighted_norm(const Motion& change) const { return length(weighted(change, velocity_weight())); }
+  /// f_m [Hz].
+  double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
+
+  /// By the tooth force [W].
+  double transmitted_power() const { return tooth_force * path.line().travel_velocity(path.pinion_speed()); }
+  /// The tooth force over the reference load [-]: 1 but for a point load that stands for a line contact.
+  double load_factor() const { return tooth_force / scales.operation.load; }
+
+  /// [N/m]: c[-] = c[m/N] p_h R_x*.
+  double compliance_scale() const { return scales.pressure * scales.solids.radius_x; }
+};
+
+}  // namespace gearfilm

@@ -1,0 +1,41 @@
+// How a pushed pair returns to its periodic orbit: the map of the motion over one mesh period, its multipliers, and how
+// well they are known.
+//
+// The pair is pushed off the orbit and marched; q and v are taken once a mesh period. From the first return on the
+// films have followed the motion, and each motion follows from the one before by an affine map, of which the orbit is
+// the fixed point: least squares over all returns give its numbers, and what is left over gives their errors. Where
+// contact is lost that is also what bends of the map contribute. Where the multipliers are not known well by that, the
+// pair is pushed the other way too: a kink of the map, whose sides differ, then shows in the error.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "orbits/periodic_orbit.hpp"
+
+namespace gearfilm {
+
+struct DecayOptions {
+  double lead = 0.0;   ///< PeriodicOptions::lead with which the orbit was found
+  int periods = 4;     ///< marched at most; at least 3
+  double push = 5e-3;  ///< of the first q [-]: well above the noise of a march, within its linear range
+};
+
+struct FreeDecay {
+  Monodromy map;  ///< empty where the push was gone at once
+  Multipliers multipliers;
+  double modulus_error = 0.0;  ///< of the larger modulus: twice its standard deviation; the modulus itself, where the
+                               ///< push was gone before there was more to fit than unknowns
+  std::optional<Monodromy> lead_map{};  ///< of the motion over the lead before the end of a period, where there is one
+};
+
+/// The motion of a pushed pair after 0, 1, 2, ... mesh periods, at least three.
+using Returns = std::vector<Motion>;
+
+/// After every push that there was; begin and end: of the orbit's period, nearly the same.
+FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end);
+
+/// The march goes on from the orbit's start. Throws SolveError where it cannot be marched.
+FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options);
+
+}  // namespace gearfilm

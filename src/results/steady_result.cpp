@@ -1,0 +1,188 @@
+#include "results/steady_result.hpp"
+
+#include "film/domain_margins.hpp"
+#include "input/case_numerics.hpp"
+#include "input/case_setup.hpp"
+#include "output/film_snapshot.hpp"
+#include "output/run_identity.hpp"
+#include "output/xdmf.hpp"
+#include "results/derived.hpp"
+#include "results/error_bar.hpp"
+#include "results/friction_summary.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Values with their error and what they tend to; null where the grid cannot tell.
+void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, Summary& summary) {
+  const auto add = [&](const std::string& name, double unit, Estimate GridErrors::*figure) {
+    add_error_bar(summary, name, errors ? std::optional((*errors).*figure) : std::nullopt, unit);
+  };
+  add("h_central", scales.thickness, &GridErrors::central_film);
+  add("h_min", scales.thickness, &GridErrors::smallest_film);
+  add("p_central", scales.pressure, &GridErrors::central_pressure);
+  add("p_max", scales.pressure, &GridErrors::largest_pressure);
+  add_error_bar(summary, "p_spike", errors ? errors->spike_pressure : std::nullopt, scales.pressure);
+}
+
+Summary film_summary(const CaseInput& problem, const SteadyPosition& position, const Grid& grid,
+                     const StationaryResult& result, const TractionFigures& friction) {
+  const Scales& scales = problem.scales;
+  Summary summary;
+  summary["case"] = problem.name;
+  summary["nx"] = grid.nx();
+  summary["ny"] = grid.ny();
+  if (problem.pair.line) summary["position"] = problem.steady.position;
+  const ContactMoment at{scales, position.contact, result.figures, friction, problem.roughness};
+  const Given given = given_figures(true, problem.traction, problem.roughness);
+  for (const auto& figure : contact_figures) {
+    if (!given.has(figure.needs)) continue;
+    summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
+  }
+  summary["H0"] = result.solution.H0;
+  summary["H_central"] = result.figures.central_film;
+  summary["H_min"] = result.figures.smallest_film;
+  summary["residual"] = result.counts.residual;
+  SolveCounts total;
+  for (const SolveCounts& counts : result.by_grid) {
+    total.newton += counts.newton;
+    total.krylov += counts.krylov;
+    total.convolutions += counts.convolutions;
+  }
+  summary["newton_iterations"] = result.counts.newton;
+  summary["krylov_iterations"] = result.counts.krylov;
+  summary["convolutions"] = result.counts.convolutions;
+  summary["newton_iterations_all_grids"] = total.newton;
+  summary["krylov_iterations_all_grids"] = total.krylov;
+  summary["convolutions_all_grids"] = total.convolutions;
+  summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);
+  const SurfaceVelocities velocities = velocities_of(scales, position.contact);
+  summary["predictions"].update(
+      friction_predictions(problem, position.solids, position.operation, velocities, friction.coefficient));
+  summary["predictions"].update(
+      heating_predictions(problem, position.solids, position.operation, velocities.sliding / velocities.mean));
+  return summary;
+}
+
+/// What heat, or shear alone, has made of the film.
+void add_coupling(const CaseInput& problem, const SolvedContact& solved, Summary& summary) {
+  if (!solved.coupled) return;
+  const bool heated = problem.traction->heats_film();
+  const std::string kind = heated ? "thermal" : "shear", bare = heated ? "isothermal" : "newtonian";
+  const FilmFigures &with = solved.result.figures, &without = solved.bare;
+  summary["h_central_" + bare] = problem.scales.thickness * without.central_film;
+  summary["h_min_" + bare] = problem.scales.thickness * without.smallest_film;
+  summary[kind + "_factor"] = with.central_film / without.central_film;
+  summary[kind + "_factor_min"] = with.smallest_film / without.smallest_film;
+  summary[kind + "_turns"] = solved.coupled->turns;
+  summary[kind + "_newton_iterations"] = solved.coupled->newton;
+  summary[kind + "_change"] = solved.coupled->change;
+}
+
+ContactProblem contact_problem(const CaseInput& problem, const SteadyPosition& position) {
+  return {.scales = problem.scales,
+          .conditions = position.contact.conditions,
+          .load = LoadCondition::force(problem.steady.load_ratio * problem.scales.static_force, position.compliance),
+          .discretisation = problem.numerics.discretisation,
+          .solver = problem.numerics.solver,
+          .traction = problem.traction,
+          .label = position.label};
+}
+
+}  // namespace
+
+SteadyPosition steady_position(const CaseInput& problem) {
+  SteadyPosition position;
+  if (problem.pair.line) {
+    const double xi = problem.steady.position;
+    const MeshModel mesh = mesh_model(problem, xi, MeshGeometry::held);
+    position.contact = mesh.contact_at(0, xi);
+    if (!mesh.teeth.rigid())
+      position.compliance =
+          Compliance(Eigen::MatrixXd::Constant(1, 1, mesh.teeth.compliance(xi) * mesh.compliance_scale()));
+    position.label = worded("contact 0 at xi = ", 1e3 * xi, " mm");
+  }
+  if (!problem.pair.line) {
+    const double u_m = problem.scales.operation.entrainment_velocity;
+    position.contact.conditions.sliding = problem.parameters.real("contact.sliding_velocity") / u_m;
+  }
+  position.solids = solids_of(problem.scales, position.contact.conditions);
+  position.operation = problem.scales.operation;
+  position.operation.entrainment_velocity *= position.contact.conditions.entrainment;
+  position.operation.load *= problem.steady.load_ratio;
+  return position;
+}
+
+GridShape steady_grid(MPI_Comm comm, const CaseInput& problem, const SteadyPosition& position,
+                      const WideningObserver& on_widening) {
+  const double force = problem.steady.load_ratio * problem.scales.static_force;
+  const DomainMargins needed =
+      required_margins(problem.numerics.margins, problem.scales, position.contact.conditions, force, position.label);
+  const GridShape shape = case_grid(problem);
+  if (fits(shape, needed)) return shape;
+  const GridShape wide = widened(shape, needed, problem.numerics.margins);
+  on_widening(comm, wide);
+  return wide;
+}
+
+bool chooses_nodes(const CaseInput& problem) {
+  return !problem.parameters.has("grid.nx") && !problem.parameters.has("grid.ny");
+}
+
+SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const SteadyPosition& position,
+                          const Watcher& watcher) {
+  ContactProblem contact = contact_problem(problem, position);
+  contact.solver.newton.watcher = watcher;
+  const bool by_accuracy = chooses_nodes(problem) && thin_film_remark(problem).empty();
+  SteadyResult result{position,
+                      by_accuracy ? solve_contact_accurately(grid, contact, problem.parameters.real("grid.accuracy"))
+                                  : solve_contact(grid, contact),
+                      {},
+                      {}};
+  const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
+  result.friction = traction_of(contact, result.solved);
+  result.friction.figures = with_powers_times(load_factor, result.friction.figures);
+  const SolvedContact& solved = result.solved;
+  result.summary = film_summary(problem, position, solved.film->grid(), solved.result, result.friction.figures);
+  add_errors(problem.scales, solved.errors, result.summary);
+  add_coupling(problem, solved, result.summary);
+  return result;
+}
+
+void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& result) {
+  const ContactFilm& film = *result.solved.film;
+  const TractionFields& friction = result.friction.fields;
+  const Summary& summary = result.summary;
+  const SteadyPosition& position = result.position;
+  const std::string group = "/contact0";
+  ResultsFile file(comm, problem.run.directory / "results.h5");
+  write_identity(file, problem, "steady");
+  const Scales& scales = problem.scales;
+  const WholeDomain domain(film.grid());
+  file.grid(group, domain, scales);
+  file.field(group, "P", "Pa", domain, film.total_pressure(), scales.pressure, group);
+  file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
+  std::vector<std::string> datasets = {"P", "H"};
+  for (const auto& [name, values] : traction_fields(film.grid(), friction)) {
+    const ContactField kind = field_named(name);
+    datasets.emplace_back(kind.dataset);
+    file.field(group, datasets.back(), std::string(kind.unit.name), domain, values, 1.0, group);
+  }
+  if (problem.traction && problem.traction->heat) {
+    file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
+  }
+  file.attribute(group, "xi", problem.steady.position);
+  file.attribute(group, "R_x", position.solids.radius_x);
+  file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
+  file.attribute(group, "force", summary["force"].get<double>());
+  file.attribute(group, "H0", summary["H0"].get<double>());
+  file.attribute(group, "a", scales.hertz.a);
+  file.attribute(group, "b", scales.hertz.b);
+  file.attribute(group, "p_hertz", scales.hertz.pressure);
+  file.finish();
+  write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
+             {{0.0, {{0, group, group + "/mesh", film.grid().shape(), datasets}}}});
+  write_summary(comm, problem.run.directory, summary);
+}
+
+}  // namespace gearfilm

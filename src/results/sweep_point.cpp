@@ -1,0 +1,77 @@
+#include "results/sweep_point.hpp"
+
+#include "orbits/described_dry_orbit.hpp"
+#include "results/orbit_summary.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Row by row.
+Summary monodromy_json(const Monodromy& map) {
+  Summary rows = Summary::array();
+  for (const auto& row : map.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
+  return rows;
+}
+
+Monodromy read_monodromy(const Summary& rows) {
+  const auto size = static_cast<Eigen::Index>(rows.size());
+  Monodromy map(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) map(i, j) = rows[i][j].get<double>();
+  }
+  return map;
+}
+
+}  // namespace
+
+void add_conditions(const CaseInput& here, const MeshModel& mesh, Summary& result) {
+  result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
+  result["torque"] = here.pair.torque;
+  result["m_ge"] = *here.pair.equivalent_mass;
+  result["I_n"] = mesh.inertia;
+  result["f_m"] = mesh.mesh_frequency_si();
+  result["f_n"] = mesh.frequency_si();
+}
+
+void add_orbit(const MeshModel& mesh, const DescribedOrbit& found, Summary& result) {
+  result.update(orbit_summary(mesh, found));
+  result["monodromy"] = monodromy_json(found.orbit.monodromy);
+}
+
+void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result) {
+  result["start"] = found.start;
+  add_orbit(problem.mesh, describe(problem, found.orbit), result);
+}
+
+Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lubricated) {
+  const SettledFigures figures = figures_of(march, scales);
+  Summary summary = {{"H0_after_leaving", march.end.motion.H0()}, {"V0_after_leaving", march.end.motion.V0()}};
+  summary["poincare"] = Summary::array();
+  for (const PoincarePoint& at : march.points) {
+    Summary entry = {at.motion.H0(), at.motion.V0(), at.largest_force / scales.static_force,
+                     at.smallest_force / scales.static_force};
+    if (lubricated) entry.push_back(scales.thickness * at.smallest_film);
+    summary["poincare"].push_back(std::move(entry));
+  }
+  summary["force_ratio_max"] = figures.largest_force;
+  summary["total_force_ratio_min"] = figures.smallest_force;
+  if (lubricated) summary["h_min"] = scales.thickness * figures.smallest_film;
+  summary["contact_lost"] = figures.contact_lost;
+  const auto known = [](const auto& value) { return value ? Summary(*value) : Summary(); };
+  summary["repeats_every"] = known(figures.repeats_every);
+  summary["repeats_within"] = figures.recurrence ? Summary(figures.recurrence->defect) : Summary();
+  summary["settles_on"] = known(figures.settles_on);
+  summary["settles_at"] = figures.settles_at;
+  return summary;
+}
+
+ChainLink read_link(const Summary& point) {
+  ChainLink link{point["value"].get<double>(), {}, {}};
+  link.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  if (!point.contains("monodromy")) return link;  // of a march
+  link.guess.monodromy = read_monodromy(point["monodromy"]);
+  if (point.contains("dry_motion")) link.dry.emplace().start = point["dry_motion"].get<Motion>();
+  return link;
+}
+
+}  // namespace gearfilm
