@@ -50,16 +50,17 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/ DESTINATION ${CMAKE_INSTALL_DAT
         PATTERN "refinement" EXCLUDE PATTERN "studies" EXCLUDE PATTERN "cmake" EXCLUDE PATTERN "packaging" EXCLUDE
         PATTERN "gearfilm" EXCLUDE)
 
-# The program itself writes its manual page and its completion, where it runs: not when built for another machine, and
-# not where MPI starts nowhere but in jobs.
+# The manual page and the completion are made of what the program says of itself, where it runs: not when built for another
+# machine, and not where MPI starts nowhere but in jobs.
 if(NOT CMAKE_CROSSCOMPILING)
   install(CODE "
     foreach(text IN ITEMS man completion)
-      execute_process(COMMAND \"$<TARGET_FILE:gearfilm>\" \${text} OUTPUT_FILE \"${PROJECT_BINARY_DIR}/gearfilm.\${text}\"
+      execute_process(COMMAND python3 -B \"${PROJECT_SOURCE_DIR}/scripts/packaging/manual.py\" \${text} \"$<TARGET_FILE:gearfilm>\"
+                      OUTPUT_FILE \"${PROJECT_BINARY_DIR}/gearfilm.\${text}\"
                       ERROR_QUIET RESULT_VARIABLE status TIMEOUT 60)
       if(NOT status EQUAL 0)
         file(REMOVE \"${PROJECT_BINARY_DIR}/gearfilm.\${text}\")
-        message(WARNING \"gearfilm does not run here; 'gearfilm \${text}' is not installed\")
+        message(WARNING \"gearfilm or python3 does not run here; its \${text} is not installed\")
       endif()
     endforeach()")
   install(FILES ${PROJECT_BINARY_DIR}/gearfilm.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME gearfilm.1 OPTIONAL)

@@ -36,6 +36,7 @@ std::string place(const BranchState& state, const std::string& unit) {
 }  // namespace
 
 void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& point, const Summary& at) {
+  ++points_;
   if (every_point_ || kind != PointKind::regular) {
     print(branch, kind, point);
   } else {

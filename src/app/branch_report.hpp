@@ -24,6 +24,8 @@ public:
   /// Prints the stretches, and warns of branches that were lost.
   void finish(const std::vector<Branch>& branches);
 
+  /// How many there were.
+  int points() const { return points_; }
   /// Lists `bifurcations` and `stretches`.
   Summary summary() const;
   static Summary branch_summary(const Branch& branch);
@@ -42,6 +44,7 @@ private:
 
   MPI_Comm comm_;
   std::string unit_;
+  int points_ = 0;
   bool every_point_;
   LongWork progress_;
   Summary bifurcations_ = Summary::array();

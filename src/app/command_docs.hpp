@@ -1,17 +1,12 @@
-// Texts about the program as a whole, made from the tables of commands and parameters.
+// The table of commands and that of parameters as text. The manual page and the completion are made of it
+// (scripts/packaging/manual.py).
 #pragma once
 
 #include <string>
 
 namespace gearfilm {
 
-/// The content of -help.
+/// What -help prints.
 std::string help_text();
-
-/// The manual page gearfilm(1).
-std::string manual_page();
-
-/// A script for bash that completes commands, options, their choices and case files.
-std::string bash_completion();
 
 }  // namespace gearfilm

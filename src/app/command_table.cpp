@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "app/command_docs.hpp"
 #include "app/commands.hpp"
 #include "input/parameter.hpp"
 #include "output/results_docs.hpp"
@@ -27,11 +26,9 @@ constexpr std::array<Command, 9> case_commands = {{
     {"bench", run_bench, false, true, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 
-constexpr std::array<TextCommand, 4> printing_commands = {{
+constexpr std::array<TextCommand, 2> printing_commands = {{
     {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
     {"figures", all_figures, "the tables of all figures in the results in Markdown (needs no case)"},
-    {"man", manual_page, "the manual page, for man (needs no case)"},
-    {"completion", bash_completion, "completion of commands and options, for bash (needs no case)"},
 }};
 
 }  // namespace

@@ -15,7 +15,7 @@ void run_static(MPI_Comm comm, const CaseInput& problem);
 /// The gear pair marched in time.
 void run_transient(MPI_Comm comm, const CaseInput& problem);
 /// The periodic state of the lubricated pair.
-void run_periodic(MPI_Comm comm, const CaseInput& problem);
+void run_periodic(MPI_Comm comm, const CaseInput& given);
 /// Natural frequencies of the dry pair and of the pair on its films.
 void run_eigen(MPI_Comm comm, const CaseInput& given);
 /// Periodic states over a range of speeds, torques or masses.

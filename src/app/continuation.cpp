@@ -23,7 +23,7 @@ ProblemAt problems_of(const CaseInput& problem) {
   };
 }
 
-void check(const CaseInput& problem) {
+void check_continuation(const CaseInput& problem) {
   require_inertia(problem);
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {
@@ -47,45 +47,50 @@ void check(const CaseInput& problem) {
   for (const double end : {*given.from, given.to}) (void)case_at(problem, given.parameter, end);
 }
 
+Stopped stopped_dry(const Stopped& stopped) {
+  return Stopped(stopped.what(), " (branches of the dry pair are then followed from the beginning: give more time)");
+}
+
+/// The summary of what was found, completed or not.
+void write_branches(MPI_Comm comm, const CaseInput& problem, const std::vector<Branch>& branches,
+                    const BranchReport& report, const BranchBeginning& begin, bool completed) {
+  Summary summary = {{"case", problem.name}, {"over", problem.continuation.parameter}, {"points", report.points()}};
+  if (begin.mesh_periods) summary["mesh_periods"] = *begin.mesh_periods;
+  summary["branches"] = Summary::array();
+  for (const Branch& branch : branches) summary["branches"].push_back(BranchReport::branch_summary(branch));
+  summary.update(report.summary());
+  summary["completed"] = completed;
+  write_summary(comm, problem.run.directory, summary);
+}
+
 }  // namespace
 
 void run_continuation(MPI_Comm comm, const CaseInput& problem) {
-  check(problem);
+  check_continuation(problem);
   const ContinuationCase& given = problem.continuation;
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "continuation");
   const BranchEntry entry{*given.from, given.options.corrector.unit};
   const SearchWatch watch{.check_stop = run.stop().check_in(comm), .keeper = &run.checkpoint()};
-  const BranchBeginning begin = problem.dry() ? dry_beginning(problems_of(problem), entry, run.stop().count_in(comm))
-                                              : film_beginning(problems_of(problem), entry, comm, watch);
+  const BranchBeginning begin = problem.dry()
+                                    ? dry_beginning(problems_of(problem), entry, counted(run.stop().check_in(comm)))
+                                    : film_beginning(problems_of(problem), entry, comm, watch);
   ContinuationTable table(comm, problem);
   BranchReport report(comm, given.unit, !problem.dry());
-  int points = 0;
   const auto observer = [&](const Branch& branch, PointKind kind, const BranchPoint& point) {
-    ++points;
     report.add(branch, kind, point, table.add(branch, kind, point));
   };
   std::vector<Branch> branches;
   const auto write = [&](bool completed) {
     table.finish();
-    Summary summary = {{"case", problem.name}, {"over", given.parameter}, {"points", points}};
-    if (begin.mesh_periods) summary["mesh_periods"] = *begin.mesh_periods;
-    summary["branches"] = Summary::array();
-    for (const Branch& branch : branches) summary["branches"].push_back(BranchReport::branch_summary(branch));
-    summary.update(report.summary());
-    summary["completed"] = completed;
-    write_summary(comm, run.directory().path(), summary);
-  };
-  const auto again = [&](const Stopped& stopped) {
-    return Stopped(std::string(stopped.what()) +
-                   " (branches of the dry pair are then followed from the beginning: "
-                   "give more time)");
+    write_branches(comm, problem, branches, report, begin, completed);
   };
   try {
     branches = follow_branches(begin.map, problem.search.order, begin.start, given.upwards(), given.options, observer);
   } catch (const Stopped& stopped) {
     write(false);  // what was found until then
-    throw problem.dry() ? again(stopped) : stopped;
+    if (problem.dry()) throw stopped_dry(stopped);
+    throw;
   } catch (const Unfinished&) {
     write(false);
     throw;

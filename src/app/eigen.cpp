@@ -1,5 +1,4 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
-#include <cmath>
 #include <iomanip>
 
 #include "app/commands.hpp"
@@ -8,40 +7,17 @@
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "orbits/described_dry_orbit.hpp"
-#include "orbits/dry_modes.hpp"
 #include "orbits/film_modes.hpp"
-#include "orbits/film_swing.hpp"
 #include "orbits/floquet.hpp"
 #include "output/progress.hpp"
 #include "output/resumable_run.hpp"
 #include "output/screen.hpp"
+#include "results/eigen_summary.hpp"
 #include "results/friction_summary.hpp"
 #include "results/orbit_summary.hpp"
 
 namespace gearfilm {
 namespace {
-
-Summary dry_pair_summary(const CaseInput& problem) {
-  const std::array<double, 2> base_radii = {problem.pair.line->base_radius_pinion(),
-                                            problem.pair.line->base_radius_wheel()};
-  const double k_el = mesh_after_leaving(problem).stiffness_si();
-  const GearInertias inertias = inertias_of(problem);
-  const auto [rigid, swinging] = dry_modes(k_el, base_radii, inertias);
-  return {{"k_el", k_el},
-          {"m_ge", *problem.pair.equivalent_mass},
-          {"inertia_pinion", inertias.pinion},
-          {"inertia_wheel", inertias.wheel},
-          {"f_n", swinging.frequency},
-          {"mode_shape", swinging.shape},
-          {"rigid_frequency", rigid.frequency},
-          {"rigid_mode_shape", rigid.shape}};
-}
-
-/// What the damper beside dry contacts makes of their frequency.
-Summary damper_summary(const CaseInput& problem, double f_n) {
-  const double zeta = problem.march.dry_damping_ratio.value_or(0.0);
-  return {{"damping_ratio", zeta}, {"damped_frequency", f_n * std::sqrt(1.0 - zeta * zeta)}};
-}
 
 /// Multipliers of the dry pair's periodic motion.
 Summary dry_orbit_multipliers(const CaseInput& problem) {
@@ -63,20 +39,6 @@ Summary film_eigenvalues(const CaseInput& problem, LubricatedPair& pair, Vec sta
     return nullptr;
   }
   return found;
-}
-
-/// Frequency and damping ratio with their errors, null where no coarser grid has a mode; what the mode took. On stiff
-/// films also what the damping ratio is at most.
-void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& summary) {
-  const auto known = [](const std::optional<double>& value) { return value ? Summary(*value) : Summary(); };
-  summary["film_frequency"] = figures.frequency;
-  summary["film_frequency_error"] = known(figures.frequency_error);
-  summary["film_damping_ratio"] = figures.damping_ratio;
-  summary["film_damping_ratio_error"] = known(figures.damping_ratio_error);
-  if (swing.on_stiff_films()) summary["film_damping_ratio_bound"] = known(figures.damping_ratio_bound());
-  summary["swings_in_passage"] = swing.mode.swings_in_passage;
-  summary["swing_solutions"] = swing.mode.solutions;
-  summary["swing_krylov_iterations"] = swing.mode.krylov_iterations;
 }
 
 /// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.

@@ -9,7 +9,6 @@
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "orbits/described_dry_orbit.hpp"
 #include "output/screen.hpp"
 #include "results/friction_summary.hpp"
 #include "results/march_summary.hpp"
@@ -83,40 +82,19 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
        "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
-void find_and_write(MPI_Comm comm, const CaseInput& problem) {
-  require_moving_contacts(problem, "periodic", true);
-  require_one_pattern(problem, "periodic");
-  const SharedDiscretisation films = discretise(comm, problem);
-  const Grid& grid = films->grid();
-  ResumableRun run(problem, grid, "periodic");
-  const OrbitProblem search = orbit_problem(problem);
-  const MeshModel& mesh = search.mesh;
-  if (!mesh.teeth.rigid()) warn_of_hard_entry(comm, mesh);
-  MarchOutput output(run, problem, grid, mesh, MarchPurpose::search,
-                     (problem.dry() ? 1.0 : typical_periods) * mesh.periods());
-  const SearchWatch watch = {
-      .on_step = [&](const StepRecord& record,
-                     const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
-      .on_period = [&](const SearchPeriod& period) { output.end_search_period(period); },
-      .on_coarse_period = [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
-      .on_trouble = [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
-      .check_stop = run.stop().check_in(comm),
-      .keeper = &run.checkpoint()};
-  FoundOrbit found;
-  try {
-    if (problem.dry()) {
-      found.own = find_described_dry_orbit(search, watch.on_step, run.stop().count_in(comm));
-    } else {
-      found = find_orbit(search, films, dry_start(mesh), watch);
-      find_coarse_orbit(search, watch, comm, found);
-    }
-  } catch (const Unfinished&) {
-    Summary summary = march_summary(problem, mesh, output.statistics());
-    summary["completed"] = false;
-    output.finish();
-    write_summary(comm, run.directory().path(), summary);  // what was marched until then
-    throw;
-  }
+SearchWatch watch_of(MPI_Comm comm, ResumableRun& run, MarchOutput& output) {
+  return {.on_step = [&](const StepRecord& record,
+                         const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
+          .on_period = [&](const SearchPeriod& period) { output.end_search_period(period); },
+          .on_coarse_period = [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
+          .on_trouble = [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
+          .check_stop = run.stop().check_in(comm),
+          .keeper = &run.checkpoint()};
+}
+
+void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found, ResumableRun& run,
+                 MarchOutput& output) {
+  const MPI_Comm comm = output.file().comm();
   const double begin = found.own.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);
@@ -136,12 +114,30 @@ void find_and_write(MPI_Comm comm, const CaseInput& problem) {
 
 }  // namespace
 
-void run_periodic(MPI_Comm comm, const CaseInput& problem) {
-  require_inertia(problem);
+void run_periodic(MPI_Comm comm, const CaseInput& given) {
+  require_inertia(given);
   std::string remark;
-  const CaseInput chosen = with_chosen_motion(problem, remark);
+  const CaseInput problem = with_chosen_motion(given, remark);
   if (!remark.empty()) say(comm, remark);
-  find_and_write(comm, chosen);
+  require_moving_contacts(problem, "periodic", true);
+  require_one_pattern(problem, "periodic");
+  const SharedDiscretisation films = discretise(comm, problem);
+  ResumableRun run(problem, films->grid(), "periodic");
+  const OrbitProblem search = orbit_problem(problem);
+  if (!search.mesh.teeth.rigid()) warn_of_hard_entry(comm, search.mesh);
+  MarchOutput output(run, problem, films->grid(), search.mesh, MarchPurpose::search,
+                     (problem.dry() ? 1.0 : typical_periods) * search.mesh.periods());
+  FoundOrbit found;
+  try {
+    found = find_orbit_with_errors(search, problem.dry() ? nullptr : films, watch_of(comm, run, output));
+  } catch (const Unfinished&) {
+    Summary summary = march_summary(problem, search.mesh, output.statistics());
+    summary["completed"] = false;
+    output.finish();
+    write_summary(comm, run.directory().path(), summary);  // what was marched until then
+    throw;
+  }
+  write_state(problem, search.mesh, found, run, output);
 }
 
 }  // namespace gearfilm

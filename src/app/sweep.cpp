@@ -110,9 +110,8 @@ void print_result(MPI_Comm comm, const CaseInput& problem, const Summary& summar
   }
 }
 
-}  // namespace
-
-void run_sweep(MPI_Comm comm, const CaseInput& problem) {
+/// Throws InputError for a sweep that says too little or asks for what there is not, before any work.
+void check_sweep(const CaseInput& problem) {
   require_inertia(problem);
   require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");
@@ -123,10 +122,34 @@ void run_sweep(MPI_Comm comm, const CaseInput& problem) {
   if (problem.sweep.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
-  if (problem.sweep.kind != SweepKind::basins) {
-    for (double value : problem.sweep.values)
-      (void)case_at(problem, problem.sweep.parameter, value);  // wrong values are said before any work
+  if (problem.sweep.kind == SweepKind::basins) return;
+  for (double value : problem.sweep.values) (void)case_at(problem, problem.sweep.parameter, value);
+}
+
+/// Of all points, which are on disk.
+Summary sweep_summary(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points) {
+  Summary results = Summary::array();
+  int failures = 0;
+  for (const SweepPoint& point : points_of(problem.sweep)) {
+    results.push_back(points.read(comm, point).value());
+    failures += results.back().contains("error");
   }
+  Summary summary = {{"case", problem.name},
+                     {"nx", problem.numerics.nx},
+                     {"ny", problem.numerics.ny},
+                     {"dT", problem.numerics.steps.dT},
+                     {"over", problem.sweep.parameter},
+                     {"points_found", results.size() - failures},
+                     {"points_failed", failures}};
+  if (problem.sweep.kind == SweepKind::basins) summary["attractors"] = attractors_of(results);
+  summary["points"] = std::move(results);
+  return summary;
+}
+
+}  // namespace
+
+void run_sweep(MPI_Comm comm, const CaseInput& problem) {
+  check_sweep(problem);
   const int groups = group_count(comm, problem);
   const OutputDirectory directory(comm, problem.run.directory);
   if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));
@@ -136,23 +159,8 @@ void run_sweep(MPI_Comm comm, const CaseInput& problem) {
   run_chains(comm, problem, points, groups, stop);
   if (problem.dry() && !problem.sweep.marched()) mend_sweep(comm, problem, points, points_of(problem.sweep), stop);
 
-  Summary results = Summary::array();
-  int failures = 0;
-  for (const SweepPoint& point : points_of(problem.sweep)) {
-    results.push_back(points.read(comm, point).value());
-    failures += results.back().contains("error");
-  }
-  write_sweep_tables(comm, problem, results);
-  const auto count = results.size();
-  Summary summary = {{"case", problem.name},
-                     {"nx", problem.numerics.nx},
-                     {"ny", problem.numerics.ny},
-                     {"dT", problem.numerics.steps.dT},
-                     {"over", problem.sweep.parameter},
-                     {"points_found", count - failures},
-                     {"points_failed", failures}};
-  if (problem.sweep.kind == SweepKind::basins) summary["attractors"] = attractors_of(results);
-  summary["points"] = std::move(results);
+  const Summary summary = sweep_summary(comm, problem, points);
+  write_sweep_tables(comm, problem, summary["points"]);
   write_summary(comm, problem.run.directory, summary);
   points.complete(comm);
   print_result(comm, problem, summary);
@@ -160,7 +168,7 @@ void run_sweep(MPI_Comm comm, const CaseInput& problem) {
     const CaseInput fastest = case_at(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
     warn_of_heating(comm, fastest, heating_at_pitch(fastest));
   }
-  if (failures == static_cast<int>(count))
+  if (summary["points_found"].get<int>() == 0)
     throw SolveError(std::string("no point of the sweep ") +
                      (problem.sweep.marched() ? "was marched" : "has a periodic state") + "; see the errors in " +
                      (problem.run.directory / "summary.json").string());

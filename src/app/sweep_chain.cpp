@@ -89,7 +89,7 @@ private:
         march(search, value, point, result);
       } else if (here.dry()) {
         stop_.check(group_, value);
-        add_dry_orbit(search, chain_.find_dry(value, stop_.count_in(group_)), result);
+        add_dry_orbit(search, chain_.find_dry(value, counted(stop_.check_in(group_))), result);
       } else {
         find_on_films(search, value, point, result);
       }

@@ -48,7 +48,7 @@ std::optional<Summary> mended(const CaseInput& problem, const Known& failed, con
 
 void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop) {
-  const DryWatch watch = stop.count_in(comm);
+  const DryWatch watch = counted(stop.check_in(comm));
   std::vector<Known> known;
   known.reserve(all.size());
   for (const SweepPoint& point : all) known.push_back({point, points.read(comm, point).value()});

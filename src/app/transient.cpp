@@ -6,7 +6,7 @@
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
-#include "dynamics/dry_pair.hpp"
+#include "dynamics/pair_march.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "output/screen.hpp"
@@ -28,12 +28,6 @@ void require_beyond(ResumableRun& run, const CaseInput& problem, const MeshModel
   problem.parameters.refuse("mesh_periods", "is " + format_value(problem.march.mesh_periods) + ", but the march in '" +
                                                 problem.run.directory.string() + "' has come to " +
                                                 format_value(mesh.path.mesh_periods(kept)) + "; give at least as many");
-}
-
-template <class March>
-void drive(March&& march, const CaseInput& problem) {
-  march.start(problem.march.start_motion);
-  march.run(end_of(problem, march.mesh()));
 }
 
 std::string mesh_periods(int count) { return count == 1 ? "mesh period" : std::to_string(count) + " mesh periods"; }
@@ -72,58 +66,62 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
       .print(comm, folder);
 }
 
+PairMarch march_of(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
+                   const StepObserver& observer, MarchKeeper* keeper) {
+  if (problem.dry())
+    return {mesh, problem.numerics.steps.dT, problem.march.dry_damping_ratio.value_or(0.0), observer, keeper};
+  PairNumerics numerics = problem.numerics;
+  numerics.steps.tolerance = problem.march.step_tolerance;
+  return {mesh, numerics, films, observer, keeper};
+}
+
+/// What is known so far, into the files; and its summary.
+Summary write_march(const ResumableRun& run, const CaseInput& problem, const MeshModel& mesh,
+                    const std::optional<GridShape>& grid, MarchOutput& output, bool completed) {
+  Summary summary = march_summary(problem, mesh, output.statistics());
+  if (grid) summary["final_grid"] = grid_summary(mesh.scales, *grid);
+  summary["completed"] = completed;
+  if (completed && problem.march.spectrum_periods) {
+    const double end = end_of(problem, mesh);
+    const double begin = mesh.path.time_after(mesh.path.mesh_periods(end) - *problem.march.spectrum_periods);
+    summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
+  }
+  output.describe_recurrence(summary);
+  output.finish();
+  write_summary(output.file().comm(), run.directory().path(), summary);
+  return summary;
+}
+
 }  // namespace
 
 void run_transient(MPI_Comm comm, const CaseInput& problem) {
   require_inertia(problem);
   const SharedDiscretisation films = discretise(comm, problem);
-  const Grid& grid = films->grid();
   // A march that failed may go on with other steps.
-  ResumableRun run(problem, grid, "transient", {"time", "solver"});
+  ResumableRun run(problem, films->grid(), "transient", {"time", "solver"});
   const MeshModel mesh =
       mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
   require_beyond(run, problem, mesh);
   if (!mesh.teeth.rigid() && !mesh.load) warn_of_hard_entry(comm, mesh);
-  const bool lubricated = !problem.dry();
-  MarchOutput output(run, problem, grid, mesh, MarchPurpose::march, mesh.path.mesh_periods(end_of(problem, mesh)));
+  MarchOutput output(run, problem, films->grid(), mesh, MarchPurpose::march,
+                     mesh.path.mesh_periods(end_of(problem, mesh)));
   const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
     output.step(record, contacts);
     if (run.checkpoint().is_new(record)) run.stop().check(comm, mesh.path.mesh_periods(record.T));
   };
-  std::optional<MeshMarch> march;
-  const auto write = [&](bool completed) {
-    Summary summary = march_summary(problem, mesh, output.statistics());
-    if (march) summary["final_grid"] = grid_summary(mesh.scales, march->discretisation()->grid().shape());
-    summary["completed"] = completed;
-    if (completed && problem.march.spectrum_periods) {
-      const double end = end_of(problem, mesh);
-      const double begin = mesh.path.time_after(mesh.path.mesh_periods(end) - *problem.march.spectrum_periods);
-      summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
-    }
-    output.describe_recurrence(summary);
-    output.finish();
-    write_summary(comm, run.directory().path(), summary);
-    if (!completed) return;
-    print_recurrence(comm, summary);
-    print_extremes(comm, run.directory().path(), summary);
-    warn_of_validity(comm, summary);
-  };
+  PairMarch march = march_of(problem, mesh, films, observer, &run.checkpoint());
   try {
-    if (lubricated) {
-      CaseInput controlled = problem;
-      controlled.numerics.steps.tolerance = problem.march.step_tolerance;
-      march = make_march(controlled, films, mesh, observer, &run.checkpoint());
-      drive(*march, problem);
-    } else {
-      const double damping = dry_damping(mesh, problem.march.dry_damping_ratio.value_or(0.0));
-      drive(DryMarch(mesh, problem.numerics.steps.dT, observer, damping, &run.checkpoint()), problem);
-    }
+    march.start(problem.march.start_motion);
+    march.run(end_of(problem, mesh));
   } catch (const Unfinished&) {
-    write(false);  // what was computed until then
+    write_march(run, problem, mesh, march.grid_shape(), output, false);  // what was computed until then
     throw;
   }
-  write(true);
-  if (lubricated) warn_of_heating(comm, problem, heating_at_pitch(problem));
+  const Summary summary = write_march(run, problem, mesh, march.grid_shape(), output, true);
+  print_recurrence(comm, summary);
+  print_extremes(comm, run.directory().path(), summary);
+  warn_of_validity(comm, summary);
+  if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   run.complete();
 }
 

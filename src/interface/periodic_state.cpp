@@ -4,7 +4,6 @@
 #include "input/case_setup.hpp"
 #include "interface/step_view.hpp"
 #include "interface/views.hpp"
-#include "orbits/described_dry_orbit.hpp"
 #include "results/orbit_summary.hpp"
 
 namespace gearfilm {
@@ -21,13 +20,6 @@ CaseInput periodic_case(const Case& of) {
   return chosen;
 }
 
-FoundOrbit find(MPI_Comm comm, const OrbitProblem& problem, bool dry, const SearchWatch& watch) {
-  if (dry) return {.own = find_described_dry_orbit(problem, watch.on_step)};
-  FoundOrbit found = find_orbit(problem, discretise(comm, problem), dry_start(problem.mesh), watch);
-  find_coarse_orbit(problem, watch, comm, found);
-  return found;
-}
-
 }  // namespace
 
 PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer) {
@@ -40,7 +32,7 @@ PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& obse
       observer(step_of(scales, record, contacts));
     };
   }
-  const FoundOrbit found = find(comm, problem, input.dry(), watch);
+  const FoundOrbit found = find_orbit_with_errors(problem, input.dry() ? nullptr : discretise(comm, problem), watch);
   results_ = Results(Results::Content{periodic_summary(input, problem.mesh, found, errors_of(found))});
   if (found.own.decay) multipliers_.assign(found.own.decay->multipliers.begin(), found.own.decay->multipliers.end());
   begin_ = scales.time * found.own.orbit.begin;

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <variant>
 
-#include "dynamics/dry_pair.hpp"
 #include "dynamics/march_statistics.hpp"
+#include "dynamics/pair_march.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "interface/step_view.hpp"
@@ -65,29 +64,20 @@ struct Simulation::March {
       if (observer) observer(step_of(mesh.scales, record, contacts));
     };
     if (input.dry()) {
-      const double damping = dry_damping(mesh, input.march.dry_damping_ratio.value_or(0.0));
-      march.emplace<DryMarch>(mesh, input.numerics.steps.dT, on_step, damping);
+      march.emplace(mesh, input.numerics.steps.dT, input.march.dry_damping_ratio.value_or(0.0), on_step);
     } else {
       PairNumerics numerics = input.numerics;
       numerics.steps.tolerance = input.march.step_tolerance;
-      march = make_march(mesh, numerics, discretise(comm, numerics, mesh.scales), on_step);
+      march.emplace(mesh, numerics, discretise(comm, numerics, mesh.scales), on_step);
     }
-  }
-
-  template <class Action>
-  void act(Action action) {
-    std::visit(
-        [&]<class Kind>(Kind& kind) {
-          if constexpr (!std::is_same_v<Kind, std::monostate>) action(kind);
-        },
-        march);
+    march->start(input.march.start_motion);
   }
 
   CaseInput input;
   Observer observer;
   MeshModel mesh;
   MarchStatistics statistics;
-  std::variant<std::monostate, MeshMarch, DryMarch> march;
+  std::optional<PairMarch> march;
 };
 
 namespace {
@@ -101,21 +91,13 @@ const Case& marchable(const Case& of) {
 }  // namespace
 
 Simulation::Simulation(MPI_Comm comm, const Case& of, Observer observer)
-    : march_(std::make_unique<March>(comm, marchable(of), std::move(observer))) {
-  march_->act([&](auto& march) { march.start(march_->input.march.start_motion); });
-}
+    : march_(std::make_unique<March>(comm, marchable(of), std::move(observer))) {}
 
 Simulation::~Simulation() = default;
 
-void Simulation::run_to(double mesh_periods) {
-  march_->act([&](auto& march) { march.run(march_->mesh.path.time_after(mesh_periods)); });
-}
+void Simulation::run_to(double mesh_periods) { march_->march->run(march_->mesh.path.time_after(mesh_periods)); }
 
-double Simulation::time() const {
-  double T = 0.0;
-  march_->act([&](auto& march) { T = march.T(); });
-  return march_->mesh.scales.time * T;
-}
+double Simulation::time() const { return march_->mesh.scales.time * march_->march->T(); }
 
 Results Simulation::results() const {
   return Results(Results::Content{march_summary(march_->input, march_->mesh, march_->statistics)});

@@ -5,6 +5,7 @@
 #include <iomanip>
 
 #include "gearfilm/error.hpp"
+#include "orbits/described_dry_orbit.hpp"
 
 namespace gearfilm {
 namespace {
@@ -74,6 +75,14 @@ std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
 std::string LargestError::text() const {
   return worded(figure, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
                 (of_static_force ? " of the static force" : ""));
+}
+
+FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,
+                                  const SearchWatch& watch) {
+  if (!films) return {.own = find_described_dry_orbit(problem, watch.on_step, counted(watch.check_stop))};
+  FoundOrbit found = find_orbit(problem, films, dry_start(problem.mesh), watch);
+  find_coarse_orbit(problem, watch, films->grid().comm(), found);
+  return found;
 }
 
 std::optional<Estimate> OrbitError::in_si(const Scales& scales) const {

@@ -6,6 +6,11 @@
 
 namespace gearfilm {
 
+/// The periodic state with those on coarser grids that tell its errors; of a pair on films of this discretisation, or a
+/// dry one without. Throws SolveError where none is found, and what the watch throws. Collective.
+FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,
+                                  const SearchWatch& watch);
+
 /// The error bar of one figure.
 struct OrbitError {
   std::string name;  ///< of the figure: of a period, or transmission_error_peak_to_peak

@@ -31,6 +31,14 @@ inline SharedDiscretisation discretise(MPI_Comm comm, const OrbitProblem& proble
 /// Throws Stopped where a run is to end, told how many mesh periods it has come to. Collective.
 using StopCheck = std::function<void(double mesh_periods)>;
 
+/// The same for searches of dry orbits, which tell how many mesh periods more they have marched.
+inline DryWatch counted(StopCheck check) {
+  return [check = std::move(check), done = 0](int mesh_periods) mutable {
+    done += mesh_periods;
+    check(done);
+  };
+}
+
 /// Who watches searches: every accepted step, and every period marched, until the orbit is found.
 struct SearchWatch {
   StepObserver on_step = unseen;

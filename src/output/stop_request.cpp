@@ -52,11 +52,4 @@ std::function<void(double)> StopRequest::check_in(MPI_Comm comm) const {
   return [this, comm](double mesh_periods) { check(comm, mesh_periods); };
 }
 
-std::function<void(int)> StopRequest::count_in(MPI_Comm comm) const {
-  return [this, comm, done = 0](int mesh_periods) mutable {
-    done += mesh_periods;
-    check(comm, done);
-  };
-}
-
 }  // namespace gearfilm

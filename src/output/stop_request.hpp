@@ -21,10 +21,8 @@ public:
 
   /// Throws Stopped on all processes where any of them is to stop. mesh_period: how far the run is. Collective.
   void check(MPI_Comm comm, double mesh_period) const;
-  /// The same for those who know nothing of it; both must not outlive this. Those told of the mesh periods that they
-  /// have come to, and those told of every few more.
+  /// The same for those who know nothing of it; must not outlive this.
   std::function<void(double)> check_in(MPI_Comm comm) const;
-  std::function<void(int)> count_in(MPI_Comm comm) const;
 
 private:
   std::optional<double> time_limit_;

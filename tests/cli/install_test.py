@@ -9,6 +9,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -166,10 +167,10 @@ class Installed(unittest.TestCase):
     def test_program_has_its_manual_page_and_completion(self):
         version = output_of([self.prefix / "bin/gearfilm", "-version"], env=environment_of(1, self.folder))
         self.assertEqual(version, output_of([PROGRAM, "-version"], env=environment_of(1, self.folder)))
-        for name, command in (("share/man/man1/gearfilm.1", "man"),
-                              ("share/bash-completion/completions/gearfilm", "completion")):
+        for name, kind in (("share/man/man1/gearfilm.1", "man"), ("share/bash-completion/completions/gearfilm", "completion")):
             text = (self.prefix / name).read_text(encoding="utf-8")
-            self.assertEqual(text, output_of([PROGRAM, command], env=environment_of(1, self.folder)))
+            self.assertEqual(text, output_of([sys.executable, "-B", SOURCE / "scripts/packaging/manual.py", kind, PROGRAM],
+                                             env=environment_of(1, self.folder)))
 
 
 if __name__ == "__main__":

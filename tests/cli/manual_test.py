@@ -2,14 +2,21 @@
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 
 from films import BARBIERI
-from program import ProgramTest
+from program import PROGRAM, SOURCE, ProgramTest, environment_of
 
 
 def names_in_help(text):
     return (re.findall(r"^  ([a-z]+)  ", text, re.MULTILINE), re.findall(r"^  (-\w+) ", text, re.MULTILINE))
+
+
+def made(kind, folder):
+    """What scripts/packaging/manual.py makes of the program."""
+    return subprocess.run([sys.executable, "-B", SOURCE / "scripts/packaging/manual.py", kind, PROGRAM], capture_output=True,
+                          text=True, check=True, timeout=60, env=environment_of(1, folder)).stdout
 
 
 class Manual(ProgramTest):
@@ -20,23 +27,23 @@ class Manual(ProgramTest):
         self.assertGreater(len(self.options), 50)
 
     def test_page_names_every_command_and_option_once(self):
-        page = self.run_well("man").stdout.replace("\\-", "-")
+        page = made("man", self.folder).replace("\\-", "-")
         for name in [*self.commands, *self.options, "-help", "-version"]:
             self.assertEqual(len(re.findall(rf"^\\fB{name}\\fR", page, re.MULTILINE)), 1, name)
 
     @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
     def test_page_is_typeset_without_warnings(self):
-        page = self.run_well("man").stdout
+        page = made("man", self.folder)
         done = subprocess.run(["groff", "-man", "-Tutf8", "-ww", "-z"], input=page, capture_output=True, text=True,
                               check=True, timeout=60)
         self.assertEqual(done.stderr, "")
 
     def test_two_processes_print_it_once(self):
-        for command in ("man", "completion"):
+        for command in ("-help", "parameters"):
             self.assertEqual(self.run_well(command, processes=2).stdout, self.run_well(command).stdout)
 
     def test_nothing_else_is_taken(self):
-        for command in ("man", "completion", "parameters"):
+        for command in ("figures", "parameters"):
             self.assert_wrong([BARBIERI.name, f"the command {command} takes nothing"], command, BARBIERI)
             self.assert_wrong(["unknown option '-grid_nz 65'", "-grid_nx"], command, "-grid_nz", 65)
 
@@ -47,7 +54,7 @@ class Completion(ProgramTest):
         super().setUp()
         self.commands, self.options = names_in_help(self.run_well("-help").stdout)
         self.script = self.folder / "completion.bash"
-        self.script.write_text(self.run_well("completion").stdout, encoding="utf-8")
+        self.script.write_text(made("completion", self.folder), encoding="utf-8")
 
     def proposed(self, *words):
         """What bash proposes for the last of the words."""
@@ -82,7 +89,7 @@ class Completion(ProgramTest):
         (self.folder / "cases").mkdir()
         self.assertEqual(self.proposed("steady", ""), ["* star.yaml", "cases", "one.yaml", "two words.yml"])
         self.assertIn("other.txt", self.proposed("steady", "one.yaml", "-load_sharing_file", "o"))
-        self.assertEqual(self.proposed("man", ""), [])
+        self.assertEqual(self.proposed("figures", ""), [])
 
     @unittest.skipUnless(shutil.which("shellcheck"), "shellcheck is not installed")
     def test_script_is_free_of_findings(self):
