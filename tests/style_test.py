@@ -120,6 +120,10 @@ class Documents(unittest.TestCase):
         self.assertEqual(read(SOURCE / "docs/parameters.md"), output_of("parameters"),
                          "write docs/parameters.md anew: gearfilm parameters > docs/parameters.md")
 
+    def test_page_of_constants_is_what_the_program_prints(self):
+        self.assertEqual(read(SOURCE / "docs/constants.md"), output_of("constants"),
+                         "write docs/constants.md anew: gearfilm constants > docs/constants.md")
+
     def test_figure_page_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
                          "write docs/results.md anew: gearfilm figures > docs/results.md")

@@ -1,14 +1,33 @@
 #include "app/command_table.hpp"
 
 #include <array>
+#include <map>
 
 #include "app/commands.hpp"
+#include "gearfilm/error.hpp"
 #include "input/parameter.hpp"
+#include "numerics/tuned.hpp"
 #include "output/results_docs.hpp"
 #include "results/derived_records.hpp"
 
 namespace gearfilm {
 namespace {
+
+/// By their names.
+std::string constants_markdown() {
+  std::map<std::string, const TunedConstant*> sorted;
+  for (const TunedConstant* constant = TunedConstant::first(); constant; constant = constant->next())
+    sorted[constant->name()] = constant;
+  std::string text =
+      "# Tuned constants\n\nThis page is the output of `gearfilm constants`.\n\n"
+      "Constants of the algorithms that were chosen by measurement. The option `-NAME` gives one another value; such "
+      "values\nare written into the results. No result may hang on them by more than its error bar: "
+      "`scripts/studies/scan_constants.py`\ntries half and twice of each. Lengths and times without unit are "
+      "dimensionless.\n\n| Name | Default | Meaning |\n|---|---|---|\n";
+  for (const auto& [name, constant] : sorted)
+    text += worded("| `", name, "` | ", constant->by_default(), " | ", constant->meaning(), " |\n");
+  return text;
+}
 
 std::string all_figures() { return figures_markdown() + derived_markdown(); }
 
@@ -26,8 +45,9 @@ constexpr std::array<Command, 9> case_commands = {{
     {"bench", run_bench, false, true, "speed of the kernels, of stationary films and of a mesh period"},
 }};
 
-constexpr std::array<TextCommand, 2> printing_commands = {{
+constexpr std::array<TextCommand, 3> printing_commands = {{
     {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
+    {"constants", constants_markdown, "the table of tuned constants of the algorithms in Markdown (needs no case)"},
     {"figures", all_figures, "the tables of all figures in the results in Markdown (needs no case)"},
 }};
 

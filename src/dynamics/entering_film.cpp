@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "numerics/tuned.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr double near_displacement = 0.05;  // between displacements: farther away it is no better than nothing
+const Tuned<double> near_displacement("entering_near_displacement", 0.05,
+                                      "distance of displacements from which an earlier film helps an entering one");
 
 }  // namespace
 

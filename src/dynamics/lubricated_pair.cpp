@@ -6,13 +6,15 @@
 
 #include "film/rescaled_hertz_pressure.hpp"
 #include "mesh/back_flanks.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_ratio = 0.1;  // ratio of half-axes
-constexpr double crossed = 0.5;         // of a central film, by the motion of a guess
-constexpr double receded = 0.3;         // mesh widths, by the ends of the ellipse in a step
+const Tuned<double> smallest_ratio("guess_smallest_ratio", 0.1,
+                                   "ratio of half-axes of a contact in a step, at least, for guesses to be scaled");
+const Tuned<double> crossed("guess_crossed", 0.5, "part of a central film that the motion of a guess may cross");
+const Tuned<double> receded("guess_receded", 0.3, "mesh widths by which the ends of the ellipse may recede in a step");
 
 std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
@@ -96,7 +98,7 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     if (rise <= 0.0 || force <= 0.0) continue;
     const HertzContact before = dry_contact(mesh_.scales, conditions, force);
     const double approach = before.approach - rise * mesh_.scales.thickness;
-    const double ratio = std::max(smallest_ratio, std::sqrt(std::max(0.0, approach) / before.approach));
+    const double ratio = std::max<double>(smallest_ratio, std::sqrt(std::max<double>(0.0, approach) / before.approach));
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
     system_.set_field(

@@ -6,6 +6,7 @@
 
 #include "film/validity.hpp"
 #include "mesh/back_flanks.hpp"
+#include "numerics/tuned.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
@@ -15,7 +16,8 @@ namespace {
 /// longer it is to leave no trace: a step so short does not.
 constexpr double part_without_event = 1.0 / 8.0;
 
-constexpr double time_to_pass = 3.0;  // of what films are given by an event: oil passes the contact in 2
+const Tuned<double> time_to_pass("march_time_to_pass", 3.0,
+                                 "time in which oil passes the contact, that films are given after an event");
 
 /// A part of the march without inertia between two events.
 struct BalancePhase {

@@ -6,18 +6,20 @@
 
 #include "gearfilm/error.hpp"
 #include "mesh/back_flanks.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
 // Of controlled steps, over the nominal one. The first after an event is taken whatever its error is.
-constexpr double first_step = 1.0 / 16.0;
-constexpr double largest_step = 4.0;
-constexpr double smallest_step = 1e-4;
-constexpr double longest_growth = 2.0;
-constexpr double longest_fall = 0.2;
-constexpr int short_steps = 4;     // that guess the end of a whole one
-constexpr int short_halvings = 2;  // of such a step, before that is given up
+const Tuned<double> first_step("step_first_step", 1.0 / 16.0,
+                               "first controlled step after an event, over the nominal one");
+const Tuned<double> largest_step("step_largest_step", 4.0, "largest controlled step");
+const Tuned<double> smallest_step("step_smallest_step", 1e-4, "smallest controlled step");
+const Tuned<double> longest_growth("step_longest_growth", 2.0, "largest growth of a controlled step");
+const Tuned<double> longest_fall("step_longest_fall", 0.2, "largest fall of a controlled step");
+const Tuned<int> short_steps("step_short_steps", 4, "short steps that guess the end of a whole one");
+const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short step before that is given up");
 
 // Motion is fitted to a swing of circular frequency w where w dT is above the first: below there is nothing to fit. It
 // is taken to be at most the second: longer steps resolve no swing.

@@ -13,6 +13,7 @@
 #include "gearfilm/error.hpp"
 #include "input/options.hpp"
 #include "input/text_file.hpp"
+#include "numerics/tuned.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -189,6 +190,7 @@ std::string read_text(MPI_Comm comm, const std::string& file, const std::string&
 ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
   const std::vector<CaseFileEntry> entries = parse_case_text(file, read_text(comm, file, "case file"));
   ParameterValues values = merge_with_options(file, entries);
+  TunedConstant::read_all();
   values.complete();
   attach_tables(comm, values);
   return values;

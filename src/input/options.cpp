@@ -9,8 +9,9 @@
 #include <set>
 
 #include "gearfilm/error.hpp"
-#include "parallel/petsc.hpp"
 #include "input/case_file.hpp"
+#include "numerics/tuned.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {
@@ -129,10 +130,19 @@ private:
   std::vector<std::string> options_;
 };
 
+/// One of this program's tuned constants.
+bool is_constant(std::string_view option) {
+  const std::string name = lower_case(option.substr(option.starts_with('-') ? 1 : 0));
+  for (const TunedConstant* constant = TunedConstant::first(); constant; constant = constant->next()) {
+    if (constant->name() == name) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_petsc_option(std::string_view option) {
-  return begins_with_any(option, object_prefixes) || begins_with_any(option, general_prefixes);
+  return is_constant(option) || begins_with_any(option, object_prefixes) || begins_with_any(option, general_prefixes);
 }
 
 void require_known_options(const std::vector<std::string>& arguments) {

@@ -3,21 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/tuned.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr double largest_fall = 0.5;       // of a pressure, relative
-constexpr double largest_rise = 0.2;       // absolute
-constexpr double free_below = 0.03;        // pressures that may vanish at once
-constexpr double patience = 10.0;          // growth of the merit that limited changes may bring in an iteration
-constexpr double astray = 1000.0;          // growth of the norm from the first guess on after which they lead nowhere
-constexpr int early_solves = 2;            // before the late tolerance
-constexpr double loosest_solve = 0.2;      // relative tolerance of the last ones
-constexpr double left_over = 0.3;          // of Newton's tolerance: less, a linear solve need not leave
-constexpr int relaxations = 8;             // of a full step that leads up
-constexpr double growth_of_relaxed = 3.0;  // of the merit
-constexpr double shortest_step = 1e-3;
-constexpr double least_part = 0.25;  // of a length that was too long: rows grow faster than the parabola through them
+const Tuned<double> largest_fall("newton_largest_fall", 0.5, "largest fall of a pressure in an iteration, relative");
+const Tuned<double> largest_rise("newton_largest_rise", 0.2, "largest rise of a pressure in an iteration");
+const Tuned<double> free_below("newton_free_below", 0.03, "pressure below which it may vanish at once");
+const Tuned<double> patience("newton_patience", 10.0,
+                             "growth of the merit that limited changes may bring in an iteration");
+const Tuned<double> astray("newton_astray", 1000.0,
+                           "growth of the norm from the first guess on after which iterations lead nowhere");
+const Tuned<int> early_solves("newton_early_solves", 2, "linear solves before the late tolerance");
+const Tuned<double> loosest_solve("newton_loosest_solve", 0.2, "loosest relative tolerance of the last linear solves");
+const Tuned<double> left_over("newton_left_over", 0.3, "part of Newton's tolerance that a linear solve may leave");
+const Tuned<int> relaxations("newton_relaxations", 8, "halvings of a full step that leads up");
+const Tuned<double> growth_of_relaxed("newton_growth_of_relaxed", 3.0,
+                                      "growth of the merit that a relaxed step may bring");
+const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part of a full step");
+const Tuned<double> least_part("newton_least_part", 0.25,
+                               "least part of a length that was too long that is tried next");
 
 constexpr PetscInt full_restart = 24;
 constexpr PetscInt short_restart = 6;
@@ -78,7 +84,7 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
       petsc_check(VecCopy(change, relaxed));
     }
     if (!system.relax_overshot_nodes(relaxed, change, residual, trial_residual)) break;
-    at_once = std::max(allowed, growth_of_relaxed);
+    at_once = std::max<double>(allowed, growth_of_relaxed);
     // A pressure that ended at zero may do so with the shorter change too.
     if (leads_elsewhere(trial, state, relaxed, pressures)) take(1.0, relaxed);
   }
@@ -99,11 +105,10 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
   petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_SUCCEEDED));
 }
 
-constexpr double descent = 1.0;
-
-template <const double* allowed>
+template <Growth growth>
 PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
-  return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), *allowed); });
+  const double allowed = growth == Growth::tenfold ? double(patience) : 1.0;
+  return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), allowed); });
 }
 
 struct SolveTolerances {
@@ -126,7 +131,7 @@ void choose_solve_tolerances(SNES snes, const SolveTolerances& tolerances) {
           const double ordered = iteration < early_solves ? early : late;
           PetscReal aim = 0.0;
           petsc_check(SNESGetTolerances(own, &aim, nullptr, nullptr, nullptr, nullptr));
-          relative = std::clamp(left_over * aim / norm, ordered, std::max(ordered, loosest_solve));
+          relative = std::clamp<double>(left_over * aim / norm, ordered, std::max<double>(ordered, loosest_solve));
           petsc_check(KSPSetTolerances(ksp, relative, absolute, growth, iterations));
         });
       },
@@ -171,7 +176,8 @@ void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchShellSetApply(
-      line_search, growth == Growth::tenfold ? line_search_within<&patience> : line_search_within<&descent>, &system));
+      line_search, growth == Growth::tenfold ? line_search_within<Growth::tenfold> : line_search_within<Growth::none>,
+      &system));
 }
 
 void aim_at(SNES snes, double norm) {

@@ -4,23 +4,29 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/error.hpp"
 #include "film/expected_errors.hpp"
+#include "gearfilm/error.hpp"
+#include "numerics/tuned.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double out_of_phase = 1.0;     // of a pair at the end of a mesh period, by the error of its steps
-constexpr double steps_of_a_swing = 20;  // with fewer the damping is wrong by more than a twentieth, and steps halve
-constexpr double left_by_the_fit = 0.1;  // of the frequency's error: stiffness changes within a step
-constexpr double many_node_steps = 4e6;  // in a mesh period of the coarser grid
-constexpr int enough_periods = 6;        // of a search: marches that scatter need not repeat as they should
-constexpr int brief_periods = 12;        // of one that error bars alone are worth
-constexpr double more_damping = 3.0;     // of a search, over what films are expected to give, where that finds nothing
-constexpr double same_orbit = 0.1;       // between the motions of an orbit on two grids
-constexpr double well_known = 0.1;       // error of a multiplier whose map serves a search
-constexpr double noise_of_decay = 3.0;   // Newton's tolerance for a decay, in that of the case: its errors hardly grow
+const Tuned<double> out_of_phase(
+    "search_out_of_phase", 1.0,
+    "phase of a swing at the end of a mesh period that the error of coarse steps may bring");
+const Tuned<double> steps_of_a_swing("search_steps_of_a_swing", 20,
+                                     "steps of a free swing that coarse marches have at least");
+const Tuned<double> left_by_the_fit("search_left_by_the_fit", 0.1, "part of the frequency's error that the fit leaves");
+const Tuned<double> many_node_steps(
+    "search_many_node_steps", 4e6,
+    "nodes times steps of a mesh period from which the coarser grid begins on one coarser still");
+const Tuned<int> enough_periods("search_enough_periods", 6, "periods of a coarse search after which the best will do");
+const Tuned<int> brief_periods("search_brief_periods", 12, "periods of searches for error bars alone");
+const Tuned<double> more_damping("search_more_damping", 3.0, "damping of a further start, over the expected one");
+const Tuned<double> same_orbit("search_same_orbit", 0.1, "distance of the motions of one orbit on two grids");
+const Tuned<double> well_known("search_well_known", 0.1, "error of a multiplier whose map serves a search");
+const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's tolerance for a decay, in that of the case");
 
 /// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
 /// in 1.5.

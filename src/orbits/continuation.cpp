@@ -5,14 +5,15 @@
 #include <deque>
 
 #include "gearfilm/error.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double largest_turn = 0.3;  // of the tangent in a step [rad]
-constexpr double usual_turn = 0.1;    // that the next step is chosen for
-constexpr double farthest = 0.5;      // from prediction to corrected point, of a step
-constexpr int easy_iterations = 4;
+const Tuned<double> largest_turn("branch_largest_turn", 0.3, "largest turn of the tangent in a step [rad]");
+const Tuned<double> usual_turn("branch_usual_turn", 0.1, "turn that the next step is chosen for [rad]");
+const Tuned<double> farthest("branch_farthest", 0.5, "distance from prediction to corrected point, of a step");
+const Tuned<int> easy_iterations("branch_easy_iterations", 4, "iterations of an easy step");
 
 /// A flip whose branch is still to be followed.
 struct Birth {

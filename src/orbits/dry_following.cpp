@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/tuned.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_step = 1.0 / 128;  // parts of the way
-constexpr double turn_in_a_step = 0.3;       // of the tangent in a step [rad]
-constexpr double distance_of_a_step = 0.2;   // from prediction to motion, of a step's length along the branch
-constexpr double other_branch = 0.3;         // in (H_0, V_0) from the prediction, however long the step
-constexpr double same_motion = 1e-3;         // in (H_0, V_0)
-constexpr double tolerance = 2e-8;           // of |P(x) - x|, as for branches of the dry pair
+const Tuned<double> smallest_step("dry_branch_smallest_step", 1.0 / 128, "smallest step, part of the way");
+const Tuned<double> turn_in_a_step("dry_branch_turn_in_a_step", 0.3, "turn of the tangent in a step [rad]");
+const Tuned<double> distance_of_a_step("dry_branch_distance_of_a_step", 0.2,
+                                       "distance from prediction to motion, of a step's length");
+const Tuned<double> other_branch("dry_branch_other_branch", 0.3, "distance from the prediction that is another branch");
+const Tuned<double> same_motion("dry_branch_same_motion", 1e-3, "distance of motions that are the same");
+const Tuned<double> tolerance("dry_branch_tolerance", 2e-8, "tolerance of the fixed point");
 
 /// Signed parts of the way are the unit of the parameter, so that a tangent's last component is positive.
 Motion ahead(const BranchPoint& from, double parts) {
@@ -24,7 +27,7 @@ bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const
   const double turn = std::acos(std::clamp(here.tangent.dot(there.tangent), -1.0, 1.0));
   const double away = length(difference(there.state.motion, predicted));
   return turn < turn_in_a_step &&
-         away < std::min(other_branch, distance_of_a_step * step / here.tangent[here.tangent.size() - 1]);
+         away < std::min<double>(other_branch, distance_of_a_step * step / here.tangent[here.tangent.size() - 1]);
 }
 
 }  // namespace

@@ -8,15 +8,18 @@
 #include "dynamics/dry_flow.hpp"
 #include "gearfilm/error.hpp"
 #include "grid/domain.hpp"
+#include "numerics/tuned.hpp"
 #include "orbits/dry_settling.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double strong_damping = 0.3;
-constexpr double weak_damping = 0.002;  // from here to none at once
-constexpr double widest_ratio = 0.5;    // of one damping to the last
-constexpr double narrowest_ratio = 0.97;
+const Tuned<double> strong_damping("dry_orbit_strong_damping", 0.3,
+                                   "damping ratio with which a pair forgets its start");
+const Tuned<double> weak_damping("dry_orbit_weak_damping", 0.002, "damping ratio from which it falls to none at once");
+const Tuned<double> widest_ratio("dry_orbit_widest_ratio", 0.5, "ratio of one damping to the last");
+const Tuned<double> narrowest_ratio("dry_orbit_narrowest_ratio", 0.97,
+                                    "ratio of one damping to the last at which lowering is given up");
 // Of H_0, off an orbit of first order: the way to where the pair settles may be a long one without order.
 constexpr std::array pushes = {0.05, -0.05, 0.2, -0.2, 0.02, -0.02};
 // Off the balance, of marches: as large as motions that lose contact.
@@ -24,7 +27,8 @@ const std::array<Motion, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, 
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
-constexpr double forgetful = 0.1;
+const Tuned<double> forgetful("dry_orbit_forgetful", 0.1,
+                              "free oscillations in a mesh period times damping above which the pair forgets");
 
 DryOrbit describe(const DryMap& map, const Motion& start) {
   const DryFlowEnd end = map(start);
@@ -36,7 +40,7 @@ Motion at_rest(const MeshModel& mesh) { return DryMarch::balance(mesh, DryForce(
 /// What the pair comes to from there within a few mesh periods.
 Motion settle(const DryMap& map, const Motion& from) {
   const MeshModel& mesh = map.mesh();
-  const double damping_ratio = std::max(map.damping_ratio(), weak_damping);
+  const double damping_ratio = std::max<double>(map.damping_ratio(), weak_damping);
   const double periods = std::ceil(10.0 + 2.0 / (damping_ratio * map.oscillations()));
   Motion end = from;
   DryFlow::march(mesh, damping_ratio, from, static_cast<int>(periods) * mesh.periods(), [&](const DryPeriod& period) {
@@ -48,8 +52,8 @@ Motion settle(const DryMap& map, const Motion& from) {
 
 /// The orbit of a strongly damped pair, followed to less damping.
 std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
-  const double least = map.damping_ratio(), weak = std::max(weak_damping, least);
-  double damping = std::max(strong_damping, least), ratio = widest_ratio;
+  const double least = map.damping_ratio(), weak = std::max<double>(weak_damping, least);
+  double damping = std::max<double>(strong_damping, least), ratio = widest_ratio;
   const DryMap strong = map.at_damping(damping);
   std::optional<Motion> start = shoot(strong, settle(strong, at_rest(map.mesh())));
   while (start && damping > least) {
@@ -57,7 +61,7 @@ std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
     if (const std::optional<Motion> trial = shoot(map.at_damping(next), *start)) {
       start = trial;
       damping = next;
-      ratio = std::max(widest_ratio, ratio * ratio);
+      ratio = std::max<double>(widest_ratio, ratio * ratio);
       continue;
     }
     ratio = std::sqrt(ratio);
@@ -147,7 +151,7 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWa
 double expected_film_damping(const MeshModel& mesh) {
   const double swing = 2.0 * std::numbers::pi * mesh.frequency();
   const double film = ExpectedFilm(mesh.scales).film / mesh.scales.approach;
-  return std::max(weak_damping, 0.6 * film / (1.0 + 5.0 * film) * swing / (0.6 + swing));
+  return std::max<double>(weak_damping, 0.6 * film / (1.0 + 5.0 * film) * swing / (0.6 + swing));
 }
 
 DryOrbit dry_start(const MeshModel& mesh) {

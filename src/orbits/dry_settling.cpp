@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/tuned.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr double least_damping = 0.002;  // of a march that is to settle
-constexpr double repeats_within = 1e-6;  // in (H_0, V_0)
+const Tuned<double> least_damping("dry_settling_least_damping", 0.002, "damping ratio of a march that is to settle");
+const Tuned<double> repeats_within("dry_settling_repeats_within", 1e-6, "change of the motion within which it repeats");
 constexpr int fewest_patterns = 24, most_patterns = 3000;
-constexpr int patterns_between_looks = 8;
+const Tuned<int> patterns_between_looks("dry_settling_patterns_between_looks", 8, "patterns marched between two looks");
 
 /// In which a disturbance dies away to 1e-8: it keeps exp(-2 pi zeta n) of itself over n free oscillations.
 int patterns_to_settle(const DryMap& map, double damping_ratio) {
@@ -26,7 +28,7 @@ Motion middle(const Motion& a, const Motion& b) { return {0.5 * (a.H0() + b.H0()
 }  // namespace
 
 DrySettling settle_for_long(const DryMap& map, const Motion& from) {
-  const double damping_ratio = std::max(map.damping_ratio(), least_damping);
+  const double damping_ratio = std::max<double>(map.damping_ratio(), least_damping);
   const int pattern = map.mesh().pattern, patterns = patterns_to_settle(map, damping_ratio);
   DrySettling settling;
   int mesh_periods = 0;

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/error.hpp"
 #include "film/oscillating_film.hpp"
+#include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
 #include "numerics/lu_factors.hpp"
+#include "numerics/tuned.hpp"
 #include "orbits/mode_solver.hpp"
 
 namespace gearfilm {
@@ -15,11 +16,15 @@ namespace {
 
 /// Rates |s| over the entrainment from which relaxation is the preconditioner. The number of its iterations falls with
 /// the rate, as that of the smoother in short time steps does.
-constexpr double fast_oscillation = 2.0;
+const Tuned<double> fast_oscillation("modes_fast_oscillation", 2.0,
+                                     "rate over the entrainment from which relaxation is the preconditioner");
 
-constexpr double loosest_solution = 1e-4;   // of the secant method's steps, relative
-constexpr double tighter_than_step = 1e-3;  // of a solution in the last change of s, relative
-constexpr double told_by_solutions = 30.0;  // change of s over the tolerance, from which secants have a slope
+const Tuned<double> loosest_solution("modes_loosest_solution", 1e-4,
+                                     "loosest tolerance of the secant method's solutions");
+const Tuned<double> tighter_than_step("modes_tighter_than_step", 1e-3,
+                                      "tolerance of a solution in the last change of the rate");
+const Tuned<double> told_by_solutions("modes_told_by_solutions", 30.0,
+                                      "change of the rate over the tolerance from which secants have a slope");
 
 /// (A + s B) of one film on p = [x, y], with s = sigma + i omega.
 /// Fast oscillations are preconditioned with one complex line relaxation. Slow ones, whose long waves that leaves, in
@@ -187,7 +192,7 @@ SwingingMode swinging_mode(LubricatedPair& pair, Vec state, const SwingOptions& 
   DynamicStiffness stiffness(pair, state, options);
   std::complex<double> s = options.guess.value_or(std::complex<double>(0.0, 2.0 * std::numbers::pi * mesh.frequency()));
   std::complex<double> before = s, residual_before = 0.0, slope = 2.0 * mesh.inertia * s;
-  double solved_to = std::max(loosest_solution, options.krylov_tolerance), solved_before = solved_to;
+  double solved_to = std::max<double>(loosest_solution, options.krylov_tolerance), solved_before = solved_to;
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     const std::complex<double> residual = mesh.inertia * s * s + stiffness.at(s, solved_to);
     if (std::abs(s - before) > told_by_solutions * solved_before * std::abs(s)) {

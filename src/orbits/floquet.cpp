@@ -6,13 +6,16 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "numerics/tuned.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double smallest_disturbance = 5e-3;  // that has a direction well above the noise of a march
-constexpr double largest_disturbance = 5e-2;   // that the linearised map still describes
+const Tuned<double> smallest_disturbance("floquet_smallest_disturbance", 5e-3,
+                                         "smallest disturbance that has a direction above the noise of a march");
+const Tuned<double> largest_disturbance("floquet_largest_disturbance", 5e-2,
+                                        "largest disturbance that the linearised map describes");
 
 /// The linearised map. Vectors hold the compared fields of all contacts, divided by sqrt(their number) so that they
 /// weigh as a root mean square, and on the first process q and v.

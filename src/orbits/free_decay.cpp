@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/tuned.hpp"
 #include "orbits/affine_fit.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double near_orbit = 0.2;      // of a push, from where it began
-constexpr double gone = 0.02;           // of a push: what is left is noise
-constexpr double far = 4e-2;            // beyond which the map bends
-constexpr double smallest_push = 1e-4;  // noise is a hundredth of it
-constexpr double well_known = 0.02;     // error of a modulus for which one push is enough
+const Tuned<double> near_orbit("decay_near_orbit", 0.2, "part of a push that is near the orbit");
+const Tuned<double> gone("decay_gone", 0.02, "part of a push that is noise");
+const Tuned<double> far("decay_far", 4e-2, "distance beyond which the map bends");
+const Tuned<double> smallest_push("decay_smallest_push", 1e-4, "smallest push");
+const Tuned<double> well_known("decay_well_known", 0.02, "error of a modulus for which one push is enough");
 
 /// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.
 bool forgotten(const MeshModel& mesh, const Returns& motions, const Motion& orbit) {

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr int periods_from_neighbour = 12;  // then the dry orbit is the better start
-constexpr double same_branch = 1.0;         // change of the motion from point to point; farther away is another branch
-constexpr double beside = 0.3;              // between the motions of the lubricated and the dry orbit
+const Tuned<int> periods_from_neighbour("chain_periods_from_neighbour", 12, "periods of a search from a neighbour");
+const Tuned<double> same_branch("chain_same_branch", 1.0, "change of the dry motion from point to point on one branch");
+const Tuned<double> beside("chain_beside", 0.3, "distance of the motions on films and dry");
 
 }  // namespace
 
@@ -56,7 +57,7 @@ DescribedOrbit OrbitChain::search_on_films(const At& at, const SearchWatch& watc
     search.from_neighbour = true;
     OrbitProblem brief = at.problem;
     int& most = brief.search.options.max_periods;
-    most = std::min(most, periods_from_neighbour);
+    most = std::min<int>(most, periods_from_neighbour);
     try {
       return find_orbit_near(brief, at.films, from_neighbour(at, dry), watch);
     } catch (const SolveError& error) {

@@ -8,20 +8,23 @@
 
 #include "gearfilm/error.hpp"
 #include "grid/remap.hpp"
+#include "numerics/tuned.hpp"
 #include "orbits/map_jacobian.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double difference_step = 2e-3;  // of the motion: well above the noise of a march, within its linear range
-constexpr double telling_step = 1e-3;   // of the motion between two periods, from which the map's Jacobian can be told
-constexpr double worth_keeping = 5e-3;  // defect of a period whose end serves as a disturbance of the orbit
-constexpr double largest_change = 0.5;  // of the motion in one Newton step
-constexpr double shortest_step = 0.2;   // of a Newton step, before the Jacobian is doubted
-constexpr int settling_periods = 3;     // marched on before Newton's method is tried again
+const Tuned<double> difference_step("orbit_difference_step", 2e-3, "step of differences of the map");
+const Tuned<double> telling_step("orbit_telling_step", 1e-3, "step of the motion that tells the map's Jacobian");
+const Tuned<double> worth_keeping("orbit_worth_keeping", 5e-3, "defect of a period whose end serves as a disturbance");
+const Tuned<double> largest_change("orbit_largest_change", 0.5, "largest change of the motion in a Newton step");
+const Tuned<double> shortest_step("orbit_shortest_step", 0.2,
+                                  "shortest part of a Newton step before the Jacobian is doubted");
+const Tuned<int> settling_periods("orbit_settling_periods", 3,
+                                  "periods marched on before Newton's method is tried again");
 // That films have to follow a Newton step, a tenth of that in which oil passes the contact: of all times between a step
 // and a mesh period the one after which films repeat best.
-constexpr double time_to_follow = 0.2;
+const Tuned<double> time_to_follow("orbit_time_to_follow", 0.2, "time in which films follow a Newton step");
 
 /// x with map x = right.
 Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.inverse() * to_vector(right)); }

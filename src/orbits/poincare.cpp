@@ -4,14 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/tuned.hpp"
 #include "orbits/affine_fit.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr int longest = 8;                  // mesh periods
-constexpr double bends_beyond = 1.0;        // of the motion, from the last point: beyond it maps bend
-constexpr double noise = 3e-5;              // of a march
+constexpr int longest = 8;  // mesh periods
+const Tuned<double> bends_beyond("recurrence_bends_beyond", 1.0, "distance from the last point beyond which maps bend");
+const Tuned<double> noise("recurrence_noise", 3e-5, "noise of a march");
 constexpr std::size_t spare = 2, most = 4;  // points that are fitted: beyond as many as unknowns, times those
 
 double defect_of(const std::vector<PoincarePoint>& points, std::size_t period) {

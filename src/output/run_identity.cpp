@@ -4,11 +4,24 @@
 
 #include "gearfilm/error.hpp"
 #include "input/case_file.hpp"
+#include "numerics/tuned.hpp"
 #include "output/format_version.hpp"
 #include "output/provenance.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
+
+namespace {
+
+/// Calls each(name, value) for the tuned constants that have another value than by default.
+template <class Each>
+void for_each_changed_constant(Each each) {
+  for (const TunedConstant* constant = TunedConstant::first(); constant; constant = constant->next()) {
+    if (constant->value() != constant->by_default()) each(constant->name(), constant->value());
+  }
+}
+
+}  // namespace
 
 Summary identity_of(const CaseInput& problem, const std::string& command, const std::vector<std::string>& free) {
   Summary identity = {{"command", command}};
@@ -18,6 +31,7 @@ Summary identity_of(const CaseInput& problem, const std::string& command, const 
         std::ranges::any_of(free, [&](const std::string& name) { return name == echoed.name || name == section; });
     if (!may_differ) identity[echoed.name] = echoed.value;
   }
+  for_each_changed_constant([&](const std::string& name, double value) { identity[name] = format_value(value); });
   return identity;
 }
 
@@ -68,6 +82,7 @@ void write_identity(ResultsFile& file, const CaseInput& problem, const std::stri
     const bool pure = echoed.unit.empty() || echoed.unit == "-";
     file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);
   }
+  for_each_changed_constant([&](const std::string& name, double value) { file.attribute("/parameters", name, value); });
 }
 
 }  // namespace gearfilm

@@ -3,24 +3,28 @@
 #include <memory>
 #include <sstream>
 
-#include "film/transfer.hpp"
 #include "contact/film_formulas.hpp"
+#include "film/transfer.hpp"
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
+#include "numerics/tuned.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double first_pseudo_step = 0.05;
-constexpr double last_pseudo_step = 20.0;
-constexpr double shortest_pseudo_step = 1e-6;  // where shorter ones fail too, the guess leads nowhere
-constexpr double pseudo_step_growth = 4.0;     // until a step fails
-constexpr double careful_growth = 2.0;
-constexpr double rough_tolerance = 1e-5;  // of films that are only a way to others
-constexpr int coarsest_nx = 33;           // grid sequencing starts at the coarsest grid with at least so many lines
+const Tuned<double> first_pseudo_step("stationary_first_pseudo_step", 0.05, "first pseudo-time step");
+const Tuned<double> last_pseudo_step("stationary_last_pseudo_step", 20.0,
+                                     "pseudo-time step after which Newton's method goes on alone");
+const Tuned<double> shortest_pseudo_step("stationary_shortest_pseudo_step", 1e-6, "shortest pseudo-time step");
+const Tuned<double> pseudo_step_growth("stationary_pseudo_step_growth", 4.0,
+                                       "growth of pseudo-time steps until one fails");
+const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "their growth from then on");
+const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
+                                    "tolerance of films that are only a way to others");
+const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");
 
-double rough(double tolerance) { return std::max(tolerance, rough_tolerance); }
+double rough(double tolerance) { return std::max<double>(tolerance, rough_tolerance); }
 
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
 bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {

@@ -6,35 +6,39 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "traction/sheared_flow.hpp"
 #include "numerics/anderson_mixing.hpp"
+#include "numerics/tuned.hpp"
+#include "traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr int most_turns = 100;
-constexpr int most_newton = 15;  // iterations; a film that needs more has been moved too far
+const Tuned<int> most_turns("coupled_most_turns", 100, "turns of film and heat at most");
+const Tuned<int> most_newton("coupled_most_newton", 15,
+                             "iterations of a film in a turn; one that needs more has been moved too far");
 // A new F moves the rows of the inlet by more than all others together: a rough linear solution would not see these.
-constexpr double krylov_tolerance = 1e-5;
-constexpr double relaxation = 0.8;      // of the way to the new correction
-constexpr int memory = 6;               // turns that are mixed
-constexpr double near = 0.1;            // relative change of the film from which on they are
-constexpr double largest_change = 1.0;  // of theta
-constexpr double largest_shear = 4.0;   // of kappa
+const Tuned<double> krylov_tolerance("coupled_krylov_tolerance", 1e-5, "relative tolerance of linear solves in a turn");
+const Tuned<double> relaxation("coupled_relaxation", 0.8, "part of the way to the new correction");
+const Tuned<int> memory("coupled_memory", 6, "turns that are mixed");
+const Tuned<double> near("coupled_near", 0.1, "relative change of the film from which on turns are mixed");
+const Tuned<double> largest_change("coupled_largest_change", 1.0, "largest change of theta in a turn");
+const Tuned<double> largest_shear("coupled_largest_shear", 4.0, "largest change of kappa in a turn");
 constexpr double least_sheared = 36.0;  // that kappa begins below what a Newtonian film makes it
 constexpr double least_across = 1e-3;   // of A, likewise
 constexpr double coldest = 150.0;       // that mixing may make a temperature [K]
-constexpr double shortest_way = 1e-3;
+const Tuned<double> shortest_way("coupled_shortest_way", 1e-3, "shortest part of the way to a correction");
 // Turns after which a film that has not settled goes on without mixing, part of the way.
-constexpr int patient_turns = 30;
-constexpr double careful_way = 0.25;
+const Tuned<int> patient_turns("coupled_patient_turns", 30,
+                               "turns after which a film that has not settled goes on without mixing");
+const Tuned<double> careful_way("coupled_careful_way", 0.25, "part of the way that it then goes");
 
 // Changes in a turn at which a film counts as settled.
-constexpr double settled_film = 2e-4;        // relative
-constexpr double settled_friction = 1e-3;    // relative
-constexpr double settled_temperature = 0.5;  // [K]
-constexpr double settled_shear = 0.05;       // of kappa
-constexpr double loaded = 5e-3;              // of the pressure scale
+const Tuned<double> settled_film("coupled_settled_film", 2e-4,
+                                 "change of the film in a turn at which it counts as settled, relative");
+const Tuned<double> settled_friction("coupled_settled_friction", 1e-3, "the same of the friction force");
+const Tuned<double> settled_temperature("coupled_settled_temperature", 0.5, "the same of temperatures [K]");
+const Tuned<double> settled_shear("coupled_settled_shear", 0.05, "the same of kappa");
+constexpr double loaded = 5e-3;  // of the pressure scale
 
 /// What a turn changed, over what it may.
 struct Turn {
@@ -83,10 +87,11 @@ public:
     const double* value = change.data();
     for (double& T : heat.temperatures) T = std::max(T + part * kelvin_ * *value++, coldest);
     for (double& theta : heat.flow.log_poiseuille)
-      theta += std::clamp(part * *value++, -largest_change, largest_change);
+      theta += std::clamp<double>(part * *value++, -largest_change, largest_change);
     for (double& W : heat.flow.entrainment_excess) W += part * wedge * *value++;
     for (double& r : heat.flow.density_ratio) r += part * density * *value++;
-    for (double& kappa : heat.flow.shear_index) kappa += std::clamp(part * *value++, -largest_shear, largest_shear);
+    for (double& kappa : heat.flow.shear_index)
+      kappa += std::clamp<double>(part * *value++, -largest_shear, largest_shear);
     for (double& A : heat.flow.cross_flow) A = std::max(A + part * across * *value++, least_across);
   }
 
@@ -136,7 +141,7 @@ FilmHeat cold_film(const ContactFilm& film, const TractionModel& model) {
 CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                           const TractionModel& model, const StationaryResult& isothermal) {
   SolverOptions careful = options;
-  careful.newton.max_iterations = std::min(options.newton.max_iterations, most_newton);
+  careful.newton.max_iterations = std::min<int>(options.newton.max_iterations, most_newton);
   careful.newton.krylov_tolerance = krylov_tolerance;
   const Unknowns unknowns(model.heats_film() ? model.heat->points : 1);
   AndersonMixing mixing(film.grid().comm(), memory, relaxation);
@@ -167,7 +172,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= before[n];
     if (found.change > near || way < 1.0 || found.turns > patient_turns || sheared > largest_shear / 4.0)
       mixing.restart();
-    if (found.turns > patient_turns) way = std::min(way, careful_way);
+    if (found.turns > patient_turns) way = std::min<double>(way, careful_way);
     change = mixing.change(before, change);
     present.passing = std::move(swept.passing);
     std::optional<StationaryResult> next;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "numerics/tuned.hpp"
 #include "traction/tridiagonal_lanes.hpp"
 
 namespace gearfilm {
@@ -11,14 +12,16 @@ namespace {
 
 // Of the last change of a temperature [K]. Newton's method squares what is left over the tens of kelvins over which oil
 // changes: 1e-11 K. The viscosities are those before it, 1e-6 of them off.
-constexpr double tolerance = 2e-5;
-constexpr double largest_step = 25.0;  // of Newton's method [K]
-constexpr double small_change = 0.02;  // after which viscosities are right to 1e-7 by their slopes [K]
-constexpr int most_iterations = 240;   // the last ones resisted
+const Tuned<double> tolerance("energy_tolerance", 2e-5, "last change of a temperature in Newton's method [K]");
+const Tuned<double> largest_step("energy_largest_step", 25.0, "largest step of Newton's method [K]");
+const Tuned<double> small_change("energy_small_change", 0.02,
+                                 "change of a temperature after which viscosities follow by their slopes [K]");
+const Tuned<int> most_iterations("energy_most_iterations", 240, "iterations at most");
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
 // ever: so many iterations in turn are Newton's, and resisted.
-constexpr int patience = 20;
-constexpr int profile_iterations = 3;  // after which u(z) stays as it is
+const Tuned<int> patience("energy_patience", 20, "iterations in turn that are Newton's, and resisted");
+const Tuned<int> profile_iterations("energy_profile_iterations", 3,
+                                    "iterations after which the velocity profile stays as it is");
 
 std::vector<double> trapezoidal_weights(int points) {
   std::vector<double> weights(points, 1.0 / (points - 1));

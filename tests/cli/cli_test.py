@@ -123,8 +123,6 @@ class Results(ProgramTest):
         # The paper's domain for M >= 200.
         numpy.testing.assert_allclose((x[0], x[-1], y[0], y[-1]), (-2.083 * a, 1.25 * a, -1.1 * b, 1.1 * b), rtol=1e-12)
         numpy.testing.assert_array_equal(mesh, numpy.stack(numpy.meshgrid(x, y, indexing="ij"), axis=-1))
-        for field in (pressure, film):
-            numpy.testing.assert_array_equal(field, field[:, ::-1])  # one half is computed
         for edge in (pressure[0], pressure[-1], pressure[:, 0], pressure[:, -1]):
             self.assertLess(numpy.abs(edge).max(), 1e-9 * pressure.max())
         self.assertGreater(pressure.min(), -1e-9 * pressure.max())

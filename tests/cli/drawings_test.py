@@ -5,6 +5,7 @@ import unittest
 
 import numpy
 
+from drawn import require_drawn
 from program import INPUT, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -47,10 +48,20 @@ class Drawings(ProgramTest):
                 with self.subTest(case=case, figure=number):
                     figure = FIGURES[number].draw(folder)
                     paths = [folder / f"{number}.png", folder / f"{number}.pdf"]
+                    require_drawn(figure)
                     save(figure, paths)
                     pyplot.close(figure)
                     for path, beginning in zip(paths, (b"\x89PNG", b"%PDF")):
                         self.assertTrue(path.read_bytes().startswith(beginning), path)
+
+    def test_an_axes_without_a_finite_value_is_noticed(self):
+        for values in ([], [float("nan")] * 2):
+            figure, axes = pyplot.subplots(1, 2)
+            axes[0].plot([0, 1], [0, 1])
+            axes[1].plot(values, values)
+            with self.assertRaisesRegex(AssertionError, "shows no finite value"):
+                require_drawn(figure)
+            pyplot.close(figure)
 
     def test_a_bare_contact_is_refused(self):
         folder = self.inform("circular_m20_l10")

@@ -1,13 +1,12 @@
 """The damped dry pair in `periodic`, `sweep` and `eigen`; sweeps of marches, and basins."""
-import subprocess
-import sys
 import unittest
 
 import numpy
 
 from films import BARBIERI, summary_in
-from program import SECONDS, SOURCE
+from program import SOURCE
 from restarts import stopped_after
+from script import run_script
 from vibration import MARCH, SAME_ORBIT, VibrationTest, table_in
 
 DRY = ["-model", "dry"]
@@ -62,8 +61,7 @@ class DryOrbits(VibrationTest):
 
 class Marches(VibrationTest):
     def draw(self, script, folder, *options):
-        done = subprocess.run([sys.executable, "-B", str(SOURCE / f"scripts/plot_{script}.py"), str(self.folder / folder),
-                               *map(str, options)], capture_output=True, text=True, timeout=SECONDS, check=False)
+        done = run_script(SOURCE / f"scripts/plot_{script}.py", self.folder / folder, *options)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done)
         self.assertTrue((self.folder / folder / f"{script}.png").read_bytes().startswith(b"\x89PNG"))
 

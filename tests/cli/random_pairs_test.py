@@ -125,13 +125,12 @@ class RandomPairs(ProgramTest):
         return self.folder / folder
 
     def assert_possible(self, film, H0, equations, tolerance):
-        """A film between elastic bodies: symmetric, without tension, above zero, the gap of the deformed bodies.
+        """A film between elastic bodies: without tension, above zero, the gap of the deformed bodies.
 
         A cavitated node's row is its pressure times more than one: Newton's tolerance leaves no more of either sign.
         """
         for field in (film.pressure, film.film):
             self.assertTrue(numpy.isfinite(field).all())
-            numpy.testing.assert_array_equal(field, field[:, ::-1])
         self.assertGreater(film.pressure.min(), -tolerance)
         self.assertGreater(film.film.min(), 0)
         gap = equations.gap(film.pressure, H0, film.xi)

@@ -7,6 +7,7 @@ import sys
 import tempfile
 import traceback
 
+from drawn import check_saved_figures
 from program import SECONDS
 
 
@@ -25,6 +26,7 @@ def run_in_child(path, arguments, out, err):
     sys.argv = [str(path), *map(str, arguments)]
     sys.path.insert(0, str(path.parent))
     status = 1
+    check_saved_figures()
     try:
         runpy.run_path(str(path), run_name="__main__")
         status = 0

@@ -280,7 +280,7 @@ TEST_F(StationaryLoad, film_does_not_depend_on_limited_changes) {
 TEST_F(StationaryLoad, separated_bodies_carry_next_to_nothing) {
   const auto apart = LoadCondition::displacement(5.0 * pitch.scales.approach);
   const auto result = solve_stationary(film, apart, SolverOptions{});
-  EXPECT_GE(result.figures.pressure_integral, 0.0);
+  EXPECT_GT(result.figures.pressure_integral, 1e-9 * force);
   EXPECT_LT(result.figures.pressure_integral, 1e-3 * force);
 }
 
