@@ -8,7 +8,13 @@
 
 namespace gearfilm {
 
+// Set before any constant is made: an initialisation without code.
 TunedConstant* TunedConstant::last_made_ = nullptr;
+
+TunedConstant::TunedConstant(const char* name, double value, bool whole, const char* meaning) noexcept
+    : name_(name), meaning_(meaning), whole_(whole), default_(value), value_(value), next_(last_made_) {
+  last_made_ = this;
+}
 
 void TunedConstant::read_all() {
   for (TunedConstant* constant = last_made_; constant; constant = constant->next_) {

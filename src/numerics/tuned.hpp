@@ -27,10 +27,7 @@ public:
   static void read_all();
 
 protected:
-  TunedConstant(const char* name, double value, bool whole, const char* meaning) noexcept
-      : name_(name), meaning_(meaning), whole_(whole), default_(value), value_(value), next_(last_made_) {
-    last_made_ = this;
-  }
+  TunedConstant(const char* name, double value, bool whole, const char* meaning) noexcept;
   ~TunedConstant() = default;
 
 private:
