@@ -8,7 +8,13 @@
 #include "input/parameter.hpp"
 #include "numerics/tuned.hpp"
 #include "output/results_docs.hpp"
-#include "results/derived_records.hpp"
+#include "results/derived.hpp"
+#include "results/eigen_summary.hpp"
+#include "results/march_summary.hpp"
+#include "results/orbit_summary.hpp"
+#include "results/static_summary.hpp"
+#include "results/steady_result.hpp"
+#include "results/sweep_point.hpp"
 
 namespace gearfilm {
 namespace {
@@ -29,7 +35,10 @@ std::string constants_markdown() {
   return text;
 }
 
-std::string all_figures() { return figures_markdown() + derived_markdown(); }
+std::string all_figures() {
+  return figures_markdown() + steady_markdown() + run_markdown() + orbit_markdown() + conditions_markdown() +
+         StaticLoad::markdown() + modes_markdown() + derived_markdown();
+}
 
 constexpr std::array<Command, 9> case_commands = {{
     {"info", run_info, false, false, "derived quantities of a case, no field solve"},

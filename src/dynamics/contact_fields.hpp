@@ -24,16 +24,19 @@ struct ContactField {
   std::string_view name;
   std::string_view dataset;   ///< its name in results.h5; empty: not written
   Unit unit = units::number;  ///< there
-  bool compared = true;       ///< counts in the defect of a periodic state, and in disturbances of it
+  std::string_view meaning{};
+  bool compared = true;  ///< counts in the defect of a periodic state, and in disturbances of it
   double smallest = -std::numeric_limits<double>::infinity();  ///< that a disturbed state may have
   bool loaded_only =
       false;  ///< compared where there is pressure: in the cavitated film it may differ and means nothing
 };
 
 namespace field {
-inline constexpr ContactField pressure{.name = "pressure", .dataset = "P", .unit = units::pascal, .smallest = 0.0};
+inline constexpr ContactField pressure{
+    .name = "pressure", .dataset = "P", .unit = units::pascal, .meaning = "pressure", .smallest = 0.0};
 /// Film thickness: of snapshots only, since it follows from pressure and motion.
-inline constexpr ContactField thickness{.name = "film", .dataset = "H", .unit = units::metre};
+inline constexpr ContactField thickness{
+    .name = "film", .dataset = "H", .unit = units::metre, .meaning = "film thickness"};
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
 
@@ -58,21 +61,30 @@ inline constexpr auto correction = std::to_array<Of<FlowFactors>>(
      of_flow_factors("shear", &FlowFactors::shear_index), of_flow_factors("across", &FlowFactors::cross_flow)});
 
 /// What follows from a film for friction and heat: of results only.
-constexpr Of<TractionFields> of_traction(std::string_view name, Unit unit,
-                                         std::vector<double> TractionFields::*values) {
-  return {{.name = name, .dataset = name, .unit = unit, .compared = false}, values};
+constexpr Of<TractionFields> of_traction(std::string_view name, Unit unit, std::vector<double> TractionFields::*values,
+                                         std::string_view meaning) {
+  return {{.name = name, .dataset = name, .unit = unit, .meaning = meaning, .compared = false}, values};
 }
 
 inline constexpr auto traction = std::to_array<Of<TractionFields>>(
-    {of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress),
-     of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion),
-     of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel),
-     of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean),
-     of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid),
-     of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max),
-     of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion),
-     of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel),
-     of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor)});
+    {of_traction("shear_stress", units::si_pascal, &TractionFields::shear_stress,
+                 "shear stress in the middle of the film, of the sign of the sliding velocity"),
+     of_traction("temperature_pinion", units::kelvin, &TractionFields::temperature_pinion,
+                 "temperature of the pinion's flank"),
+     of_traction("temperature_wheel", units::kelvin, &TractionFields::temperature_wheel,
+                 "temperature of the wheel's flank"),
+     of_traction("temperature_mean", units::kelvin, &TractionFields::temperature_mean,
+                 "temperature of the film, mean across it"),
+     of_traction("temperature_mid", units::kelvin, &TractionFields::temperature_mid,
+                 "temperature in the middle of the film"),
+     of_traction("temperature_max", units::kelvin, &TractionFields::temperature_max,
+                 "largest temperature across the film"),
+     of_traction("heat_flux_pinion", units::heat_flux, &TractionFields::heat_flux_pinion,
+                 "heat from the film into the pinion"),
+     of_traction("heat_flux_wheel", units::heat_flux, &TractionFields::heat_flux_wheel,
+                 "heat from the film into the wheel"),
+     of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor,
+                 "logarithm of the flow over that of the same film without heat, of a film that feels its heat")});
 
 inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
 }  // namespace field

@@ -28,8 +28,9 @@ struct FilmSnapshot {
   GridShape shape{};  ///< of the grid that they are on
 };
 
-/// Those of friction and heat that there are.
-std::vector<NamedField> traction_fields(const Grid& grid, const TractionFields& traction);
+/// The fields that follow from a film (field::pressure, thickness, traction), of friction and heat those that there
+/// are; null without friction.
+std::vector<NamedField> film_fields(const ContactFilm& film, const TractionFields* traction);
 
 /// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
 FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);

@@ -3,6 +3,7 @@
 #include <array>
 #include <sstream>
 
+#include "dynamics/contact_fields.hpp"
 #include "dynamics/period_figures.hpp"
 #include "output/history.hpp"
 
@@ -48,6 +49,18 @@ void describe_periods(std::ostream& text) {
   }
 }
 
+void describe_fields(std::ostream& text) {
+  text << "\n## Fields of a film\n\n"
+          "Datasets of `/contact0` (`steady`) and of `/snapshots/NNNN/contactK` (marches), on the nodes (x, y); those "
+          "of "
+          "friction\nand heat where the case has them.\n\n| Dataset | Unit | Meaning |\n|---|---|---|\n";
+  const auto describe = [&](const ContactField& field) {
+    text << "| " << code(field.dataset) << " | " << field.unit.name << " | " << field.meaning << " |\n";
+  };
+  for (const ContactField& field : {field::pressure, field::thickness}) describe(field);
+  for (const auto& field : field::traction) describe(field.field);
+}
+
 }  // namespace
 
 std::string figures_markdown() {
@@ -61,6 +74,7 @@ std::string figures_markdown() {
   describe_table(text, "/history/steps", "One row a time step.", step_keys, step_figures);
   describe_table(text, "/history/contacts", "One row a contact and time step.", contact_keys, contact_figures);
   describe_periods(text);
+  describe_fields(text);
   return text.str();
 }
 

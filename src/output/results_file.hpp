@@ -3,6 +3,7 @@
 //   /                attributes: program, format_version (format_version.hpp), command, those of provenance.hpp; x_min,
 //                    x_max, y_half of the domain [a, a, b]
 //   /parameters      attributes: every parameter of the run
+//   /scales          attributes: what 1 of X, H, P, T, of a pressure integral and of a velocity is in SI
 //   /contact0        attributes: position and scales of the contact
 //   /contact0/P, H   pressure [Pa] and film thickness [m] as (nx, ny)
 //   /contact0/x, y   coordinates along and across entrainment [m]: dimension scales of the fields

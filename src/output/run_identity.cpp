@@ -78,6 +78,15 @@ void write_identity(ResultsFile& file, const CaseInput& problem, const std::stri
   file.attribute("/", "x_min", problem.numerics.domain.x_min);
   file.attribute("/", "x_max", problem.numerics.domain.x_max);
   file.attribute("/", "y_half", problem.numerics.domain.y_half);
+  const Scales& scales = problem.scales;
+  for (const auto& [name, value] : {std::pair("length", scales.length),
+                                    {"thickness", scales.thickness},
+                                    {"pressure", scales.pressure},
+                                    {"time", scales.time},
+                                    {"force", scales.operation.load / scales.static_force},
+                                    {"velocity", scales.operation.entrainment_velocity}}) {
+    file.attribute("/scales", name, value);
+  }
   for (const EchoedValue& echoed : problem.parameters.echo()) {
     const bool pure = echoed.unit.empty() || echoed.unit == "-";
     file.attribute("/parameters", echoed.name, pure ? echoed.value : echoed.value + " " + echoed.unit);

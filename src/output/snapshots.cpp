@@ -6,6 +6,18 @@
 
 namespace gearfilm {
 
+std::vector<std::string> write_fields(ResultsFile& file, const std::string& group, const WholeDomain& domain,
+                                      const Scales& scales, const std::vector<NamedField>& fields,
+                                      const std::string& axes) {
+  std::vector<std::string> datasets;
+  for (const auto& [name, values] : fields) {
+    const ContactField kind = field_named(name);
+    datasets.emplace_back(kind.dataset);
+    file.field(group, datasets.back(), std::string(kind.unit.name), domain, values, kind.unit.in_si(scales, 1.0), axes);
+  }
+  return datasets;
+}
+
 Snapshots::Snapshots(ResultsFile& file, const Scales& scales, std::filesystem::path xdmf)
     : file_(file), scales_(scales), xdmf_(std::move(xdmf)) {}
 
@@ -30,13 +42,7 @@ void Snapshots::write(const FilmSnapshot& snapshot) {
   for (const ContactSnapshot& contact : snapshot.contacts) {
     const std::string group = name + "/contact" + std::to_string(contact.number);
     fields.groups.push_back({contact.number, group, mesh.group + "/mesh", mesh.grid.shape(), {}});
-    for (const auto& [field, values] : contact.fields) {
-      const ContactField kind = field_named(field);
-      const std::string dataset(kind.dataset);
-      file_.field(group, dataset, std::string(kind.unit.name), mesh.domain, values, kind.unit.in_si(scales_, 1.0),
-                  mesh.group);
-      fields.groups.back().datasets.push_back(dataset);
-    }
+    fields.groups.back().datasets = write_fields(file_, group, mesh.domain, scales_, contact.fields, mesh.group);
     file_.attribute(group, "xi", contact.position);
   }
   written_.push_back(std::move(fields));

@@ -14,6 +14,12 @@
 
 namespace gearfilm {
 
+/// Writes the fields of one contact in SI, by what is to be known of their names; axes: the group of their coordinates.
+/// Returns the names of the datasets. Collective.
+std::vector<std::string> write_fields(ResultsFile& file, const std::string& group, const WholeDomain& domain,
+                                      const Scales& scales, const std::vector<NamedField>& fields,
+                                      const std::string& axes);
+
 class Snapshots {
 public:
   /// xdmf: the file that describes them, rewritten whole at every snapshot.

@@ -15,4 +15,7 @@ Summary damper_summary(const CaseInput& problem, double f_n);
 /// films also what the damping ratio is at most.
 void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& summary);
 
+/// What is in these, in the manual's Markdown.
+std::string modes_markdown();
+
 }  // namespace gearfilm

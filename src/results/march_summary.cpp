@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "results/friction_summary.hpp"
+#include "results/members.hpp"
 
 namespace gearfilm {
 namespace {
@@ -53,15 +54,41 @@ Summary grid_summary(const Scales& scales, const GridShape& shape) {
           {"y_half", scales.hertz.ellipticity * shape.row_axis.half_width()}};
 }
 
+namespace {
+
+struct RunOfPair {
+  const CaseInput& problem;
+  const MeshModel& mesh;
+};
+
+const auto run_members = std::to_array<Member<RunOfPair>>({
+    {"nx", "", "-", "nodes in X at the beginning",
+     [](const RunOfPair& of) -> Summary { return of.problem.numerics.nx; }},
+    {"ny", "", "-", "nodes in Y at the beginning",
+     [](const RunOfPair& of) -> Summary { return of.problem.numerics.ny; }},
+    {"dT", "dT", "-", "time step over a/u_m",
+     [](const RunOfPair& of) -> Summary { return of.problem.numerics.steps.dT; }},
+    {"static_force", "w*", "N", "static force on the mesh",
+     [](const RunOfPair& of) -> Summary { return of.mesh.scales.operation.load; }},
+    {"mesh_period", "", "s", "time from one tooth to the next",
+     [](const RunOfPair& of) -> Summary { return of.mesh.scales.time * of.mesh.path.mesh_period(); }},
+});
+
+}  // namespace
+
+void add_run(const CaseInput& problem, const MeshModel& mesh, Summary& summary) {
+  add_members(run_members, RunOfPair{problem, mesh}, summary);
+}
+
+std::string run_markdown() {
+  return members_markdown("What `transient` and `periodic` begin with", "Keys of their summaries.", run_members);
+}
+
 Summary march_summary(const CaseInput& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
   if (problem.march.model == MarchModel::dynamic) summary["motion"] = problem.parameters.text("motion");
-  summary["nx"] = problem.numerics.nx;
-  summary["ny"] = problem.numerics.ny;
-  summary["dT"] = problem.numerics.steps.dT;
-  summary["static_force"] = scales.operation.load;
-  summary["mesh_period"] = scales.time * mesh.path.mesh_period();
+  add_members(run_members, RunOfPair{problem, mesh}, summary);
   Summary periods = Summary::array();
   for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
   for (const PeriodFigure& figure : period_figures) {

@@ -3,42 +3,130 @@
 #include "results/error_bar.hpp"
 #include "results/friction_summary.hpp"
 #include "results/march_summary.hpp"
+#include "results/members.hpp"
 
 namespace gearfilm {
 
+namespace {
+
+/// Multipliers of a motion of the pair, and the free oscillation that they mean.
+struct PairMultipliers {
+  PairMultipliers(const MeshModel& mesh, const Multipliers& pair)
+      : all(pair),
+        modulus(largest_modulus(pair)),
+        oscillation(free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si())) {}
+
+  const Multipliers& all;
+  double modulus;
+  std::optional<FreeOscillation> oscillation;
+};
+
+const auto multiplier_members = std::to_array<Member<PairMultipliers>>({
+    {"floquet", "mu", "-", "Floquet multipliers of the motion, real and imaginary part each",
+     [](const PairMultipliers& of) -> Summary { return of.all; }},
+    {"floquet_modulus", "abs(mu)", "-", "the larger modulus: what is left of a disturbance after the period",
+     [](const PairMultipliers& of) -> Summary { return of.modulus; }, true},
+    {"stable", "", "", "disturbances die away", [](const PairMultipliers& of) -> Summary { return of.modulus < 1.0; },
+     true},
+    {"free_frequency", "", "Hz", "frequency of the free oscillation; null where multipliers do not tell one",
+     [](const PairMultipliers& of) -> Summary {
+       return of.oscillation ? Summary(of.oscillation->frequency) : Summary();
+     },
+     true},
+    {"damping_ratio", "zeta", "-", "its damping ratio",
+     [](const PairMultipliers& of) -> Summary {
+       return of.oscillation ? Summary(of.oscillation->damping_ratio) : Summary();
+     },
+     true},
+});
+
+/// A periodic state of a pair.
+struct OrbitOfPair {
+  const MeshModel& mesh;
+  const DescribedOrbit& found;
+
+  bool lubricated() const { return !found.orbit.end.films.empty(); }
+};
+
+const auto search_members = std::to_array<Member<OrbitOfPair>>({
+    {"periods_used", "", "-", "periods marched to find the state",
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.periods_used; }, true},
+    {"final_grid", "", "", "nodes and bounds of the grid at the end, widened or not; not in the dry model",
+     [](const OrbitOfPair& of) -> Summary {
+       return of.lubricated() ? grid_summary(of.mesh.scales, of.found.orbit.end.shape) : absent();
+     }},
+    {"defect", "", "-", "change of (H0, V0) over the period",
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.defect; }, true},
+    {"film_defect", "", "-", "largest change of the films over the period; not in the dry model",
+     [](const OrbitOfPair& of) -> Summary { return of.lubricated() ? Summary(of.found.orbit.film_defect) : absent(); },
+     true},
+    {"states_after_leaving", "", "-", "(H0, V0) just after a contact has left, once a mesh period of the state",
+     [](const OrbitOfPair& of) -> Summary { return of.found.states_after_leaving; }},
+    {"H0_after_leaving", "H_0", "-", "rigid displacement at the beginning of the period, just after a contact has left",
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.H0(); }, true},
+    {"V0_after_leaving", "V_0", "-", "its velocity there",
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.V0(); }, true},
+});
+
+const auto swing_members = std::to_array<Member<OrbitOfPair>>({
+    {"contact_lost", "", "", "the total force comes below a fiftieth of the static one",
+     [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, true},
+    {"back_contact", "", "", "back flanks touch",
+     [](const OrbitOfPair& of) -> Summary { return of.found.figures["back_force_ratio_max"].value_or(0.0) > 0.0; }},
+    {"transmission_error_peak_to_peak", "", "m", "transmission error over the period, peak to peak",
+     [](const OrbitOfPair& of) -> Summary {
+       return of.mesh.scales.thickness * of.found.transmission_error.peak_to_peak;
+     },
+     true},
+    {"transmission_error_rms", "", "m", "its root mean square about the mean",
+     [](const OrbitOfPair& of) -> Summary {
+       return of.mesh.scales.thickness * of.found.transmission_error.root_mean_square;
+     },
+     true},
+});
+
+const auto decay_members = std::to_array<Member<OrbitOfPair>>({
+    {"floquet_modulus_error", "", "-", "error of floquet_modulus",
+     [](const OrbitOfPair& of) -> Summary {
+       return of.found.decay ? Summary(of.found.decay->modulus_error) : absent();
+     },
+     true},
+});
+
+}  // namespace
+
 void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary) {
-  const std::optional<FreeOscillation> oscillation =
-      free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si());
-  summary["floquet"] = pair;
-  const double modulus = largest_modulus(pair);
-  summary["floquet_modulus"] = modulus;
-  summary["stable"] = modulus < 1.0;
-  summary["free_frequency"] = oscillation ? Summary(oscillation->frequency) : Summary();
-  summary["damping_ratio"] = oscillation ? Summary(oscillation->damping_ratio) : Summary();
+  add_members(multiplier_members, PairMultipliers(mesh, pair), summary);
 }
 
 Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found) {
-  const Scales& scales = mesh.scales;
-  const PeriodicOrbit& orbit = found.orbit;
+  const OrbitOfPair orbit{mesh, found};
   Summary summary;
-  summary["periods_used"] = orbit.periods_used;
-  const bool lubricated = !orbit.end.films.empty();
-  if (lubricated) summary["final_grid"] = grid_summary(scales, orbit.end.shape);
-  summary["defect"] = orbit.defect;
-  if (lubricated) summary["film_defect"] = orbit.film_defect;
-  summary["states_after_leaving"] = found.states_after_leaving;
-  summary["H0_after_leaving"] = orbit.start.motion.H0();
-  summary["V0_after_leaving"] = orbit.start.motion.V0();
-  summary.update(period_summary(scales, found.figures));
-  summary["contact_lost"] = found.contact_lost;
-  summary["back_contact"] = found.figures["back_force_ratio_max"].value_or(0.0) > 0.0;
-  summary["transmission_error_peak_to_peak"] = scales.thickness * found.transmission_error.peak_to_peak;
-  summary["transmission_error_rms"] = scales.thickness * found.transmission_error.root_mean_square;
-  if (found.decay) {
-    add_multipliers(mesh, found.decay->multipliers, summary);
-    summary["floquet_modulus_error"] = found.decay->modulus_error;
-  }
+  add_members(search_members, orbit, summary);
+  summary.update(period_summary(mesh.scales, found.figures));
+  add_members(swing_members, orbit, summary);
+  if (found.decay) add_multipliers(mesh, found.decay->multipliers, summary);
+  add_members(decay_members, orbit, summary);
   return summary;
+}
+
+std::vector<TableColumn> orbit_columns() {
+  std::vector<TableColumn> columns = sweep_columns(swing_members);
+  for (const auto& more :
+       {sweep_columns(search_members), sweep_columns(multiplier_members), sweep_columns(decay_members)})
+    columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+std::string orbit_markdown() {
+  return members_markdown("A periodic state",
+                          "Keys of the summary of `periodic` and of each point of `sweep`, beside the figures of its "
+                          "period.",
+                          search_members) +
+         members_markdown("Its swing", "Likewise.", swing_members) +
+         members_markdown("Its multipliers", "Likewise; of `eigen` and of the dry pair's orbit too.",
+                          multiplier_members) +
+         members_markdown("How well they are known", "Likewise.", decay_members);
 }
 
 void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Summary& summary) {
@@ -47,14 +135,10 @@ void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Sum
 
 Summary periodic_summary(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found,
                          const std::vector<OrbitError>& errors) {
-  Summary summary = {{"case", problem.name},
-                     {"nx", problem.numerics.nx},
-                     {"ny", problem.numerics.ny},
-                     {"dT", problem.numerics.steps.dT}};
+  Summary summary = {{"case", problem.name}};
   summary["motion"] = problem.parameters.text("motion");
   summary["order"] = problem.search.order;
-  summary["static_force"] = problem.scales.operation.load;
-  summary["mesh_period"] = problem.scales.time * mesh.path.mesh_period();
+  add_run(problem, mesh, summary);
   summary.update(orbit_summary(mesh, found.own));
   add_errors(errors, mesh.scales, summary);
   add_efficiency(mesh, summary);

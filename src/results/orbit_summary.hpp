@@ -3,12 +3,17 @@
 
 #include "input/case.hpp"
 #include "orbits/orbit_errors.hpp"
+#include "output/results_table.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {
 
 /// Figures and states of an orbit, and its multipliers where they are known.
 Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found);
+
+/// The columns of the table /sweep among these, and all of them in the manual's Markdown.
+std::vector<TableColumn> orbit_columns();
+std::string orbit_markdown();
 
 /// Multipliers, and the free oscillation they mean, added to a summary.
 void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "output/file_ownership.hpp"
+#include "results/members.hpp"
 
 namespace gearfilm {
 namespace {
@@ -13,25 +14,57 @@ namespace {
 constexpr int most_contacts = 3;      // a contact ratio of two and more has as many columns
 constexpr double least_share = 1e-3;  // that a table of shares may have
 
+const auto static_members = std::to_array<Member<StaticLoad>>({
+    {"te_mean", "", "m", "transmission error, mean over a mesh period",
+     [](const StaticLoad& of) -> Summary { return of.length(of.found().mean); }},
+    {"te_peak_to_peak", "", "m", "transmission error, peak to peak",
+     [](const StaticLoad& of) -> Summary { return of.length(of.found().peak_to_peak); }},
+    {"te_pitch", "", "m", "transmission error with a contact at the pitch point",
+     [](const StaticLoad& of) -> Summary { return of.length(-of.found().at_pitch.H0); }},
+    {"te_harmonics", "", "m", "amplitudes of the transmission error at the mesh frequency and its multiples",
+     [](const StaticLoad& of) -> Summary {
+       Summary all = Summary::array();
+       for (double amplitude : of.found().harmonics) all.push_back(of.length(amplitude));
+       return all;
+     }},
+    {"mesh_stiffness_pitch", "", "N/m", "stiffness of the mesh with a contact at the pitch point",
+     [](const StaticLoad& of) -> Summary { return of.stiffness(of.found().at_pitch.stiffness); }},
+    {"mesh_stiffness_mean", "", "N/m", "stiffness of the mesh, mean over a mesh period",
+     [](const StaticLoad& of) -> Summary { return of.stiffness(of.found().mean_stiffness); }},
+    {"entry_penetration", "", "m", "by which an entering tooth meets its mate; null where none does",
+     [](const StaticLoad& of) -> Summary {
+       const std::optional<double>& met = of.found().entry_penetration;
+       return met ? Summary(of.length(*met)) : Summary();
+     }},
+    {"corner_contact_distance", "", "m", "how far before the path of contact real tips would touch; null where not",
+     [](const StaticLoad& of) -> Summary {
+       const double met = of.found().entry_penetration.value_or(0.0);
+       return met > 0.0 ? Summary(corner_distance(of.mesh(), met)) : Summary();
+     }},
+    {"effective_contact_ratio", "", "-", "contacts that carry at a time, on the average",
+     [](const StaticLoad& of) -> Summary { return of.found().effective_contact_ratio; }},
+    {"p_max_dry", "", "Pa", "largest pressure of the dry contacts",
+     [](const StaticLoad& of) -> Summary { return of.largest_pressure(); }},
+});
+
 }  // namespace
 
 Summary StaticLoad::summary() const {
-  Summary result = {{"te_mean", length(found_.mean)},
-                    {"te_peak_to_peak", length(found_.peak_to_peak)},
-                    {"te_pitch", length(-found_.at_pitch.H0)},
-                    {"te_harmonics", Summary::array()},
-                    {"mesh_stiffness_pitch", stiffness(found_.at_pitch.stiffness)},
-                    {"mesh_stiffness_mean", stiffness(found_.mean_stiffness)}};
-  for (double amplitude : found_.harmonics) result["te_harmonics"].push_back(length(amplitude));
-  Summary& penetration = result["entry_penetration"];
-  if (found_.entry_penetration) penetration = length(*found_.entry_penetration);
-  Summary& corner = result["corner_contact_distance"];
-  if (found_.entry_penetration.value_or(0.0) > 0.0) corner = corner_distance(mesh_, *found_.entry_penetration);
-  result["effective_contact_ratio"] = found_.effective_contact_ratio;
+  Summary result;
+  add_members(static_members, *this, result);
+  return result;
+}
+
+std::string StaticLoad::markdown() {
+  return members_markdown("The dry pair turned slowly",
+                          "Keys of the summary of `static`, of the static load and of each of its `loads`.",
+                          static_members);
+}
+
+double StaticLoad::largest_pressure() const {
   double highest = 0.0;
   for (const StaticPosition& position : found_.positions) highest = std::max(highest, largest_pressure(position));
-  result["p_max_dry"] = highest;
-  return result;
+  return highest;
 }
 
 std::vector<TableColumn> StaticLoad::columns() {

@@ -16,7 +16,16 @@ class StaticLoad {
 public:
   StaticLoad(const MeshModel& mesh, const StaticMesh& found) : mesh_(mesh), scales_(mesh.scales), found_(found) {}
 
+  const MeshModel& mesh() const { return mesh_; }
+  const StaticMesh& found() const { return found_; }
+  double length(double H) const { return scales_.thickness * H; }                    ///< [m]
+  double stiffness(double K) const { return scales_.force(K) / scales_.thickness; }  ///< [N/m]
+  /// Of all positions [Pa].
+  double largest_pressure() const;
+
   Summary summary() const;
+  /// What is in it, in the manual's Markdown.
+  static std::string markdown();
   /// Of the table, one a position.
   static std::vector<TableColumn> columns();
   void append_rows(double load_ratio, std::vector<double>& rows) const;
@@ -26,8 +35,6 @@ public:
 private:
   /// Equally spaced between events, both sides of which stay: a jump of the share needs room behind it.
   std::vector<StaticPosition> every_eighth() const;
-  double length(double H) const { return scales_.thickness * H; }
-  double stiffness(double K) const { return scales_.force(K) / scales_.thickness; }
   double largest_pressure(const StaticPosition& position) const;
 
   const MeshModel& mesh_;

@@ -3,12 +3,13 @@
 #include "film/domain_margins.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "output/film_snapshot.hpp"
 #include "output/run_identity.hpp"
+#include "output/snapshots.hpp"
 #include "output/xdmf.hpp"
 #include "results/derived.hpp"
 #include "results/error_bar.hpp"
 #include "results/friction_summary.hpp"
+#include "results/members.hpp"
 
 namespace gearfilm {
 namespace {
@@ -25,6 +26,82 @@ void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, S
   add_error_bar(summary, "p_spike", errors ? errors->spike_pressure : std::nullopt, scales.pressure);
 }
 
+/// Of all grids on the way to the film.
+SolveCounts total(const StationaryResult& result) {
+  SolveCounts sum;
+  for (const SolveCounts& counts : result.by_grid) {
+    sum.newton += counts.newton;
+    sum.krylov += counts.krylov;
+    sum.convolutions += counts.convolutions;
+  }
+  return sum;
+}
+
+const auto film_members = std::to_array<Member<StationaryResult>>({
+    {"H0", "H_0", "-", "rigid displacement", [](const StationaryResult& of) -> Summary { return of.solution.H0; }},
+    {"H_central", "H", "-", "film thickness in the centre",
+     [](const StationaryResult& of) -> Summary { return of.figures.central_film; }},
+    {"H_min", "H", "-", "smallest film thickness",
+     [](const StationaryResult& of) -> Summary { return of.figures.smallest_film; }},
+    {"residual", "", "-", "norm of the residual that is left",
+     [](const StationaryResult& of) -> Summary { return of.counts.residual; }},
+    {"newton_iterations", "", "-", "iterations of Newton's method on the finest grid",
+     [](const StationaryResult& of) -> Summary { return of.counts.newton; }},
+    {"krylov_iterations", "", "-", "iterations of the linear solver there",
+     [](const StationaryResult& of) -> Summary { return of.counts.krylov; }},
+    {"convolutions", "", "-", "deformations computed there",
+     [](const StationaryResult& of) -> Summary { return of.counts.convolutions; }},
+    {"newton_iterations_all_grids", "", "-", "the same on all grids together",
+     [](const StationaryResult& of) -> Summary { return total(of).newton; }},
+    {"krylov_iterations_all_grids", "", "-", "the same on all grids together",
+     [](const StationaryResult& of) -> Summary { return total(of).krylov; }},
+    {"convolutions_all_grids", "", "-", "the same on all grids together",
+     [](const StationaryResult& of) -> Summary { return total(of).convolutions; }},
+});
+
+/// A film that feels its heat or its shear, beside the one that does not.
+struct Coupled {
+  const Scales& scales;
+  const SolvedContact& solved;
+
+  double factor(double FilmFigures::*film) const { return solved.result.figures.*film / solved.bare.*film; }
+  double bare(double FilmFigures::*film) const { return scales.thickness * solved.bare.*film; }
+};
+
+const auto heat_members = std::to_array<Member<Coupled>>({
+    {"h_central_isothermal", "", "m", "central film without heat",
+     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
+    {"h_min_isothermal", "", "m", "smallest film without heat",
+     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::smallest_film); }},
+    {"thermal_factor", "", "-", "central film over that without heat",
+     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::central_film); }},
+    {"thermal_factor_min", "", "-", "smallest film over that without heat",
+     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::smallest_film); }},
+    {"thermal_turns", "", "-", "turns of film and heat",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
+    {"thermal_newton_iterations", "", "-", "iterations of all films in them",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->newton; }},
+    {"thermal_change", "", "-", "relative change of the film in the last turns",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->change; }},
+});
+
+const auto shear_members = std::to_array<Member<Coupled>>({
+    {"h_central_newtonian", "", "m", "central film of a Newtonian oil",
+     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
+    {"h_min_newtonian", "", "m", "smallest film of a Newtonian oil",
+     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::smallest_film); }},
+    {"shear_factor", "", "-", "central film over that of a Newtonian oil",
+     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::central_film); }},
+    {"shear_factor_min", "", "-", "smallest film over that of a Newtonian oil",
+     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::smallest_film); }},
+    {"shear_turns", "", "-", "turns of film and shear",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
+    {"shear_newton_iterations", "", "-", "iterations of all films in them",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->newton; }},
+    {"shear_change", "", "-", "relative change of the film in the last turns",
+     [](const Coupled& of) -> Summary { return of.solved.coupled->change; }},
+});
+
 Summary film_summary(const CaseInput& problem, const SteadyPosition& position, const Grid& grid,
                      const StationaryResult& result, const TractionFigures& friction) {
   const Scales& scales = problem.scales;
@@ -39,22 +116,7 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
     if (!given.has(figure.needs)) continue;
     summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
   }
-  summary["H0"] = result.solution.H0;
-  summary["H_central"] = result.figures.central_film;
-  summary["H_min"] = result.figures.smallest_film;
-  summary["residual"] = result.counts.residual;
-  SolveCounts total;
-  for (const SolveCounts& counts : result.by_grid) {
-    total.newton += counts.newton;
-    total.krylov += counts.krylov;
-    total.convolutions += counts.convolutions;
-  }
-  summary["newton_iterations"] = result.counts.newton;
-  summary["krylov_iterations"] = result.counts.krylov;
-  summary["convolutions"] = result.counts.convolutions;
-  summary["newton_iterations_all_grids"] = total.newton;
-  summary["krylov_iterations_all_grids"] = total.krylov;
-  summary["convolutions_all_grids"] = total.convolutions;
+  add_members(film_members, result, summary);
   summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);
   const SurfaceVelocities velocities = velocities_of(scales, position.contact);
   summary["predictions"].update(
@@ -67,16 +129,12 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
 /// What heat, or shear alone, has made of the film.
 void add_coupling(const CaseInput& problem, const SolvedContact& solved, Summary& summary) {
   if (!solved.coupled) return;
-  const bool heated = problem.traction->heats_film();
-  const std::string kind = heated ? "thermal" : "shear", bare = heated ? "isothermal" : "newtonian";
-  const FilmFigures &with = solved.result.figures, &without = solved.bare;
-  summary["h_central_" + bare] = problem.scales.thickness * without.central_film;
-  summary["h_min_" + bare] = problem.scales.thickness * without.smallest_film;
-  summary[kind + "_factor"] = with.central_film / without.central_film;
-  summary[kind + "_factor_min"] = with.smallest_film / without.smallest_film;
-  summary[kind + "_turns"] = solved.coupled->turns;
-  summary[kind + "_newton_iterations"] = solved.coupled->newton;
-  summary[kind + "_change"] = solved.coupled->change;
+  const Coupled coupled{problem.scales, solved};
+  if (problem.traction->heats_film()) {
+    add_members(heat_members, coupled, summary);
+  } else {
+    add_members(shear_members, coupled, summary);
+  }
 }
 
 ContactProblem contact_problem(const CaseInput& problem, const SteadyPosition& position) {
@@ -160,14 +218,8 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
-  file.field(group, "P", "Pa", domain, film.total_pressure(), scales.pressure, group);
-  file.field(group, "H", "m", domain, film.thickness(), scales.thickness, group);
-  std::vector<std::string> datasets = {"P", "H"};
-  for (const auto& [name, values] : traction_fields(film.grid(), friction)) {
-    const ContactField kind = field_named(name);
-    datasets.emplace_back(kind.dataset);
-    file.field(group, datasets.back(), std::string(kind.unit.name), domain, values, 1.0, group);
-  }
+  const std::vector<std::string> datasets =
+      write_fields(file, group, domain, scales, film_fields(film, &friction), group);
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
   }
@@ -183,6 +235,18 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
              {{0.0, {{0, group, group + "/mesh", film.grid().shape(), datasets}}}});
   write_summary(comm, problem.run.directory, summary);
+}
+
+std::string steady_markdown() {
+  return members_markdown(
+             "The film of `steady`",
+             "Keys of its summary, beside the figures of the contact (columns of `/history/contacts`), the "
+             "error bars of films and pressures (`NAME_error`, `NAME_extrapolated`), and the `predictions` of "
+             "formulas.",
+             film_members) +
+         members_markdown("What heat makes of it", "With `thermal.model: film`.", heat_members) +
+         members_markdown("What shear makes of it", "With `friction.in_film: yes` and without heat in the film.",
+                          shear_members);
 }
 
 }  // namespace gearfilm

@@ -40,4 +40,7 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
 /// results.h5, results.xmf and summary.json in the case's folder. Collective.
 void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& result);
 
+/// What is in its summary, in the manual's Markdown.
+std::string steady_markdown();
+
 }  // namespace gearfilm

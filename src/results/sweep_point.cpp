@@ -1,6 +1,7 @@
 #include "results/sweep_point.hpp"
 
 #include "orbits/described_dry_orbit.hpp"
+#include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 
 namespace gearfilm {
@@ -22,15 +23,35 @@ Monodromy read_monodromy(const Summary& rows) {
   return map;
 }
 
+struct Conditions {
+  const CaseInput& here;
+  const MeshModel& mesh;
+};
+
+const auto condition_members = std::to_array<Member<Conditions>>({
+    {"speed_rpm", "", "rpm", "rotational speed of the pinion",
+     [](const Conditions& at) -> Summary { return at.here.parameters.real("pinion.speed_rpm"); }, true},
+    {"torque", "T_g1", "N m", "torque on the pinion",
+     [](const Conditions& at) -> Summary { return at.here.pair.torque; }, true},
+    {"m_ge", "m_ge", "kg", "equivalent mass of the pair",
+     [](const Conditions& at) -> Summary { return *at.here.pair.equivalent_mass; }, true},
+    {"I_n", "I_n", "-", "dimensionless inertia", [](const Conditions& at) -> Summary { return at.mesh.inertia; }, true},
+    {"f_m", "f_m", "Hz", "mesh frequency", [](const Conditions& at) -> Summary { return at.mesh.mesh_frequency_si(); },
+     true},
+    {"f_n", "f_n", "Hz", "natural frequency of the dry pair",
+     [](const Conditions& at) -> Summary { return at.mesh.frequency_si(); }, true},
+});
+
 }  // namespace
 
 void add_conditions(const CaseInput& here, const MeshModel& mesh, Summary& result) {
-  result["speed_rpm"] = here.parameters.real("pinion.speed_rpm");
-  result["torque"] = here.pair.torque;
-  result["m_ge"] = *here.pair.equivalent_mass;
-  result["I_n"] = mesh.inertia;
-  result["f_m"] = mesh.mesh_frequency_si();
-  result["f_n"] = mesh.frequency_si();
+  add_members(condition_members, Conditions{here, mesh}, result);
+}
+
+std::vector<TableColumn> condition_columns() { return sweep_columns(condition_members); }
+
+std::string conditions_markdown() {
+  return members_markdown("Conditions of a point of `sweep`", "Keys of each point.", condition_members);
 }
 
 void add_orbit(const MeshModel& mesh, const DescribedOrbit& found, Summary& result) {

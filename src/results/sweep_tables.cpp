@@ -10,6 +10,8 @@
 #include "output/results_table.hpp"
 #include "output/run_identity.hpp"
 #include "results/derived.hpp"
+#include "results/orbit_summary.hpp"
+#include "results/sweep_point.hpp"
 
 namespace gearfilm {
 namespace {
@@ -36,8 +38,7 @@ std::vector<TableColumn> joined(std::vector<TableColumn> first, const std::vecto
 
 /// What every point has.
 std::vector<TableColumn> columns_of_point() {
-  return {{"up", "-", true}, {"found", "-", true}, {"speed_rpm", "rpm"}, {"torque", "N m"},
-          {"m_ge", "kg"},    {"I_n", "-"},         {"f_m", "Hz"},        {"f_n", "Hz"}};
+  return joined({{"up", "-", true}, {"found", "-", true}}, condition_columns());
 }
 
 /// One row a point.
@@ -48,19 +49,7 @@ void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& 
     if (figure.of_sweep() && given.has(figure.needs))
       columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
   }
-  columns = joined(columns, {{"transmission_error_peak_to_peak", "m"},
-                             {"transmission_error_rms", "m"},
-                             {"H0_after_leaving", "-"},
-                             {"V0_after_leaving", "-"},
-                             {"contact_lost", "-"},
-                             {"floquet_modulus", "-"},
-                             {"floquet_modulus_error", "-"},
-                             {"stable", "-"},
-                             {"free_frequency", "Hz"},
-                             {"damping_ratio", "-"},
-                             {"periods_used", "-"},
-                             {"defect", "-"},
-                             {"film_defect", "-"}});
+  columns = joined(columns, orbit_columns());
   std::vector<double> rows;
   for (const Summary& point : results) {
     append_numbers(point, columns, rows);
