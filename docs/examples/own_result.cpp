@@ -1,5 +1,5 @@
-// A pair of its own in its periodic state, with a figure and a field of its own among the results: the mean of what the
-// contacts' largest pressures are in all steps, and the flow u h through the film at the pitch point.
+// A pair of its own in its periodic state, with a figure and a field of its own among the results: the mean in time of
+// the contacts' largest pressures during the search, and the flow u h through the film at the pitch point.
 #include <slepcsys.h>
 
 #include <cstdio>
@@ -31,30 +31,29 @@ void compute(MPI_Comm comm) {
     values[gear + "poisson_ratio"] = "0.3";
   }
   const Case pair(comm, values);
-  double sum = 0.0;
-  int steps = 0;
+  double sum = 0.0, time = 0.0;
   const PeriodicState state(comm, pair, [&](const Step& step) {
-    for (const ContactInStep& contact : step.contacts) sum += contact.value("p_max") / step.contacts.size();
-    ++steps;
+    for (const ContactInStep& of : step.contacts) sum += step.length * of.value("p_max") / step.contacts.size();
+    time += step.length;
   });
   const StationaryFilm pitch(comm, pair);
   Results results = state.results();
-  results.set("mean_pressure", sum / steps);
+  results.set("mean_pressure", sum / time);
   ResultsFolder folder(comm, pair, "own_result");
   folder.field("pitch", "flow", "m^2/s", pitch.film(),
                [&](int i, int j) { return pair.entrainment_velocity() * pitch.film().thickness(i, j); });
   folder.finish(results);
   PetscPrintf(comm, "h_min = %.6f um, mean = %.6f GPa, %s\n", 1e6 * results.number("h_min"),
-              1e-9 * results.number("mean_pressure"), state.stable() ? "stable" : "unstable");
+              1e-9 * results.number("mean_pressure"), state.stable().value() ? "stable" : "unstable");
 }
 
 int main(int argc, char** argv) {
   if (SlepcInitialize(&argc, &argv, nullptr, nullptr) != 0) return 1;
+  int status = 0;
   try {
     compute(PETSC_COMM_WORLD);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+    status = std::fprintf(stderr, "%s\n", error.what()) > 0 ? 1 : 2;
   }
-  return SlepcFinalize();
+  return SlepcFinalize() == 0 ? status : 1;
 }

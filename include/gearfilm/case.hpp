@@ -2,7 +2,8 @@
 // files (docs/parameters.md).
 //
 // The library is used under MPI, PETSc and SLEPc, which the program that uses it starts (SlepcInitialize). Errors are
-// exceptions (error.hpp), raised on all processes alike.
+// exceptions (error.hpp), raised on all processes alike. The tuned constants of the algorithms (docs/constants.md) are
+// the same for all cases of a program: those of PETSc's options when the last case was made.
 #pragma once
 
 #include <mpi.h>

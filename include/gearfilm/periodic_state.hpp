@@ -2,6 +2,8 @@
 #pragma once
 
 #include <complex>
+#include <optional>
+#include <vector>
 
 #include "gearfilm/simulation.hpp"
 
@@ -19,8 +21,8 @@ public:
   const Results& results() const { return results_; }
   /// Floquet multipliers of the motion; none where the case does not ask for them (periodic.multipliers).
   const std::vector<std::complex<double>>& multipliers() const { return multipliers_; }
-  /// The disturbances of the motion die away.
-  bool stable() const;
+  /// The disturbances of the motion die away; nothing where there are no multipliers.
+  std::optional<bool> stable() const;
   /// Where its period begins and ends, on the clock of the observer's steps [s].
   double begin() const { return begin_; }
   double end() const { return end_; }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gearfilm/case.hpp"
@@ -44,7 +45,7 @@ public:
   double pressure(int i, int j) const;   ///< [Pa]
   double thickness(int i, int j) const;  ///< [m]
 
-  /// What it is seen through; the film itself must outlive the view.
+  /// What it is seen through.
   struct View;
   explicit Film(std::shared_ptr<const View> view) : view_(std::move(view)) {}
   const View& view() const { return *view_; }
@@ -54,7 +55,7 @@ private:
 };
 
 /// summary.json and results.h5 in the output folder of a case (output.dir). All calls are collective; they throw
-/// OutputError where files cannot be written.
+/// OutputError where files cannot be written, and on all processes what is thrown on one.
 class ResultsFolder {
 public:
   /// Makes the folder and removes an earlier run's results there. `command`: what computes them, written into the
@@ -65,6 +66,7 @@ public:
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
   /// A field on the nodes of a film, in results.h5 as GROUP/NAME beside its coordinates; value(i, j) in the unit given.
+  /// Fields of one group are of films with the same nodes.
   void field(const std::string& group, const std::string& name, const std::string& unit, const Film& film,
              const std::function<double(int i, int j)>& value);
 
@@ -72,10 +74,10 @@ public:
     std::string name;
     std::string unit;  ///< "-" for pure numbers
   };
-  /// A table of rows with a value for each column.
+  /// A table of rows with a value for each column: those that the first process gives.
   void table(const std::string& path, const std::vector<Column>& columns, const std::vector<std::vector<double>>& rows);
 
-  /// Writes summary.json and closes the files.
+  /// Writes summary.json and closes the files. Throws SolveError for a number that is not finite.
   void finish(const Results& results);
 
 private:

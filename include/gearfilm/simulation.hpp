@@ -1,7 +1,11 @@
 // A gear pair marched in time, on its films, and watched step by step.
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gearfilm/results.hpp"
 
@@ -12,7 +16,8 @@ class ContactInStep {
 public:
   int number() const;       ///< of the tooth pair, 0 for the leading one at the start
   double position() const;  ///< xi on the line of action, from the pitch point [m]
-  /// A column of /history/contacts (docs/results.md) in SI: h_min, p_max, force, ... Throws std::out_of_range.
+  /// A column of /history/contacts (docs/results.md) in SI: h_min, p_max, force, ... Throws std::out_of_range for
+  /// what this case does not have.
   double value(const std::string& name) const;
   bool has_film() const;  ///< not in the dry model
   /// Its film; valid while the observer is called.
@@ -37,7 +42,8 @@ struct Step {
   double total_force() const;
 };
 
-/// Called on all processes after every step, and for the states from which steps start.
+/// Called on all processes after every step, and for the states from which steps start: the first of them while a
+/// Simulation is made. What it throws it must throw on all processes.
 using Observer = std::function<void(const Step&)>;
 
 class Simulation {

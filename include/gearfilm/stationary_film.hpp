@@ -1,6 +1,8 @@
 // The stationary film of one contact: a bare one, or that of a pair at one position on the line of action.
 #pragma once
 
+#include <memory>
+
 #include "gearfilm/results.hpp"
 
 namespace gearfilm {
@@ -8,12 +10,11 @@ namespace gearfilm {
 class StationaryFilm {
 public:
   /// Solves for the film, as accurately as the case asks for (grid.accuracy) where it does not choose the nodes. Throws
-  /// SolveError. Collective.
+  /// SolveError, and InputError for more processes than rows. Collective.
   StationaryFilm(MPI_Comm comm, const Case& of);
 
   /// Those of `gearfilm steady`: h_central, h_min, p_max, force, their errors, friction where the case has it, ...
   const Results& results() const;
-  /// Valid as long as this object.
   Film film() const;
 
 private:

@@ -45,7 +45,7 @@ CONCERNED = {
 
 
 def concerned(constant):
-    return next(cases for prefixes, cases in CONCERNED.items() if constant.startswith(prefixes))
+    return next((cases for prefixes, cases in CONCERNED.items() if constant.startswith(prefixes)), tuple(CASES))
 
 
 def summary_of(program, folder, name, constant=None, value=None):
@@ -53,8 +53,11 @@ def summary_of(program, folder, name, constant=None, value=None):
     target = folder / name.replace(" ", "_")
     shutil.rmtree(target, ignore_errors=True)
     options = [] if constant is None else [f"-{constant}", repr(value)]
-    run = subprocess.run([program, *CASES[name][0], *options, "-output_dir", str(target)], cwd=SOURCE, capture_output=True,
-                         text=True, check=False, timeout=600)
+    try:
+        run = subprocess.run([program, *CASES[name][0], *options, "-output_dir", str(target)], cwd=SOURCE, capture_output=True,
+                             text=True, check=False, timeout=300)
+    except subprocess.TimeoutExpired:
+        return None
     return json.loads((target / "summary.json").read_text(encoding="utf-8")) if run.returncode == 0 else None
 
 
@@ -88,7 +91,8 @@ def change(before, after):
 
 def constants_of(program):
     text = subprocess.run([program, "constants"], capture_output=True, text=True, check=True, timeout=60).stdout
-    return {name: float(value) for name, value in re.findall(r"^\| `(\w+)` \| (\S+) \|", text, re.MULTILINE)}
+    return {name: (float(value), kind == "count") for name, value, kind in
+            re.findall(r"^\| `(\w+)` \| (\S+) \| (\w+) \|", text, re.MULTILINE)}
 
 
 def scanned(program, folder, constant, value, whole, base):
@@ -129,11 +133,9 @@ def main():
     base = {name: summary_of(given.program, folder, name) for name in CASES}
     if failed := [name for name, summary in base.items() if summary is None]:
         sys.exit(f"scan_constants: {', '.join(failed)} cannot be computed with the constants by default; run them by hand")
-    text = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "src").rglob("*.cpp"))
     print("| Constant | Tried | Largest relative change of a main figure, and iterations over those by default |\n|---|---|---|")
     for constant in given.constants or known:
-        whole = re.search(rf'Tuned<int> \w+\(\s*"{constant}"', text) is not None
-        for line in scanned(given.program, folder, constant, known[constant], whole, base):
+        for line in scanned(given.program, folder, constant, *known[constant], base):
             print(line, flush=True)
 
 

@@ -29,9 +29,10 @@ std::string constants_markdown() {
       "Constants of the algorithms that were chosen by measurement. The option `-NAME` gives one another value; such "
       "values\nare written into the results. No result may hang on them by more than its error bar: "
       "`scripts/studies/scan_constants.py`\ntries half and twice of each. Lengths and times without unit are "
-      "dimensionless.\n\n| Name | Default | Meaning |\n|---|---|---|\n";
+      "dimensionless.\n\n| Name | Default | Kind | Meaning |\n|---|---|---|---|\n";
   for (const auto& [name, constant] : sorted)
-    text += worded("| `", name, "` | ", constant->by_default(), " | ", constant->meaning(), " |\n");
+    text += worded("| `", name, "` | ", constant->by_default(), constant->whole() ? " | count | " : " | number | ",
+                   constant->meaning(), " |\n");
   return text;
 }
 

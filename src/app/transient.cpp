@@ -6,7 +6,6 @@
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "app/screen_table.hpp"
-#include "dynamics/pair_march.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "output/screen.hpp"
@@ -66,15 +65,6 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
       .print(comm, folder);
 }
 
-PairMarch march_of(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
-                   const StepObserver& observer, MarchKeeper* keeper) {
-  if (problem.dry())
-    return {mesh, problem.numerics.steps.dT, problem.march.dry_damping_ratio.value_or(0.0), observer, keeper};
-  PairNumerics numerics = problem.numerics;
-  numerics.steps.tolerance = problem.march.step_tolerance;
-  return {mesh, numerics, films, observer, keeper};
-}
-
 /// What is known so far, into the files; and its summary.
 Summary write_march(const ResumableRun& run, const CaseInput& problem, const MeshModel& mesh,
                     const std::optional<GridShape>& grid, MarchOutput& output, bool completed) {
@@ -109,7 +99,7 @@ void run_transient(MPI_Comm comm, const CaseInput& problem) {
     output.step(record, contacts);
     if (run.checkpoint().is_new(record)) run.stop().check(comm, mesh.path.mesh_periods(record.T));
   };
-  PairMarch march = march_of(problem, mesh, films, observer, &run.checkpoint());
+  PairMarch march = make_pair_march(problem, mesh, problem.dry() ? nullptr : films, observer, &run.checkpoint());
   try {
     march.start(problem.march.start_motion);
     march.run(end_of(problem, mesh));

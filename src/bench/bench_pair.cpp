@@ -118,6 +118,7 @@ Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic)
   summary["contact_step_convolutions"] = contact_step;
   CaseInput warm = resized;
   warm.traction = warm_film(problem);
+  warm.numerics.on_widening = widening_notice(warm.scales, contacts_at_a_time(warm), heated_points(warm));
   summary["thermal_mesh_period"] = mesh_period_summary(comm, warm, small);
   summary["thermal_contact_step_ratio"] =
       summary["thermal_mesh_period"]["contact_step_convolutions"].get<double>() / contact_step;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "dynamics/meshed_films.hpp"
-#include "gearfilm/error.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
+#include "gearfilm/error.hpp"
 #include "mesh/dry_force.hpp"
 
 namespace gearfilm {

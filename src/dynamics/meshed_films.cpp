@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gearfilm/error.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "film/validity.hpp"
+#include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
 #include "grid/remap.hpp"
 #include "mesh/dry_force.hpp"

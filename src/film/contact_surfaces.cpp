@@ -1,7 +1,7 @@
 #include "film/contact_surfaces.hpp"
 
-#include "film/transfer.hpp"
 #include "film/contact_film.hpp"
+#include "film/transfer.hpp"
 
 namespace gearfilm {
 

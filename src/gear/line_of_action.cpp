@@ -11,8 +11,8 @@
 #include <numbers>
 #include <string>
 
-#include "gearfilm/error.hpp"
 #include "gear/involute.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "gearfilm/error.hpp"
 #include "gear/involute.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "gearfilm/error.hpp"
 #include "gear/involute.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "gearfilm/error.hpp"
 #include "gear/tooth_profile.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 namespace {

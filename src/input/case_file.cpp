@@ -198,6 +198,7 @@ ParameterValues read_parameters(MPI_Comm comm, const std::string& file) {
 
 ParameterValues with_values(MPI_Comm comm, ParameterValues values, const std::map<std::string, std::string>& given,
                             const std::string& origin) {
+  TunedConstant::read_all();
   for (const auto& [name, text] : given) values.set(name, text, origin);
   values.complete();
   attach_tables(comm, values);

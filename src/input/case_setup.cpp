@@ -137,6 +137,17 @@ MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films
   return make_march(mesh, problem.numerics, films, std::move(observer), keeper);
 }
 
+PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
+                          StepObserver observer, MarchKeeper* keeper) {
+  if (!films) {
+    const double damping_ratio = problem.march.dry_damping_ratio.value_or(0.0);
+    return {mesh, problem.numerics.steps.dT, damping_ratio, std::move(observer), keeper};
+  }
+  PairNumerics numerics = problem.numerics;
+  numerics.steps.tolerance = problem.march.step_tolerance;
+  return {mesh, numerics, films, std::move(observer), keeper};
+}
+
 OrbitProblem orbit_problem(const CaseInput& problem) {
   return {mesh_after_leaving(problem), problem.numerics, problem.search};
 }

@@ -1,6 +1,7 @@
 // From a case to the objects that solve it.
 #pragma once
 
+#include "dynamics/pair_march.hpp"
 #include "input/case.hpp"
 
 namespace gearfilm {
@@ -42,6 +43,9 @@ MeshModel mesh_after_leaving(const CaseInput& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films, const MeshModel& mesh,
                      StepObserver observer, MarchKeeper* keeper = nullptr);
+/// The march of `transient`: on films of a discretisation, or dry without one. A keeper must outlive it.
+PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
+                          StepObserver observer, MarchKeeper* keeper = nullptr);
 /// The search for the case's periodic state.
 OrbitProblem orbit_problem(const CaseInput& problem);
 

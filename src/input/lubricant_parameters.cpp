@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "lubricant/thermal_oil.hpp"
 #include "input/parameter_records.hpp"
+#include "lubricant/thermal_oil.hpp"
 
 namespace gearfilm {
 namespace {

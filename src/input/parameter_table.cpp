@@ -8,10 +8,10 @@
 #include "film/solver_options.hpp"
 #include "grid/domain.hpp"
 #include "input/continuation_options.hpp"
+#include "input/parameter_records.hpp"
 #include "orbits/dry_orbit.hpp"
 #include "orbits/film_modes.hpp"
 #include "orbits/periodic_orbit.hpp"
-#include "input/parameter_records.hpp"
 
 namespace gearfilm {
 namespace {

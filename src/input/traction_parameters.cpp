@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "traction/traction_model.hpp"
 #include "input/parameter_records.hpp"
+#include "traction/traction_model.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,5 +1,7 @@
 #include "gearfilm/periodic_state.hpp"
 
+#include <algorithm>
+
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "interface/step_view.hpp"
@@ -23,13 +25,14 @@ CaseInput periodic_case(const Case& of) {
 }  // namespace
 
 PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer) {
+  const QuietErrors quiet;
   const CaseInput input = periodic_case(of);
   const OrbitProblem problem = orbit_problem(input);
   const Scales& scales = problem.mesh.scales;
   SearchWatch watch;
   if (observer) {
     watch.on_step = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
-      observer(step_of(scales, record, contacts));
+      observer(step_of(problem.mesh, record, contacts));
     };
   }
   const FoundOrbit found = find_orbit_with_errors(problem, input.dry() ? nullptr : discretise(comm, problem), watch);
@@ -39,7 +42,8 @@ PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& obse
   end_ = begin_ + scales.time * problem.mesh.period();
 }
 
-bool PeriodicState::stable() const {
+std::optional<bool> PeriodicState::stable() const {
+  if (multipliers_.empty()) return {};
   return std::ranges::all_of(multipliers_, [](const std::complex<double>& value) { return std::abs(value) < 1.0; });
 }
 

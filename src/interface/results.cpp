@@ -1,11 +1,16 @@
 #include "gearfilm/results.hpp"
 
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "interface/views.hpp"
 #include "output/output_directory.hpp"
 #include "output/results_table.hpp"
 #include "output/run_identity.hpp"
+#include "parallel/agreement.hpp"
 
 namespace gearfilm {
 
@@ -30,21 +35,39 @@ void Results::set(const std::string& name, double value) {
 
 std::string Results::json() const { return content_->summary.dump(2); }
 
-int Film::nx() const { return view_->film.grid().nx(); }
-int Film::rows() const { return view_->film.grid().y_count(); }
-double Film::x(int i) const { return view_->film.scales().length * view_->film.grid().x(i); }
-double Film::y(int j) const { return view_->film.scales().length * view_->film.grid().y(j); }
+int Film::nx() const { return view_->film->grid().nx(); }
+int Film::rows() const { return view_->film->grid().y_count(); }
+double Film::x(int i) const { return view_->film->scales().length * view_->film->grid().x(i); }
+double Film::y(int j) const { return view_->film->scales().length * view_->film->grid().y(j); }
 
 double Film::pressure(int i, int j) const {
-  return view_->film.scales().pressure * view_->film.total_pressure().row(i)[j];
+  return view_->film->scales().pressure * view_->film->total_pressure().row(i)[j];
 }
 
 double Film::thickness(int i, int j) const {
-  return view_->film.scales().thickness * view_->film.thickness().row(i)[j];
+  return view_->film->scales().thickness * view_->film->thickness().row(i)[j];
 }
+
+namespace {
+
+/// Does what one process may fail at, and throws on all where it did.
+template <class Action>
+void require_on_all(MPI_Comm comm, Action action) {
+  std::string reason;
+  try {
+    action();
+  } catch (const std::exception& error) {
+    reason = error.what();
+  }
+  reason = first_reason(comm, reason);
+  if (!reason.empty()) throw InputError(reason);
+}
+
+}  // namespace
 
 struct ResultsFolder::Files {
   Files(MPI_Comm comm, const Case& of, const std::string& command) : directory(comm, of.input().run.directory) {
+    const QuietErrors quiet;
     directory.remove_earlier_results();
     file.emplace(comm, directory / "results.h5");
     write_identity(*file, of.input(), command);
@@ -52,7 +75,7 @@ struct ResultsFolder::Files {
 
   OutputDirectory directory;
   std::optional<ResultsFile> file;
-  std::vector<std::string> groups;  ///< with coordinates
+  std::map<std::string, GridShape> grids;  ///< of groups with coordinates
 };
 
 ResultsFolder::ResultsFolder(MPI_Comm comm, const Case& of, const std::string& command)
@@ -61,16 +84,20 @@ ResultsFolder::~ResultsFolder() = default;
 
 void ResultsFolder::field(const std::string& group, const std::string& name, const std::string& unit, const Film& film,
                           const std::function<double(int, int)>& value) {
-  const ContactFilm& of = film.view().film;
-  const WholeDomain domain(of.grid());
+  const ContactFilm& of = *film.view().film;
+  const QuietErrors quiet;
   const std::string path = "/" + group;
-  if (std::ranges::find(files_->groups, path) == files_->groups.end()) {
-    files_->file->grid(path, domain, of.scales());
-    files_->groups.push_back(path);
-  }
   Field<double> values(of.grid());
-  for (int i = 0; i < film.nx(); ++i) {
-    for (int j = 0; j < film.rows(); ++j) values.row(i)[j] = value(i, j);
+  require_on_all(files_->file->comm(), [&] {
+    for (int i = 0; i < film.nx(); ++i) {
+      for (int j = 0; j < film.rows(); ++j) values.row(i)[j] = value(i, j);
+    }
+  });
+  const WholeDomain domain(of.grid());
+  const auto [known, is_new] = files_->grids.emplace(path, of.grid().shape());
+  if (is_new) files_->file->grid(path, domain, of.scales());
+  if (!(known->second == of.grid().shape())) {
+    throw InputError("the group '", group, "' has fields of a film with other nodes; give this field another group");
   }
   files_->file->field(path, name, unit, domain, values, 1.0, path);
 }
@@ -80,17 +107,26 @@ void ResultsFolder::table(const std::string& path, const std::vector<Column>& co
   std::vector<TableColumn> all;
   for (const Column& column : columns) all.push_back({column.name, column.unit});
   std::vector<double> values;
-  for (const std::vector<double>& row : rows) {
-    if (row.size() != columns.size()) {
-      throw InputError("a row of the table '", path, "' has ", row.size(), " values for ", columns.size(),
-                       " columns; give one for each");
+  const QuietErrors quiet;
+  const MPI_Comm comm = files_->file->comm();
+  require_on_all(comm, [&] {
+    for (const std::vector<double>& row : rows) {
+      if (row.size() != columns.size()) {
+        throw InputError("a row of the table '", path, "' has ", row.size(), " values for ", columns.size(),
+                         " columns; give one for each");
+      }
+      values.insert(values.end(), row.begin(), row.end());
     }
-    values.insert(values.end(), row.begin(), row.end());
-  }
+  });
+  unsigned long count = values.size();
+  MPI_Bcast(&count, 1, MPI_UNSIGNED_LONG, 0, comm);
+  values.resize(count);
+  MPI_Bcast(values.data(), static_cast<int>(count), MPI_DOUBLE, 0, comm);
   write_table(*files_->file, "/" + path, all, values);
 }
 
 void ResultsFolder::finish(const Results& results) {
+  const QuietErrors quiet;
   const MPI_Comm comm = files_->file->comm();
   files_->file->finish();
   write_summary(comm, files_->directory.path(), results.content().summary);

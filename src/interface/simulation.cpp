@@ -1,6 +1,7 @@
 #include "gearfilm/simulation.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "dynamics/march_statistics.hpp"
@@ -14,9 +15,10 @@
 namespace gearfilm {
 
 struct ContactInStep::View {
-  const Scales& scales;
-  const ContactRecord& record;
-  const ContactFilm* film;  ///< null in the dry model
+  Scales scales;
+  ContactRecord record;
+  Given given;              ///< which figures there are
+  const ContactFilm* film;  ///< borrowed; null in the dry model
 };
 
 int ContactInStep::number() const { return view_->record.number; }
@@ -24,17 +26,17 @@ double ContactInStep::position() const { return view_->record.position; }
 
 double ContactInStep::value(const std::string& name) const {
   for (std::size_t n = 0; n < contact_figures.size(); ++n) {
-    if (contact_figures[n].name == name)
+    if (contact_figures[n].name == name && view_->given.has(contact_figures[n].needs))
       return contact_figures[n].unit.in_si(view_->scales, view_->record.figures.values[n]);
   }
-  throw std::out_of_range("contacts have no figure '" + name + "'");
+  throw std::out_of_range("contacts of this case have no figure '" + name + "'");
 }
 
 bool ContactInStep::has_film() const { return view_->film != nullptr; }
 
 Film ContactInStep::film() const {
   if (!has_film()) throw std::logic_error("a contact of the dry model has no film");
-  return film_of(*view_->film);
+  return film_of(std::shared_ptr<const ContactFilm>(std::shared_ptr<void>(), view_->film));
 }
 
 double Step::total_force() const {
@@ -43,12 +45,15 @@ double Step::total_force() const {
   return sum;
 }
 
-Step step_of(const Scales& scales, const StepRecord& record, const std::vector<LiveContact>& contacts) {
+Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  const Scales& scales = mesh.scales;
   Step step{scales.time * record.T, scales.time * record.dT, record.motion.H0(), record.motion.V0(), {}};
+  const Given given = given_figures(mesh, !contacts.empty() || record.contacts.empty());
   for (const ContactRecord& contact : record.contacts) {
     const auto live = std::ranges::find(contacts, contact.number, &LiveContact::number);
     const ContactFilm* film = live == contacts.end() ? nullptr : live->film;
-    step.contacts.emplace_back(std::make_shared<const ContactInStep::View>(scales, contact, film));
+    step.contacts.emplace_back(
+        std::make_shared<const ContactInStep::View>(ContactInStep::View{scales, contact, given, film}));
   }
   return step;
 }
@@ -61,15 +66,10 @@ struct Simulation::March {
         statistics(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()) {
     const auto on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
       statistics.add(record, given_figures(mesh, !input.dry()));
-      if (observer) observer(step_of(mesh.scales, record, contacts));
+      if (observer) observer(step_of(mesh, record, contacts));
     };
-    if (input.dry()) {
-      march.emplace(mesh, input.numerics.steps.dT, input.march.dry_damping_ratio.value_or(0.0), on_step);
-    } else {
-      PairNumerics numerics = input.numerics;
-      numerics.steps.tolerance = input.march.step_tolerance;
-      march.emplace(mesh, numerics, discretise(comm, numerics, mesh.scales), on_step);
-    }
+    const QuietErrors quiet;
+    march.emplace(make_pair_march(input, mesh, input.dry() ? nullptr : discretise(comm, input), on_step));
     march->start(input.march.start_motion);
   }
 
@@ -95,7 +95,10 @@ Simulation::Simulation(MPI_Comm comm, const Case& of, Observer observer)
 
 Simulation::~Simulation() = default;
 
-void Simulation::run_to(double mesh_periods) { march_->march->run(march_->mesh.path.time_after(mesh_periods)); }
+void Simulation::run_to(double mesh_periods) {
+  const QuietErrors quiet;
+  march_->march->run(march_->mesh.path.time_after(mesh_periods));
+}
 
 double Simulation::time() const { return march_->mesh.scales.time * march_->march->T(); }
 

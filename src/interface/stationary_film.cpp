@@ -12,6 +12,7 @@ struct StationaryFilm::Solution {
 };
 
 StationaryFilm::StationaryFilm(MPI_Comm comm, const Case& of) {
+  const QuietErrors quiet;
   const CaseInput& input = of.input();
   const SteadyPosition position = steady_position(input);
   const Grid grid(comm, steady_grid(comm, input, position, widening_check(1, heated_points(input))));
@@ -21,6 +22,9 @@ StationaryFilm::StationaryFilm(MPI_Comm comm, const Case& of) {
 }
 
 const Results& StationaryFilm::results() const { return solution_->results; }
-Film StationaryFilm::film() const { return film_of(*solution_->steady.solved.film); }
+// It keeps the solution alive.
+Film StationaryFilm::film() const {
+  return film_of(std::shared_ptr<const ContactFilm>(solution_, solution_->steady.solved.film.get()));
+}
 
 }  // namespace gearfilm

@@ -6,7 +6,7 @@
 
 namespace gearfilm {
 
-/// Valid while the records and films are.
-Step step_of(const Scales& scales, const StepRecord& record, const std::vector<LiveContact>& contacts);
+/// Its films are borrowed: valid while these are.
+Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
 
 }  // namespace gearfilm

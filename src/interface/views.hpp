@@ -1,10 +1,16 @@
-// What the public classes see of a case and of films.
+// What the public classes see of a case and of films, and the silence that they keep.
 #pragma once
+
+#include <hdf5.h>
+
+#include <memory>
+#include <utility>
 
 #include "film/contact_film.hpp"
 #include "gearfilm/results.hpp"
 #include "input/case.hpp"
 #include "output/summary.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 
@@ -16,10 +22,31 @@ struct Results::Content {
 };
 
 struct Film::View {
-  const ContactFilm& film;
+  std::shared_ptr<const ContactFilm> film;  ///< owned with what it is part of, or borrowed
 };
 
-/// A view of a film, which must outlive it.
-inline Film film_of(const ContactFilm& film) { return Film(std::make_shared<const Film::View>(Film::View{film})); }
+inline Film film_of(std::shared_ptr<const ContactFilm> film) {
+  return Film(std::make_shared<const Film::View>(Film::View{std::move(film)}));
+}
+
+/// While it lives errors of PETSc and HDF5 are exceptions alone; neither prints.
+class QuietErrors {
+public:
+  QuietErrors() {
+    (void)H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    (void)H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    petsc_check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+  }
+  ~QuietErrors() {
+    (void)PetscPopErrorHandler();
+    (void)H5Eset_auto2(H5E_DEFAULT, print_, data_);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
 
 }  // namespace gearfilm

@@ -10,7 +10,7 @@ namespace {
 
 const Tuned<double> largest_fall("newton_largest_fall", 0.5, "largest fall of a pressure in an iteration, relative");
 const Tuned<double> largest_rise("newton_largest_rise", 0.2, "largest rise of a pressure in an iteration");
-const Tuned<double> free_below("newton_free_below", 0.03, "pressure below which it may vanish at once");
+const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this may vanish in one iteration");
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");
 const Tuned<double> astray("newton_astray", 1000.0,
@@ -21,7 +21,7 @@ const Tuned<double> left_over("newton_left_over", 0.3, "part of Newton's toleran
 const Tuned<int> relaxations("newton_relaxations", 8, "halvings of a full step that leads up");
 const Tuned<double> growth_of_relaxed("newton_growth_of_relaxed", 3.0,
                                       "growth of the merit that a relaxed step may bring");
-const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part of a full step");
+const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part of a full step of Newton's method");
 const Tuned<double> least_part("newton_least_part", 0.25,
                                "least part of a length that was too long that is tried next");
 

@@ -1,6 +1,7 @@
 #include "numerics/tuned.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "gearfilm/error.hpp"
@@ -27,7 +28,7 @@ void TunedConstant::read_all() {
     const std::string value = text ? text : "";
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
-    const bool wrong = value.empty() || *end != '\0' || !(number > 0.0) || !std::isfinite(number);
+    const bool wrong = value.empty() || *end != '\0' || !(number > 0.0) || number > 1e9;
     if (wrong || (constant->whole_ && number != std::floor(number))) {
       throw InputError("option ", option, ": '", value, "' is no ", constant->whole_ ? "whole " : "",
                        "number above zero; give one, or leave it at ", constant->default_);

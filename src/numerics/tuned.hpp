@@ -5,6 +5,8 @@
 // of each.
 #pragma once
 
+#include <type_traits>
+
 namespace gearfilm {
 
 class TunedConstant {
@@ -45,7 +47,7 @@ template <class Number>
 class Tuned final : public TunedConstant {
 public:
   Tuned(const char* name, Number value, const char* meaning) noexcept
-      : TunedConstant(name, value, Number(1) / Number(2) == Number(0), meaning) {}
+      : TunedConstant(name, value, std::is_integral_v<Number>, meaning) {}
 
   operator Number() const { return static_cast<Number>(value()); }
 };

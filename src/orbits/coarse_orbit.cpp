@@ -15,6 +15,7 @@ namespace {
 const Tuned<double> out_of_phase(
     "search_out_of_phase", 1.0,
     "phase of a swing at the end of a mesh period that the error of coarse steps may bring");
+// With fewer the damping is wrong by more than a twentieth, and steps halve.
 const Tuned<double> steps_of_a_swing("search_steps_of_a_swing", 20,
                                      "steps of a free swing that coarse marches have at least");
 const Tuned<double> left_by_the_fit("search_left_by_the_fit", 0.1, "part of the frequency's error that the fit leaves");
@@ -269,7 +270,7 @@ OrbitGuess with_marched_films(const OrbitProblem& problem, const SharedDiscretis
   OrbitProblem quick = problem;
   quick.numerics.steps.lengthen(2.0);
   if (!guess.neighbour || !resolves_swings(quick)) return guess;
-  const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch.keeper, "coarse_step", films->grid());
+  const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch.keeper, "near_step", films->grid());
   try {
     return improve_guess(quick, films, guess, on_the_way(watch, keeper.get()));
   } catch (const SolveError&) {

@@ -13,7 +13,9 @@ namespace {
 const Tuned<double> largest_turn("branch_largest_turn", 0.3, "largest turn of the tangent in a step [rad]");
 const Tuned<double> usual_turn("branch_usual_turn", 0.1, "turn that the next step is chosen for [rad]");
 const Tuned<double> farthest("branch_farthest", 0.5, "distance from prediction to corrected point, of a step");
-const Tuned<int> easy_iterations("branch_easy_iterations", 4, "iterations of an easy step");
+const Tuned<int> easy_iterations(
+    "branch_easy_iterations", 4,
+    "iterations of the corrector up to which a step was easy, so that the next may be longer");
 
 /// A flip whose branch is still to be followed.
 struct Birth {

@@ -8,13 +8,14 @@
 namespace gearfilm {
 namespace {
 
-const Tuned<double> smallest_step("dry_branch_smallest_step", 1.0 / 128, "smallest step, part of the way");
+const Tuned<double> smallest_step("dry_branch_smallest_step", 1.0 / 128,
+                                  "smallest step along a dry branch, part of the way");
 const Tuned<double> turn_in_a_step("dry_branch_turn_in_a_step", 0.3, "turn of the tangent in a step [rad]");
 const Tuned<double> distance_of_a_step("dry_branch_distance_of_a_step", 0.2,
                                        "distance from prediction to motion, of a step's length");
 const Tuned<double> other_branch("dry_branch_other_branch", 0.3, "distance from the prediction that is another branch");
 const Tuned<double> same_motion("dry_branch_same_motion", 1e-3, "distance of motions that are the same");
-const Tuned<double> tolerance("dry_branch_tolerance", 2e-8, "tolerance of the fixed point");
+const Tuned<double> tolerance("dry_branch_tolerance", 2e-8, "tolerance of a periodic motion of the dry pair");
 
 /// Signed parts of the way are the unit of the parameter, so that a tangent's last component is positive.
 Motion ahead(const BranchPoint& from, double parts) {

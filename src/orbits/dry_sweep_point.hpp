@@ -1,6 +1,8 @@
 // A point of a sweep of the dry pair's periodic states, from a state at another point.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "orbits/branch_point.hpp"

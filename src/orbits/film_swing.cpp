@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearfilm/error.hpp"
 #include "film/discretisation.hpp"
+#include "gearfilm/error.hpp"
 #include "numerics/estimate.hpp"
 
 namespace gearfilm {

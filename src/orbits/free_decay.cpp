@@ -11,8 +11,8 @@ namespace {
 
 const Tuned<double> near_orbit("decay_near_orbit", 0.2, "part of a push that is near the orbit");
 const Tuned<double> gone("decay_gone", 0.02, "part of a push that is noise");
-const Tuned<double> far("decay_far", 4e-2, "distance beyond which the map bends");
-const Tuned<double> smallest_push("decay_smallest_push", 1e-4, "smallest push");
+const Tuned<double> far("decay_far", 4e-2, "distance from the orbit beyond which the map bends");
+const Tuned<double> smallest_push("decay_smallest_push", 1e-4, "smallest push of a pair off its orbit");
 const Tuned<double> well_known("decay_well_known", 0.02, "error of a modulus for which one push is enough");
 
 /// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.

@@ -2,7 +2,9 @@
 // search, and who watches it.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "dynamics/pair_numerics.hpp"

@@ -1,9 +1,9 @@
 #include "orbits/pair_branch.hpp"
 
 #include "dynamics/march_statistics.hpp"
+#include "orbits/coarse_orbit.hpp"
 #include "orbits/dry_branch.hpp"
 #include "orbits/film_branch.hpp"
-#include "orbits/coarse_orbit.hpp"
 
 namespace gearfilm {
 namespace {

@@ -1,6 +1,8 @@
 // What a continuation of the pair follows and where it begins, on films and dry.
 #pragma once
 
+#include <memory>
+
 #include "orbits/continuation.hpp"
 #include "orbits/dry_sweep_point.hpp"
 

@@ -1,6 +1,7 @@
 #include "orbits/settled_march.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/dry_flow.hpp"
 #include "dynamics/march_statistics.hpp"

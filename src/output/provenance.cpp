@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "parallel/petsc.hpp"
 #include "gearfilm/version.hpp"
 #include "parallel/agreement.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 namespace {

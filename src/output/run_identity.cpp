@@ -79,13 +79,15 @@ void write_identity(ResultsFile& file, const CaseInput& problem, const std::stri
   file.attribute("/", "x_max", problem.numerics.domain.x_max);
   file.attribute("/", "y_half", problem.numerics.domain.y_half);
   const Scales& scales = problem.scales;
+  // Points of these have scales of their own.
+  const bool of_one_pair = command != "sweep" && command != "continuation";
   for (const auto& [name, value] : {std::pair("length", scales.length),
                                     {"thickness", scales.thickness},
                                     {"pressure", scales.pressure},
                                     {"time", scales.time},
-                                    {"force", scales.operation.load / scales.static_force},
+                                    {"force", scales.force(1.0)},
                                     {"velocity", scales.operation.entrainment_velocity}}) {
-    file.attribute("/scales", name, value);
+    if (of_one_pair) file.attribute("/scales", name, value);
   }
   for (const EchoedValue& echoed : problem.parameters.echo()) {
     const bool pure = echoed.unit.empty() || echoed.unit == "-";

@@ -13,7 +13,6 @@ namespace gearfilm {
 /// Keeps the order in which results were added.
 using Summary = nlohmann::ordered_json;
 
-/// (H_0, V_0), and back from the first two of a list.
 /// A motion is the list of its q and its v.
 inline void to_json(Summary& json, const Motion& motion) {
   const Eigen::VectorXd x = to_vector(motion);

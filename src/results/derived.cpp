@@ -1,6 +1,7 @@
 #include "results/derived.hpp"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "contact/film_formulas.hpp"

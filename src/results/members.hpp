@@ -25,7 +25,7 @@ struct Member {
 };
 
 /// The value of a member that a result does not have.
-inline Summary absent() { return {Summary::value_t::discarded}; }
+inline Summary absent() { return Summary(Summary::value_t::discarded); }  // braces would make it a list of one
 /// What may not be known, and what may not be there.
 template <class Value>
 Summary known(const std::optional<Value>& value) {

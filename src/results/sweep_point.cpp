@@ -78,7 +78,6 @@ Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lu
   summary["total_force_ratio_min"] = figures.smallest_force;
   if (lubricated) summary["h_min"] = scales.thickness * figures.smallest_film;
   summary["contact_lost"] = figures.contact_lost;
-  const auto known = [](const auto& value) { return value ? Summary(*value) : Summary(); };
   summary["repeats_every"] = known(figures.repeats_every);
   summary["repeats_within"] = figures.recurrence ? Summary(figures.recurrence->defect) : Summary();
   summary["settles_on"] = known(figures.settles_on);

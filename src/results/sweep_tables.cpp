@@ -16,14 +16,14 @@
 namespace gearfilm {
 namespace {
 
-constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Of a point, under the name of a column; absent where a point that failed lacks it.
 double number(const Summary& point, const std::string& name) {
   if (name == "up") return point["direction"] == "up" ? 1.0 : 0.0;
   if (name == "found") return point.contains("error") ? 0.0 : 1.0;
   const auto found = point.find(name);
-  if (found == point.end() || found->is_null()) return absent;
+  if (found == point.end() || found->is_null()) return no_value;
   return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
 }
 
@@ -54,7 +54,7 @@ void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& 
   for (const Summary& point : results) {
     append_numbers(point, columns, rows);
     for (int n = 0; n < 4; ++n) {
-      rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : absent);
+      rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : no_value);
     }
   }
   write_table(

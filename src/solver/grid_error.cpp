@@ -1,8 +1,8 @@
 #include "solver/grid_error.hpp"
 
+#include "film/expected_errors.hpp"
 #include "film/transfer.hpp"
 #include "gearfilm/error.hpp"
-#include "film/expected_errors.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {

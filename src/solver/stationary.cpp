@@ -19,7 +19,7 @@ const Tuned<double> last_pseudo_step("stationary_last_pseudo_step", 20.0,
 const Tuned<double> shortest_pseudo_step("stationary_shortest_pseudo_step", 1e-6, "shortest pseudo-time step");
 const Tuned<double> pseudo_step_growth("stationary_pseudo_step_growth", 4.0,
                                        "growth of pseudo-time steps until one fails");
-const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "their growth from then on");
+const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "growth of pseudo-time steps once one has failed");
 const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
                                     "tolerance of films that are only a way to others");
 const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");

@@ -30,14 +30,17 @@ const Tuned<double> shortest_way("coupled_shortest_way", 1e-3, "shortest part of
 // Turns after which a film that has not settled goes on without mixing, part of the way.
 const Tuned<int> patient_turns("coupled_patient_turns", 30,
                                "turns after which a film that has not settled goes on without mixing");
-const Tuned<double> careful_way("coupled_careful_way", 0.25, "part of the way that it then goes");
+const Tuned<double> careful_way("coupled_careful_way", 0.25, "part of the way to a correction without mixing");
 
 // Changes in a turn at which a film counts as settled.
 const Tuned<double> settled_film("coupled_settled_film", 2e-4,
                                  "change of the film in a turn at which it counts as settled, relative");
-const Tuned<double> settled_friction("coupled_settled_friction", 1e-3, "the same of the friction force");
-const Tuned<double> settled_temperature("coupled_settled_temperature", 0.5, "the same of temperatures [K]");
-const Tuned<double> settled_shear("coupled_settled_shear", 0.05, "the same of kappa");
+const Tuned<double> settled_friction("coupled_settled_friction", 1e-3,
+                                     "change of the friction force in a turn at which it counts as settled, relative");
+const Tuned<double> settled_temperature("coupled_settled_temperature", 0.5,
+                                        "change of temperatures in a turn at which they count as settled [K]");
+const Tuned<double> settled_shear("coupled_settled_shear", 0.05,
+                                  "change of kappa in a turn at which it counts as settled");
 constexpr double loaded = 5e-3;  // of the pressure scale
 
 /// What a turn changed, over what it may.

@@ -16,12 +16,14 @@ const Tuned<double> tolerance("energy_tolerance", 2e-5, "last change of a temper
 const Tuned<double> largest_step("energy_largest_step", 25.0, "largest step of Newton's method [K]");
 const Tuned<double> small_change("energy_small_change", 0.02,
                                  "change of a temperature after which viscosities follow by their slopes [K]");
-const Tuned<int> most_iterations("energy_most_iterations", 240, "iterations at most");
+const Tuned<int> most_iterations("energy_most_iterations", 240,
+                                 "iterations for the temperatures across the film at most");
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
 // ever: so many iterations in turn are Newton's, and resisted.
-const Tuned<int> patience("energy_patience", 20, "iterations in turn that are Newton's, and resisted");
+const Tuned<int> patience("energy_patience", 20,
+                          "iterations across the film that are Newton's in turn, and then resisted in turn");
 const Tuned<int> profile_iterations("energy_profile_iterations", 3,
-                                    "iterations after which the velocity profile stays as it is");
+                                    "iterations across the film after which the velocity profile stays as it is");
 
 std::vector<double> trapezoidal_weights(int points) {
   std::vector<double> weights(points, 1.0 / (points - 1));

@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "traction/sheared_flow.hpp"
 #include "lubricant/independent_iterations.hpp"
 #include "traction/film_energy_equation.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"
+#include "traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
-#include "traction/sheared_flow.hpp"
 #include "parallel/agreement.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"
+#include "traction/sheared_flow.hpp"
 
 namespace gearfilm {
 namespace {
