@@ -1,13 +1,15 @@
 // The oil of a case: its laws of viscosity and density at the temperature of the case.
 #pragma once
 
+#include <utility>
+
 #include "gearfilm/case.hpp"
 
 namespace gearfilm {
 
 class Oil {
 public:
-  explicit Oil(const Case& of) : case_(of) {}
+  explicit Oil(Case of) : case_(std::move(of)) {}
 
   /// eta(p) [Pa s], p [Pa].
   double viscosity(double pressure) const;

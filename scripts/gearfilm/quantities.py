@@ -108,7 +108,7 @@ contact_lost | | whether the total force falls below 0.02 of the static force
 back_contact | | whether back flanks touch
 transmission_error_peak_to_peak | m | transmission error, largest less smallest
 transmission_error_rms | m | transmission error, root mean square of its deviation from the mean
-floquet_modulus | - | what a disturbance keeps over one mesh period
+floquet_modulus | - | what a disturbance keeps over the period
 stable | | whether disturbances die away: floquet_modulus below 1
 free_frequency | Hz | free oscillation about the periodic state
 damping_ratio | - | damping ratio of the free oscillation

@@ -94,7 +94,7 @@ SearchWatch watch_of(MPI_Comm comm, ResumableRun& run, MarchOutput& output) {
 
 void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found, ResumableRun& run,
                  MarchOutput& output) {
-  const MPI_Comm comm = output.file().comm();
+  MPI_Comm comm = output.file().comm();
   const double begin = found.own.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
   output.file().attribute("/history", "periodic_to", end);

@@ -149,7 +149,7 @@ PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const
 }
 
 OrbitProblem orbit_problem(const CaseInput& problem) {
-  return {mesh_after_leaving(problem), problem.numerics, problem.search};
+  return {mesh_after_leaving(problem), problem.numerics, static_cast<const OrbitSearch&>(problem.search)};
 }
 
 }  // namespace gearfilm

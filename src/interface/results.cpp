@@ -105,10 +105,11 @@ void ResultsFolder::field(const std::string& group, const std::string& name, con
 void ResultsFolder::table(const std::string& path, const std::vector<Column>& columns,
                           const std::vector<std::vector<double>>& rows) {
   std::vector<TableColumn> all;
+  all.reserve(columns.size());
   for (const Column& column : columns) all.push_back({column.name, column.unit});
   std::vector<double> values;
   const QuietErrors quiet;
-  const MPI_Comm comm = files_->file->comm();
+  MPI_Comm comm = files_->file->comm();
   require_on_all(comm, [&] {
     for (const std::vector<double>& row : rows) {
       if (row.size() != columns.size()) {
@@ -127,7 +128,7 @@ void ResultsFolder::table(const std::string& path, const std::vector<Column>& co
 
 void ResultsFolder::finish(const Results& results) {
   const QuietErrors quiet;
-  const MPI_Comm comm = files_->file->comm();
+  MPI_Comm comm = files_->file->comm();
   files_->file->finish();
   write_summary(comm, files_->directory.path(), results.content().summary);
 }

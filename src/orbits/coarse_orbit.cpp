@@ -184,14 +184,14 @@ private:
   SharedDiscretisation films_;
 };
 
-double pitch_H0(const OrbitProblem& problem, const SharedDiscretisation& films) {
+double pitch_displacement(const OrbitProblem& problem, const SharedDiscretisation& films) {
   return pitch_film(problem.mesh.scales, problem.numerics, films).solution.H0;
 }
 
 /// By how much the pair lies higher on the films of the problem's own grid: as much as one contact at rest does.
 double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const SharedDiscretisation& films) {
   try {
-    return pitch_H0(problem, films) - pitch_H0(coarse.problem(), coarse.films());
+    return pitch_displacement(problem, films) - pitch_displacement(coarse.problem(), coarse.films());
   } catch (const SolveError&) {
     return 0.0;
   }

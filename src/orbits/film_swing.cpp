@@ -55,9 +55,8 @@ std::optional<CoarserSwing> swing_on_coarser(const MeshModel& mesh, const PairNu
 
 }  // namespace
 
-RestingPair::RestingPair(const MeshModel& mesh, const PairNumerics& numerics,
-                         const SharedDiscretisation& discretisation)
-    : mesh_(mesh) {
+RestingPair::RestingPair(MeshModel mesh, const PairNumerics& numerics, const SharedDiscretisation& discretisation)
+    : mesh_(std::move(mesh)) {
   MeshMarch march = make_march(mesh_, numerics, discretisation, unseen);
   march.start({});
   discretisation_ = march.discretisation();

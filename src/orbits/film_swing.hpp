@@ -20,7 +20,7 @@ namespace gearfilm {
 class RestingPair {
 public:
   /// mesh: of contacts that are held. Throws SolveError where there are no such films. Collective.
-  RestingPair(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& discretisation);
+  RestingPair(MeshModel mesh, const PairNumerics& numerics, const SharedDiscretisation& discretisation);
 
   LubricatedPair& pair() { return *pair_; }
   Vec state() const { return state_; }

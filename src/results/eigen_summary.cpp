@@ -36,7 +36,7 @@ const auto dry_members = std::to_array<Member<DryPair>>({
      [](const DryPair& of) -> Summary { return of.modes[1].frequency; }},
     {"mode_shape", "", "-", "rotations of pinion and wheel in that mode, the larger one 1",
      [](const DryPair& of) -> Summary { return of.modes[1].shape; }},
-    {"rigid_frequency", "", "Hz", "frequency of the rigid rotation, zero",
+    {"rigid_frequency", "", "Hz", "frequency of the rigid rotation: zero but for round-off",
      [](const DryPair& of) -> Summary { return of.modes[0].frequency; }},
     {"rigid_mode_shape", "", "-", "rotations of pinion and wheel in it",
      [](const DryPair& of) -> Summary { return of.modes[0].shape; }},
@@ -48,23 +48,23 @@ struct SwingOnFilms {
 };
 
 const auto film_swing_members = std::to_array<Member<SwingOnFilms>>({
-    {"film_frequency", "", "Hz", "natural frequency of the pair on its films",
+    {"film_frequency", "", "Hz", "frequency of the pair on its films",
      [](const SwingOnFilms& of) -> Summary { return of.figures.frequency; }},
     {"film_frequency_error", "", "Hz", "its error; null where no coarser grid has a mode",
      [](const SwingOnFilms& of) -> Summary { return known(of.figures.frequency_error); }},
-    {"film_damping_ratio", "", "-", "damping ratio of that mode",
+    {"film_damping_ratio", "", "-", "damping ratio of the pair on its films",
      [](const SwingOnFilms& of) -> Summary { return of.figures.damping_ratio; }},
     {"film_damping_ratio_error", "", "-", "its error, likewise",
      [](const SwingOnFilms& of) -> Summary { return known(of.figures.damping_ratio_error); }},
-    {"film_damping_ratio_bound", "", "-", "what it is at most, where films are stiff springs",
+    {"film_damping_ratio_bound", "", "-", "on stiff films: what the damping ratio is at most",
      [](const SwingOnFilms& of) -> Summary {
        return of.swing.on_stiff_films() ? known(of.figures.damping_ratio_bound()) : absent();
      }},
-    {"swings_in_passage", "", "rad", "angle through which the pair swings while oil crosses half a contact",
+    {"swings_in_passage", "", "-", "radians of the swing while oil crosses half a contact",
      [](const SwingOnFilms& of) -> Summary { return of.swing.mode.swings_in_passage; }},
-    {"swing_solutions", "", "-", "linear systems solved for the mode",
+    {"swing_solutions", "", "-", "linear solutions for the mode",
      [](const SwingOnFilms& of) -> Summary { return of.swing.mode.solutions; }},
-    {"swing_krylov_iterations", "", "-", "iterations that they took",
+    {"swing_krylov_iterations", "", "-", "iterations of the linear solver in all of them",
      [](const SwingOnFilms& of) -> Summary { return of.swing.mode.krylov_iterations; }},
 });
 

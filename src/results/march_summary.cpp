@@ -68,7 +68,7 @@ const auto run_members = std::to_array<Member<RunOfPair>>({
      [](const RunOfPair& of) -> Summary { return of.problem.numerics.ny; }},
     {"dT", "dT", "-", "time step over a/u_m",
      [](const RunOfPair& of) -> Summary { return of.problem.numerics.steps.dT; }},
-    {"static_force", "w*", "N", "static force on the mesh",
+    {"static_force", "w*", "N", "static force on the pair",
      [](const RunOfPair& of) -> Summary { return of.mesh.scales.operation.load; }},
     {"mesh_period", "", "s", "time from one tooth to the next",
      [](const RunOfPair& of) -> Summary { return of.mesh.scales.time * of.mesh.path.mesh_period(); }},

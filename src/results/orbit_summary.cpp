@@ -24,16 +24,16 @@ struct PairMultipliers {
 const auto multiplier_members = std::to_array<Member<PairMultipliers>>({
     {"floquet", "mu", "-", "Floquet multipliers of the motion, real and imaginary part each",
      [](const PairMultipliers& of) -> Summary { return of.all; }},
-    {"floquet_modulus", "abs(mu)", "-", "the larger modulus: what is left of a disturbance after the period",
+    {"floquet_modulus", "abs(mu)", "-", "what a disturbance keeps over the period",
      [](const PairMultipliers& of) -> Summary { return of.modulus; }, true},
-    {"stable", "", "", "disturbances die away", [](const PairMultipliers& of) -> Summary { return of.modulus < 1.0; },
-     true},
-    {"free_frequency", "", "Hz", "frequency of the free oscillation; null where multipliers do not tell one",
+    {"stable", "", "", "whether disturbances die away: floquet_modulus below 1",
+     [](const PairMultipliers& of) -> Summary { return of.modulus < 1.0; }, true},
+    {"free_frequency", "", "Hz", "free oscillation about the periodic state",
      [](const PairMultipliers& of) -> Summary {
        return of.oscillation ? Summary(of.oscillation->frequency) : Summary();
      },
      true},
-    {"damping_ratio", "zeta", "-", "its damping ratio",
+    {"damping_ratio", "zeta", "-", "damping ratio of the free oscillation",
      [](const PairMultipliers& of) -> Summary {
        return of.oscillation ? Summary(of.oscillation->damping_ratio) : Summary();
      },
@@ -49,36 +49,38 @@ struct OrbitOfPair {
 };
 
 const auto search_members = std::to_array<Member<OrbitOfPair>>({
-    {"periods_used", "", "-", "periods marched to find the state",
+    {"periods_used", "", "-", "mesh periods marched to find the state",
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.periods_used; }, true},
     {"final_grid", "", "", "nodes and bounds of the grid at the end, widened or not; not in the dry model",
      [](const OrbitOfPair& of) -> Summary {
        return of.lubricated() ? grid_summary(of.mesh.scales, of.found.orbit.end.shape) : absent();
      }},
-    {"defect", "", "-", "change of (H0, V0) over the period",
+    {"defect", "", "-", "change of the motion over the periodic period",
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.defect; }, true},
-    {"film_defect", "", "-", "largest change of the films over the period; not in the dry model",
+    {"film_defect", "", "-",
+     "largest change of any pressure over the periodic period, in units of p_h (of films that feel their heat: root "
+     "mean square of a field over its largest value)",
      [](const OrbitOfPair& of) -> Summary { return of.lubricated() ? Summary(of.found.orbit.film_defect) : absent(); },
      true},
     {"states_after_leaving", "", "-", "(H0, V0) just after a contact has left, once a mesh period of the state",
      [](const OrbitOfPair& of) -> Summary { return of.found.states_after_leaving; }},
-    {"H0_after_leaving", "H_0", "-", "rigid displacement at the beginning of the period, just after a contact has left",
+    {"H0_after_leaving", "H_0", "-", "H_0 just after a contact has left",
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.H0(); }, true},
-    {"V0_after_leaving", "V_0", "-", "its velocity there",
+    {"V0_after_leaving", "V_0", "-", "V_0 just after a contact has left",
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.V0(); }, true},
 });
 
 const auto swing_members = std::to_array<Member<OrbitOfPair>>({
-    {"contact_lost", "", "", "the total force comes below a fiftieth of the static one",
+    {"contact_lost", "", "", "whether the total force falls below 0.02 of the static force",
      [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, true},
-    {"back_contact", "", "", "back flanks touch",
+    {"back_contact", "", "", "whether back flanks touch",
      [](const OrbitOfPair& of) -> Summary { return of.found.figures["back_force_ratio_max"].value_or(0.0) > 0.0; }},
-    {"transmission_error_peak_to_peak", "", "m", "transmission error over the period, peak to peak",
+    {"transmission_error_peak_to_peak", "", "m", "transmission error, largest less smallest",
      [](const OrbitOfPair& of) -> Summary {
        return of.mesh.scales.thickness * of.found.transmission_error.peak_to_peak;
      },
      true},
-    {"transmission_error_rms", "", "m", "its root mean square about the mean",
+    {"transmission_error_rms", "", "m", "transmission error, root mean square of its deviation from the mean",
      [](const OrbitOfPair& of) -> Summary {
        return of.mesh.scales.thickness * of.found.transmission_error.root_mean_square;
      },

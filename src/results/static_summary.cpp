@@ -15,21 +15,21 @@ constexpr int most_contacts = 3;      // a contact ratio of two and more has as 
 constexpr double least_share = 1e-3;  // that a table of shares may have
 
 const auto static_members = std::to_array<Member<StaticLoad>>({
-    {"te_mean", "", "m", "transmission error, mean over a mesh period",
+    {"te_mean", "", "m", "transmission error, mean over the mesh period",
      [](const StaticLoad& of) -> Summary { return of.length(of.found().mean); }},
-    {"te_peak_to_peak", "", "m", "transmission error, peak to peak",
+    {"te_peak_to_peak", "", "m", "transmission error, largest less smallest",
      [](const StaticLoad& of) -> Summary { return of.length(of.found().peak_to_peak); }},
     {"te_pitch", "", "m", "transmission error with a contact at the pitch point",
      [](const StaticLoad& of) -> Summary { return of.length(-of.found().at_pitch.H0); }},
-    {"te_harmonics", "", "m", "amplitudes of the transmission error at the mesh frequency and its multiples",
+    {"te_harmonics", "", "m", "amplitudes at the first multiples of the mesh frequency",
      [](const StaticLoad& of) -> Summary {
        Summary all = Summary::array();
        for (double amplitude : of.found().harmonics) all.push_back(of.length(amplitude));
        return all;
      }},
-    {"mesh_stiffness_pitch", "", "N/m", "stiffness of the mesh with a contact at the pitch point",
+    {"mesh_stiffness_pitch", "", "N/m", "mesh stiffness with a contact at the pitch point",
      [](const StaticLoad& of) -> Summary { return of.stiffness(of.found().at_pitch.stiffness); }},
-    {"mesh_stiffness_mean", "", "N/m", "stiffness of the mesh, mean over a mesh period",
+    {"mesh_stiffness_mean", "", "N/m", "mesh stiffness, mean over the mesh period",
      [](const StaticLoad& of) -> Summary { return of.stiffness(of.found().mean_stiffness); }},
     {"entry_penetration", "", "m", "by which an entering tooth meets its mate; null where none does",
      [](const StaticLoad& of) -> Summary {
@@ -41,9 +41,9 @@ const auto static_members = std::to_array<Member<StaticLoad>>({
        const double met = of.found().entry_penetration.value_or(0.0);
        return met > 0.0 ? Summary(corner_distance(of.mesh(), met)) : Summary();
      }},
-    {"effective_contact_ratio", "", "-", "contacts that carry at a time, on the average",
+    {"effective_contact_ratio", "", "-", "contacts that carry more than a thousandth of the load, on the average",
      [](const StaticLoad& of) -> Summary { return of.found().effective_contact_ratio; }},
-    {"p_max_dry", "", "Pa", "largest pressure of the dry contacts",
+    {"p_max_dry", "", "Pa", "largest Hertz pressure",
      [](const StaticLoad& of) -> Summary { return of.largest_pressure(); }},
 });
 

@@ -39,23 +39,22 @@ SolveCounts total(const StationaryResult& result) {
 
 const auto film_members = std::to_array<Member<StationaryResult>>({
     {"H0", "H_0", "-", "rigid displacement", [](const StationaryResult& of) -> Summary { return of.solution.H0; }},
-    {"H_central", "H", "-", "film thickness in the centre",
+    {"H_central", "H", "-", "central film in units of a^2/R_x",
      [](const StationaryResult& of) -> Summary { return of.figures.central_film; }},
-    {"H_min", "H", "-", "smallest film thickness",
+    {"H_min", "H", "-", "smallest film in units of a^2/R_x",
      [](const StationaryResult& of) -> Summary { return of.figures.smallest_film; }},
-    {"residual", "", "-", "norm of the residual that is left",
-     [](const StationaryResult& of) -> Summary { return of.counts.residual; }},
+    {"residual", "", "-", "last residual", [](const StationaryResult& of) -> Summary { return of.counts.residual; }},
     {"newton_iterations", "", "-", "iterations of Newton's method on the finest grid",
      [](const StationaryResult& of) -> Summary { return of.counts.newton; }},
     {"krylov_iterations", "", "-", "iterations of the linear solver there",
      [](const StationaryResult& of) -> Summary { return of.counts.krylov; }},
-    {"convolutions", "", "-", "deformations computed there",
+    {"convolutions", "", "-", "convolutions",
      [](const StationaryResult& of) -> Summary { return of.counts.convolutions; }},
-    {"newton_iterations_all_grids", "", "-", "the same on all grids together",
+    {"newton_iterations_all_grids", "", "-", "iterations of Newton's method, on all grids of the start",
      [](const StationaryResult& of) -> Summary { return total(of).newton; }},
-    {"krylov_iterations_all_grids", "", "-", "the same on all grids together",
+    {"krylov_iterations_all_grids", "", "-", "iterations of the linear solver, on all grids of the start",
      [](const StationaryResult& of) -> Summary { return total(of).krylov; }},
-    {"convolutions_all_grids", "", "-", "the same on all grids together",
+    {"convolutions_all_grids", "", "-", "convolutions, on all grids of the start",
      [](const StationaryResult& of) -> Summary { return total(of).convolutions; }},
 });
 
@@ -73,15 +72,15 @@ const auto heat_members = std::to_array<Member<Coupled>>({
      [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
     {"h_min_isothermal", "", "m", "smallest film without heat",
      [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::smallest_film); }},
-    {"thermal_factor", "", "-", "central film over that without heat",
+    {"thermal_factor", "", "-", "central film with heat over that without",
      [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::central_film); }},
-    {"thermal_factor_min", "", "-", "smallest film over that without heat",
+    {"thermal_factor_min", "", "-", "smallest film with heat over that without",
      [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::smallest_film); }},
     {"thermal_turns", "", "-", "turns of film and heat",
      [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
     {"thermal_newton_iterations", "", "-", "iterations of all films in them",
      [](const Coupled& of) -> Summary { return of.solved.coupled->newton; }},
-    {"thermal_change", "", "-", "relative change of the film in the last turns",
+    {"thermal_change", "", "-", "change of the film in the last turn",
      [](const Coupled& of) -> Summary { return of.solved.coupled->change; }},
 });
 
@@ -176,9 +175,9 @@ GridShape steady_grid(MPI_Comm comm, const CaseInput& problem, const SteadyPosit
   const double force = problem.steady.load_ratio * problem.scales.static_force;
   const DomainMargins needed =
       required_margins(problem.numerics.margins, problem.scales, position.contact.conditions, force, position.label);
-  const GridShape shape = case_grid(problem);
+  GridShape shape = case_grid(problem);
   if (fits(shape, needed)) return shape;
-  const GridShape wide = widened(shape, needed, problem.numerics.margins);
+  GridShape wide = widened(shape, needed, problem.numerics.margins);
   on_widening(comm, wide);
   return wide;
 }

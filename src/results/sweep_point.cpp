@@ -29,9 +29,9 @@ struct Conditions {
 };
 
 const auto condition_members = std::to_array<Member<Conditions>>({
-    {"speed_rpm", "", "rpm", "rotational speed of the pinion",
+    {"speed_rpm", "", "rpm", "speed of the pinion",
      [](const Conditions& at) -> Summary { return at.here.parameters.real("pinion.speed_rpm"); }, true},
-    {"torque", "T_g1", "N m", "torque on the pinion",
+    {"torque", "T_g1", "N m", "torque of the pinion",
      [](const Conditions& at) -> Summary { return at.here.pair.torque; }, true},
     {"m_ge", "m_ge", "kg", "equivalent mass of the pair",
      [](const Conditions& at) -> Summary { return *at.here.pair.equivalent_mass; }, true},

@@ -63,8 +63,8 @@ class Manual(unittest.TestCase):
     def test_units_and_words_are_those_of_the_manual(self):
         meanings = {}
         for name, *cells in rows_of("figures"):
-            # Of mesh periods there is no symbol, but where else a figure stands.
-            of_period = cells[0] in UNITS
+            # Of mesh periods there is no symbol, but where else a figure stands; of fields neither.
+            of_period = cells[0] in UNITS or len(cells) == 2
             unit, meaning = cells[:2] if of_period else cells[1:3]
             meanings.setdefault(name, []).append(meaning)
             if name in quantities.KNOWN and unit:
