@@ -1,12 +1,12 @@
 // `gearfilm continuation`: branches of periodic states in speed, torque, mass or viscosity, through folds and flips.
 #include "app/branch_report.hpp"
 #include "app/commands.hpp"
-#include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_at.hpp"
 #include "input/case_setup.hpp"
 #include "orbits/pair_branch.hpp"
 #include "output/resumable_run.hpp"
+#include "output/screen_table.hpp"
 #include "results/continuation_table.hpp"
 
 namespace gearfilm {

@@ -3,7 +3,6 @@
 
 #include "app/commands.hpp"
 #include "app/result_warnings.hpp"
-#include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "orbits/described_dry_orbit.hpp"
@@ -12,6 +11,7 @@
 #include "output/progress.hpp"
 #include "output/resumable_run.hpp"
 #include "output/screen.hpp"
+#include "output/screen_table.hpp"
 #include "results/eigen_summary.hpp"
 #include "results/friction_summary.hpp"
 #include "results/orbit_summary.hpp"

@@ -3,7 +3,6 @@
 
 #include "app/commands.hpp"
 #include "app/hard_entry.hpp"
-#include "app/screen_table.hpp"
 #include "gear/iso_stiffness.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
@@ -12,6 +11,7 @@
 #include "output/output_directory.hpp"
 #include "output/run_identity.hpp"
 #include "output/screen.hpp"
+#include "output/screen_table.hpp"
 #include "results/static_summary.hpp"
 
 namespace gearfilm {

@@ -3,11 +3,11 @@
 
 #include "app/commands.hpp"
 #include "app/result_warnings.hpp"
-#include "app/screen_table.hpp"
 #include "input/case_setup.hpp"
 #include "output/output_directory.hpp"
 #include "output/progress.hpp"
 #include "output/screen.hpp"
+#include "output/screen_table.hpp"
 #include "results/steady_result.hpp"
 
 namespace gearfilm {

@@ -5,10 +5,10 @@
 #include "app/hard_entry.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
-#include "app/screen_table.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "output/screen.hpp"
+#include "output/screen_table.hpp"
 #include "results/friction_summary.hpp"
 #include "results/march_summary.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/screen_table.hpp"
+#include "output/screen_table.hpp"
 
 #include <algorithm>
 #include <cmath>
