@@ -27,7 +27,7 @@ public:
   /// From a case file under the options of PETSc's database, as the program gearfilm reads it. Throws InputError.
   /// Collective.
   static Case read(MPI_Comm comm, const std::string& file);
-  /// The same case with other values. Throws InputError. Collective.
+  /// A copy of this case in which some keys have other values. Throws InputError. Collective.
   Case with(MPI_Comm comm, const Values& values) const;
 
   std::string name() const;
@@ -45,7 +45,7 @@ public:
   /// Time from one tooth to the next [s]; of a gear pair.
   double mesh_period() const;
 
-  /// What the library itself computes with.
+  /// The case as the library's own code reads it.
   const CaseInput& input() const { return *input_; }
 
 private:

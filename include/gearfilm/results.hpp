@@ -1,4 +1,4 @@
-// What a computation has found, by name and in SI, and the files that it is written into.
+// Results of computations by their names, in SI, and the files summary.json and results.h5 that hold them.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ public:
   /// All of them, nested ones too, as JSON text.
   std::string json() const;
 
-  /// What they are kept in.
+  /// The JSON that holds the results, inside the library.
   struct Content;
   explicit Results(Content content);
   const Content& content() const { return *content_; }
@@ -45,7 +45,7 @@ public:
   double pressure(int i, int j) const;   ///< [Pa]
   double thickness(int i, int j) const;  ///< [m]
 
-  /// What it is seen through.
+  /// The film and its scales, inside the library.
   struct View;
   explicit Film(std::shared_ptr<const View> view) : view_(std::move(view)) {}
   const View& view() const { return *view_; }

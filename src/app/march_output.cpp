@@ -113,7 +113,6 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
 }
 
 void MarchOutput::describe_recurrence(Summary& summary) {
-  constexpr double tolerance = 1e-3;  // in (H_0, V_0)
   const Scales& scales = problem_.scales;
   const std::vector<PoincarePoint>& points = section_.points();
   std::vector<TableColumn> columns = {{"T", "-"},  {"t", "s"},  {"distance", "m"},  {"pinion_speed", "rpm"},
@@ -127,7 +126,7 @@ void MarchOutput::describe_recurrence(Summary& summary) {
     if (lubricated_) rows.push_back(scales.thickness * point.smallest_film);
   }
   write_table(file_, "/history/poincare", columns, rows);
-  const auto recurrence = recurrence_of(points, tolerance);
+  const auto recurrence = recurrence_of(points, same_point);
   if (!recurrence || mesh_.path.course().duration > 0.0) return;
   summary["repeats_every"] = recurrence->period > 0 ? Summary(recurrence->period) : Summary();
   summary["repeats_within"] = recurrence->defect;

@@ -115,12 +115,9 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
 }  // namespace
 
 void run_periodic(MPI_Comm comm, const CaseInput& given) {
-  require_inertia(given);
   std::string remark;
-  const CaseInput problem = with_chosen_motion(given, remark);
+  const CaseInput problem = periodic_case(given, remark);
   if (!remark.empty()) say(comm, remark);
-  require_moving_contacts(problem, "periodic", true);
-  require_one_pattern(problem, "periodic");
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "periodic");
   const OrbitProblem search = orbit_problem(problem);

@@ -41,7 +41,8 @@ private:
   };
 
   void start_petsc();
-  /// Of this process among all that may fail: the number of processes for the first, 1 for the last.
+  /// Rank of this process counted backwards: the number of processes for rank 0, 1 for the last. The largest place
+  /// among the processes that fail is that of the lowest rank.
   int place() const;
   void begin_to_end(Ending own, CommonEnd& common) const;
 

@@ -126,7 +126,7 @@ void check_sweep(const CaseInput& problem) {
   for (double value : problem.sweep.values) (void)case_at(problem, problem.sweep.parameter, value);
 }
 
-/// Of all points, which are on disk.
+/// Summary of a sweep whose points are all on disk.
 Summary sweep_summary(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points) {
   Summary results = Summary::array();
   int failures = 0;

@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  /// What a program before has found.
+  /// Goes on from a point that is on disk, since a program before has computed it.
   void take_over(const SweepPoint& point, const Summary& result) {
     if (result.contains("error")) {
       forget();
@@ -155,7 +155,7 @@ private:
       if (!search.neighbour_error.empty()) result["neighbour_error"] = search.neighbour_error;
     };
     try {
-      const DescribedOrbit found = chain_.find_on_films(value, films, watch, search);
+      const DescribedOrbit found = chain_.find_on_films(value, problem, films, watch, search);
       describe_search();
       write_films(point, found.orbit.end);
       add_orbit(problem.mesh, found, result);

@@ -40,7 +40,7 @@ public:
   virtual std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const;
 };
 
-/// The same of a keeper that may be absent.
+/// MarchKeeper::is_new and within of a keeper that may be absent: null stands for none.
 inline bool is_new(const MarchKeeper* keeper, const StepRecord& record) {
   return keeper ? keeper->is_new(record) : !record.recalled;
 }

@@ -295,7 +295,6 @@ void set_march(CaseInput& result) {
   check_friction_in_motion(result);
   set_time_steps(result);
   result.march.step_tolerance = read_step_tolerance(values);
-  result.search.start = result.march.start_motion;
   result.search.options = {.tolerance = values.real("periodic.tolerance"),
                            .film_tolerance = values.real("periodic.film_tolerance"),
                            .max_periods = values.integer("periodic.max_periods")};
@@ -305,7 +304,6 @@ void set_march(CaseInput& result) {
   result.sweep = read_sweep(values);
   result.continuation = read_continuation(values, result.search.order);
   result.march.dry_damping_ratio = values.real_if_given("dry.damping_ratio");
-  result.search.dry_damping_ratio = result.march.dry_damping_ratio.value_or(typical_film_damping);
   result.modes.count = values.integer("eigen.modes");
   result.modes.of_orbit = values.yes("eigen.orbit");
   result.modes.orbit_periods = values.integer("eigen.periods");

@@ -71,7 +71,9 @@ struct MarchCase {
 };
 
 /// The search for a periodic state.
-struct SearchCase : OrbitSearch {
+struct SearchCase {
+  PeriodicOptions options;
+  bool with_multipliers = true;
   int order = 1;        ///< mesh periods, or patterns of the teeth, after which it repeats
   int max_pattern = 1;  ///< mesh periods after which the same teeth meet again, at most
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gearfilm/error.hpp"
+#include "input/case_numerics.hpp"
 #include "input/memory.hpp"
 
 namespace gearfilm {
@@ -62,6 +63,14 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
                    " mesh periods, and ", command,
                    " looks for states that repeat after at most periodic.max_pattern = ", problem.search.max_pattern,
                    "; raise that, delete '", name, "', or march that long (transient)");
+}
+
+CaseInput periodic_case(const CaseInput& given, std::string& remark) {
+  require_inertia(given);
+  CaseInput chosen = with_chosen_motion(given, remark);
+  require_moving_contacts(chosen, "periodic", true);
+  require_one_pattern(chosen, "periodic");
+  return chosen;
 }
 
 GearInertias inertias_of(const CaseInput& problem) {
@@ -149,7 +158,11 @@ PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const
 }
 
 OrbitProblem orbit_problem(const CaseInput& problem) {
-  return {mesh_after_leaving(problem), problem.numerics, static_cast<const OrbitSearch&>(problem.search)};
+  const OrbitSearch search{.options = problem.search.options,
+                           .with_multipliers = problem.search.with_multipliers,
+                           .start = problem.march.start_motion,
+                           .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)};
+  return {mesh_after_leaving(problem), problem.numerics, search};
 }
 
 }  // namespace gearfilm

@@ -8,7 +8,6 @@
 #include "input/case_file.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "interface/views.hpp"
 
 namespace gearfilm {
 namespace {
@@ -47,12 +46,8 @@ double Case::static_force() const { return input_->scales.operation.load; }
 double Case::entrainment_velocity() const { return input_->scales.operation.entrainment_velocity; }
 
 double Case::mesh_period() const {
-  require_gears(*input_);
+  if (!input_->pair.line) throw InputError("the case '" + name() + "' is a bare contact, which has no mesh");
   return gearfilm::mesh_period(*input_) * input_->scales.time;
-}
-
-void require_gears(const CaseInput& input) {
-  if (!input.pair.line) throw InputError("the case '" + input.name + "' is a bare contact, which has no mesh");
 }
 
 double Oil::viscosity(double pressure) const {

@@ -2,31 +2,16 @@
 
 #include <algorithm>
 
-#include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "interface/step_view.hpp"
 #include "interface/views.hpp"
 #include "results/orbit_summary.hpp"
 
 namespace gearfilm {
-namespace {
-
-CaseInput periodic_case(const Case& of) {
-  require_gears(of.input());
-  require_inertia(of.input());
-  std::string remark;
-  CaseInput chosen = with_chosen_motion(of.input(), remark);
-  chosen.numerics.on_widening = of.input().numerics.on_widening;
-  require_moving_contacts(chosen, "periodic", true);
-  require_one_pattern(chosen, "periodic");
-  return chosen;
-}
-
-}  // namespace
-
 PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer) {
   const QuietErrors quiet;
-  const CaseInput input = periodic_case(of);
+  std::string remark;  // for nobody
+  const CaseInput input = periodic_case(of.input(), remark);
   const OrbitProblem problem = orbit_problem(input);
   const Scales& scales = problem.mesh.scales;
   SearchWatch watch;

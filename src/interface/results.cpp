@@ -1,7 +1,6 @@
 #include "gearfilm/results.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -50,16 +49,10 @@ double Film::thickness(int i, int j) const {
 
 namespace {
 
-/// Does what one process may fail at, and throws on all where it did.
+/// An action that may fail on some of the processes only: InputError on all.
 template <class Action>
 void require_on_all(MPI_Comm comm, Action action) {
-  std::string reason;
-  try {
-    action();
-  } catch (const std::exception& error) {
-    reason = error.what();
-  }
-  reason = first_reason(comm, reason);
+  const std::string reason = first_reason(comm, reason_against(action));
   if (!reason.empty()) throw InputError(reason);
 }
 

@@ -83,7 +83,6 @@ struct Simulation::March {
 namespace {
 
 const Case& marchable(const Case& of) {
-  require_gears(of.input());
   require_inertia(of.input());
   return of;
 }

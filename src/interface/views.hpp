@@ -1,4 +1,4 @@
-// What the public classes see of a case and of films, and the silence that they keep.
+// What the public classes see of results and of films, and the silence that they keep.
 #pragma once
 
 #include <hdf5.h>
@@ -8,14 +8,10 @@
 
 #include "film/contact_film.hpp"
 #include "gearfilm/results.hpp"
-#include "input/case.hpp"
 #include "output/summary.hpp"
 #include "parallel/petsc.hpp"
 
 namespace gearfilm {
-
-/// Throws InputError for a bare contact.
-void require_gears(const CaseInput& input);
 
 struct Results::Content {
   Summary summary = Summary::object();

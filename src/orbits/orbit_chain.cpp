@@ -26,9 +26,8 @@ void OrbitChain::forget() {
   before_.reset();
 }
 
-DescribedOrbit OrbitChain::find_on_films(double value, const SharedDiscretisation& films, const SearchWatch& watch,
-                                         Search& search) {
-  const OrbitProblem problem = problem_at_(value);
+DescribedOrbit OrbitChain::find_on_films(double value, const OrbitProblem& problem, const SharedDiscretisation& films,
+                                         const SearchWatch& watch, Search& search) {
   std::optional<DryOrbit> dry;
   DescribedOrbit found = search_on_films({problem, films, value}, watch, dry, search);
   if (!dry) dry = dry_beside(problem.mesh, found.orbit.start.motion);

@@ -34,10 +34,11 @@ public:
     std::string neighbour_error;  ///< why not, where there was a neighbour
   };
 
-  /// The state on films, which becomes the last one. Throws SolveError where there is none. Collective.
-  DescribedOrbit find_on_films(double value, const SharedDiscretisation& films, const SearchWatch& watch,
-                               Search& search);
-  /// The state of the dry pair, likewise.
+  /// The state on films of the problem at a value, which becomes the last one. Throws SolveError where there is none.
+  /// Collective.
+  DescribedOrbit find_on_films(double value, const OrbitProblem& problem, const SharedDiscretisation& films,
+                               const SearchWatch& watch, Search& search);
+  /// The state of the dry pair at a value, which becomes the last one. Throws SolveError where there is none.
   DryPointFound find_dry(double value, const DryWatch& watch);
 
 private:

@@ -33,7 +33,7 @@ inline SharedDiscretisation discretise(MPI_Comm comm, const OrbitProblem& proble
 /// Throws Stopped where a run is to end, told how many mesh periods it has come to. Collective.
 using StopCheck = std::function<void(double mesh_periods)>;
 
-/// The same for searches of dry orbits, which tell how many mesh periods more they have marched.
+/// A StopCheck for searches of dry orbits: they tell how many mesh periods they have marched since they told it last.
 inline DryWatch counted(StopCheck check) {
   return [check = std::move(check), done = 0](int mesh_periods) mutable {
     done += mesh_periods;
@@ -59,7 +59,7 @@ MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation&
 
 /// Where the search for the pair's orbit begins: a dry orbit, its H_0 shifted by the film at the pitch point.
 OrbitGuess dry_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry);
-/// The same, or the motion that the search starts with.
+/// The guess with which a search begins: the motion of OrbitSearch::start where there is one, else dry_guess.
 OrbitGuess first_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry);
 
 }  // namespace gearfilm

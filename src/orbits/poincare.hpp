@@ -53,6 +53,9 @@ struct Settling {
   bool contracts() const { return std::abs(multiplier) + modulus_error < 1.0; }
 };
 
+/// Distance of motions, in (q, v), within which results say that a march repeats.
+constexpr double same_point = 1e-3;
+
 /// Absent where there are fewer than two points.
 std::optional<Recurrence> recurrence_of(const std::vector<PoincarePoint>& points, double tolerance);
 /// By least squares over the points that are near the last one, yet not lost in noise; absent where these are too few.

@@ -54,7 +54,6 @@ SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>&
 }
 
 SettledFigures figures_of(const SettledMarch& march, const Scales& scales) {
-  constexpr double tolerance = 1e-3;  // in (H_0, V_0)
   SettledFigures figures{.smallest_force = HUGE_VAL, .smallest_film = HUGE_VAL};
   for (const PoincarePoint& point : march.points) {
     figures.largest_force = std::max(figures.largest_force, point.largest_force / scales.static_force);
@@ -62,7 +61,7 @@ SettledFigures figures_of(const SettledMarch& march, const Scales& scales) {
     figures.smallest_film = std::min(figures.smallest_film, point.smallest_film);
   }
   figures.contact_lost = figures.smallest_force < lost_force_ratio;
-  figures.recurrence = recurrence_of(march.points, tolerance);
+  figures.recurrence = recurrence_of(march.points, same_point);
   figures.settles_at = march.end.motion;
   if (!figures.recurrence) return figures;
   if (figures.recurrence->period > 0) {

@@ -24,7 +24,7 @@ PairState rescaled(const PairState& state, const Scales& from, const Scales& to)
 /// Throws SolveError where it cannot be marched, and what the watch throws. Collective.
 SettledMarch march_on_films(const OrbitProblem& problem, const SharedDiscretisation& films,
                             const std::optional<PairState>& from, const MarchLength& length, const SearchWatch& watch);
-/// The same of the dry pair.
+/// March of the dry pair, from a motion just after a contact has left, or from rest.
 SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>& from, const MarchLength& length,
                        const StopCheck& check_stop);
 

@@ -21,7 +21,7 @@ public:
 
   /// Throws Stopped on all processes where any of them is to stop. mesh_period: how far the run is. Collective.
   void check(MPI_Comm comm, double mesh_period) const;
-  /// The same for those who know nothing of it; must not outlive this.
+  /// check() as a function of the mesh periods that a run has come to; it must not outlive this request.
   std::function<void(double)> check_in(MPI_Comm comm) const;
 
 private:

@@ -1,6 +1,7 @@
 // What one process knows, told to all: files are read and written by some of them, but all must go on alike.
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -31,16 +32,21 @@ std::string first_reason(MPI_Comm comm, const std::string& own);
 /// Throws OutputError on all processes where any of them has a reason: the path, what its file system says, the remedy.
 void require_written(MPI_Comm comm, const std::filesystem::path& path, const std::string& own_reason);
 
+/// What keeps this process from an action; empty where it is done.
+template <class Action>
+std::string reason_against(Action&& action) {
+  try {
+    action();
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 /// An action that writes, and may fail on some of the processes only: OutputError on all.
 template <class Action>
 void write_together(MPI_Comm comm, const std::filesystem::path& path, Action&& action) {
-  std::string reason;
-  try {
-    action();
-  } catch (const std::exception& error) {
-    reason = error.what();
-  }
-  require_written(comm, path, reason);
+  require_written(comm, path, reason_against(action));
 }
 
 }  // namespace gearfilm

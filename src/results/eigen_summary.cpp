@@ -23,7 +23,7 @@ struct DryPair {
   std::array<RotationalMode, 2> modes{};  ///< rigid rotation, and the swing
 };
 
-const auto dry_members = std::to_array<Member<DryPair>>({
+constexpr auto dry_members = std::to_array<Member<DryPair>>({
     {"k_el", "k_el", "N/m", "stiffness of the dry mesh under the static force, one contact at the pitch point",
      [](const DryPair& of) -> Summary { return of.stiffness; }},
     {"m_ge", "m_ge", "kg", "equivalent mass",
@@ -47,7 +47,7 @@ struct SwingOnFilms {
   const SwingFigures& figures;
 };
 
-const auto film_swing_members = std::to_array<Member<SwingOnFilms>>({
+constexpr auto film_swing_members = std::to_array<Member<SwingOnFilms>>({
     {"film_frequency", "", "Hz", "frequency of the pair on its films",
      [](const SwingOnFilms& of) -> Summary { return of.figures.frequency; }},
     {"film_frequency_error", "", "Hz", "its error; null where no coarser grid has a mode",

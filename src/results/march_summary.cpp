@@ -61,7 +61,7 @@ struct RunOfPair {
   const MeshModel& mesh;
 };
 
-const auto run_members = std::to_array<Member<RunOfPair>>({
+constexpr auto run_members = std::to_array<Member<RunOfPair>>({
     {"nx", "", "-", "nodes in X at the beginning",
      [](const RunOfPair& of) -> Summary { return of.problem.numerics.nx; }},
     {"ny", "", "-", "nodes in Y at the beginning",

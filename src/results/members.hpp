@@ -37,19 +37,19 @@ Summary if_there(const std::optional<Value>& value) {
 }
 
 /// Adds all members that the result has.
-template <class Result, std::size_t count>
-void add_members(const std::array<Member<Result>, count>& members, const Result& result, Summary& summary) {
-  for (const Member<Result>& member : members) {
+template <class Members, class Result>
+void add_members(const Members& members, const Result& result, Summary& summary) {
+  for (const auto& member : members) {
     Summary value = member.value(result);
     if (!value.is_discarded()) summary[std::string(member.name)] = std::move(value);
   }
 }
 
 /// The columns of /sweep among them.
-template <class Result, std::size_t count>
-std::vector<TableColumn> sweep_columns(const std::array<Member<Result>, count>& members) {
+template <class Members>
+std::vector<TableColumn> sweep_columns(const Members& members) {
   std::vector<TableColumn> columns;
-  for (const Member<Result>& member : members) {
+  for (const auto& member : members) {
     if (member.in_sweep)
       columns.push_back({std::string(member.name), member.unit.empty() ? "-" : std::string(member.unit)});
   }
@@ -57,12 +57,11 @@ std::vector<TableColumn> sweep_columns(const std::array<Member<Result>, count>& 
 }
 
 /// A table of the manual, in Markdown.
-template <class Result, std::size_t count>
-std::string members_markdown(std::string_view title, std::string_view introduction,
-                             const std::array<Member<Result>, count>& members) {
+template <class Members>
+std::string members_markdown(std::string_view title, std::string_view introduction, const Members& members) {
   std::ostringstream text;
   text << "\n## " << title << "\n\n" << introduction << "\n\n| Key | Symbol | Unit | Meaning |\n|---|---|---|---|\n";
-  for (const Member<Result>& member : members) {
+  for (const auto& member : members) {
     text << "| `" << member.name << "` | ";
     if (!member.symbol.empty()) text << "`" << member.symbol << "` ";
     text << "| " << member.unit << (member.unit.empty() ? "| " : " | ") << member.meaning;

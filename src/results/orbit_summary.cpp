@@ -21,7 +21,7 @@ struct PairMultipliers {
   std::optional<FreeOscillation> oscillation;
 };
 
-const auto multiplier_members = std::to_array<Member<PairMultipliers>>({
+constexpr auto multiplier_members = std::to_array<Member<PairMultipliers>>({
     {"floquet", "mu", "-", "Floquet multipliers of the motion, real and imaginary part each",
      [](const PairMultipliers& of) -> Summary { return of.all; }},
     {"floquet_modulus", "abs(mu)", "-", "what a disturbance keeps over the period",
@@ -48,7 +48,7 @@ struct OrbitOfPair {
   bool lubricated() const { return !found.orbit.end.films.empty(); }
 };
 
-const auto search_members = std::to_array<Member<OrbitOfPair>>({
+constexpr auto search_members = std::to_array<Member<OrbitOfPair>>({
     {"periods_used", "", "-", "mesh periods marched to find the state",
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.periods_used; }, true},
     {"final_grid", "", "", "nodes and bounds of the grid at the end, widened or not; not in the dry model",
@@ -70,7 +70,7 @@ const auto search_members = std::to_array<Member<OrbitOfPair>>({
      [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.V0(); }, true},
 });
 
-const auto swing_members = std::to_array<Member<OrbitOfPair>>({
+constexpr auto swing_members = std::to_array<Member<OrbitOfPair>>({
     {"contact_lost", "", "", "whether the total force falls below 0.02 of the static force",
      [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, true},
     {"back_contact", "", "", "whether back flanks touch",
@@ -87,7 +87,7 @@ const auto swing_members = std::to_array<Member<OrbitOfPair>>({
      true},
 });
 
-const auto decay_members = std::to_array<Member<OrbitOfPair>>({
+constexpr auto decay_members = std::to_array<Member<OrbitOfPair>>({
     {"floquet_modulus_error", "", "-", "error of floquet_modulus",
      [](const OrbitOfPair& of) -> Summary {
        return of.found.decay ? Summary(of.found.decay->modulus_error) : absent();

@@ -14,7 +14,7 @@ namespace {
 constexpr int most_contacts = 3;      // a contact ratio of two and more has as many columns
 constexpr double least_share = 1e-3;  // that a table of shares may have
 
-const auto static_members = std::to_array<Member<StaticLoad>>({
+constexpr auto static_members = std::to_array<Member<StaticLoad>>({
     {"te_mean", "", "m", "transmission error, mean over the mesh period",
      [](const StaticLoad& of) -> Summary { return of.length(of.found().mean); }},
     {"te_peak_to_peak", "", "m", "transmission error, largest less smallest",

@@ -37,7 +37,7 @@ SolveCounts total(const StationaryResult& result) {
   return sum;
 }
 
-const auto film_members = std::to_array<Member<StationaryResult>>({
+constexpr auto film_members = std::to_array<Member<StationaryResult>>({
     {"H0", "H_0", "-", "rigid displacement", [](const StationaryResult& of) -> Summary { return of.solution.H0; }},
     {"H_central", "H", "-", "central film in units of a^2/R_x",
      [](const StationaryResult& of) -> Summary { return of.figures.central_film; }},
@@ -67,7 +67,7 @@ struct Coupled {
   double bare(double FilmFigures::*film) const { return scales.thickness * solved.bare.*film; }
 };
 
-const auto heat_members = std::to_array<Member<Coupled>>({
+constexpr auto heat_members = std::to_array<Member<Coupled>>({
     {"h_central_isothermal", "", "m", "central film without heat",
      [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
     {"h_min_isothermal", "", "m", "smallest film without heat",
@@ -84,7 +84,7 @@ const auto heat_members = std::to_array<Member<Coupled>>({
      [](const Coupled& of) -> Summary { return of.solved.coupled->change; }},
 });
 
-const auto shear_members = std::to_array<Member<Coupled>>({
+constexpr auto shear_members = std::to_array<Member<Coupled>>({
     {"h_central_newtonian", "", "m", "central film of a Newtonian oil",
      [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
     {"h_min_newtonian", "", "m", "smallest film of a Newtonian oil",

@@ -28,7 +28,7 @@ struct Conditions {
   const MeshModel& mesh;
 };
 
-const auto condition_members = std::to_array<Member<Conditions>>({
+constexpr auto condition_members = std::to_array<Member<Conditions>>({
     {"speed_rpm", "", "rpm", "speed of the pinion",
      [](const Conditions& at) -> Summary { return at.here.parameters.real("pinion.speed_rpm"); }, true},
     {"torque", "T_g1", "N m", "torque of the pinion",
