@@ -22,12 +22,6 @@ const char* meaning(PointKind kind) {
   return meanings[static_cast<std::size_t>(kind)];
 }
 
-const char* name_of(BranchEnd end) {
-  constexpr std::array names = {"at an end of the range", "closed", "at a flip of a branch of half its order",
-                                "after continuation.points points", "lost"};
-  return names[static_cast<std::size_t>(end)];
-}
-
 std::string place(const BranchState& state, const std::string& unit) {
   return worded(std::setprecision(parameter_digits), state.parameter, " ", unit, ", H0 ", std::setprecision(5),
                 state.motion.H0(), ", V0 ", state.motion.V0());
@@ -35,8 +29,7 @@ std::string place(const BranchState& state, const std::string& unit) {
 
 }  // namespace
 
-void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& point, const Summary& at) {
-  ++points_;
+void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& point) {
   if (every_point_ || kind != PointKind::regular) {
     print(branch, kind, point);
   } else {
@@ -44,29 +37,6 @@ void BranchReport::add(const Branch& branch, PointKind kind, const BranchPoint& 
                             point.state.parameter, " ", unit_, ", force ratio ", std::setprecision(4),
                             point.value.largest_force));
   }
-  if (kind == PointKind::regular) return extend(branch, point);
-  Summary found = {{"branch", branch.number}, {"order", branch.order}, {"kind", gearfilm::name_of(kind)}};
-  found.update(at);
-  bifurcations_.push_back(std::move(found));
-  if (kind == PointKind::grazing) return;
-  boundary_ = point.state.parameter;
-  turned_ = turned_ || kind == PointKind::fold;
-}
-
-void BranchReport::extend(const Branch& branch, const BranchPoint& point) {
-  const double here = point.state.parameter;
-  const bool stable = point.stable(), new_branch = stretches_.empty() || stretches_.back().branch != branch.number;
-  if (new_branch) {
-    stretches_.push_back({branch.number, branch.order, branch.born ? branch.born->parameter : here, here, stable});
-  } else if (turned_ || stretches_.back().stable != stable) {
-    const double border = boundary_.value_or(here);
-    stretches_.back().to = border;
-    stretches_.push_back({branch.number, branch.order, border, here, stable});
-  } else {
-    stretches_.back().to = here;
-  }
-  boundary_.reset();
-  turned_ = false;
 }
 
 void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint& point) {
@@ -79,12 +49,12 @@ void BranchReport::print(const Branch& branch, PointKind kind, const BranchPoint
                         std::setprecision(4), point.value.largest_force, "; ", what));
 }
 
-void BranchReport::finish(const std::vector<Branch>& branches) {
+void BranchReport::finish(const std::vector<Branch>& branches, const std::vector<Stretch>& stretches) {
   std::ostringstream table;
   table << "branch  order" << std::setw(14) << "from" << std::setw(14) << "to"
         << "  [" << unit_ << "]\n"
         << std::setprecision(parameter_digits);
-  for (const Stretch& stretch : stretches_) {
+  for (const Stretch& stretch : stretches) {
     table << std::setw(6) << stretch.branch << std::setw(7) << stretch.order << std::setw(14) << stretch.from
           << std::setw(14) << stretch.to << (stretch.stable ? "  stable" : "  unstable") << "\n";
   }
@@ -103,28 +73,6 @@ void BranchReport::finish(const std::vector<Branch>& branches) {
                       "continuation.largest_step");
     }
   }
-}
-
-Summary BranchReport::branch_summary(const Branch& branch) {
-  Summary summary = {{"number", branch.number}, {"order", branch.order},      {"born_on", branch.parent},
-                     {"points", branch.points}, {"end", name_of(branch.end)}, {"last_value", branch.last.parameter}};
-  summary["last_H0"] = branch.last.motion.H0();
-  summary["last_V0"] = branch.last.motion.V0();
-  if (branch.parent == 0) summary["born_on"] = nullptr;
-  summary["born_at"] = branch.born ? Summary(branch.born->parameter) : Summary();
-  return summary;
-}
-
-Summary BranchReport::summary() const {
-  Summary stretches = Summary::array();
-  for (const Stretch& stretch : stretches_) {
-    stretches.push_back({{"branch", stretch.branch},
-                         {"order", stretch.order},
-                         {"from", stretch.from},
-                         {"to", stretch.to},
-                         {"stable", stretch.stable}});
-  }
-  return {{"bifurcations", bifurcations_}, {"stretches", std::move(stretches)}};
 }
 
 }  // namespace gearfilm

@@ -4,17 +4,22 @@
 #include <map>
 
 #include "app/commands.hpp"
+#include "bench/bench_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "input/parameter.hpp"
 #include "numerics/tuned.hpp"
 #include "output/results_docs.hpp"
+#include "results/continuation_result.hpp"
 #include "results/derived.hpp"
 #include "results/eigen_summary.hpp"
 #include "results/march_summary.hpp"
 #include "results/orbit_summary.hpp"
+#include "results/pair_conditions.hpp"
+#include "results/poincare_result.hpp"
+#include "results/spectrum_result.hpp"
 #include "results/static_summary.hpp"
 #include "results/steady_result.hpp"
-#include "results/sweep_point.hpp"
+#include "results/sweep_tables.hpp"
 
 namespace gearfilm {
 namespace {
@@ -37,8 +42,9 @@ std::string constants_markdown() {
 }
 
 std::string all_figures() {
-  return figures_markdown() + steady_markdown() + run_markdown() + orbit_markdown() + conditions_markdown() +
-         StaticLoad::markdown() + modes_markdown() + derived_markdown();
+  return figures_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
+         orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
+         StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 9> case_commands = {{

@@ -7,7 +7,7 @@
 #include "orbits/pair_branch.hpp"
 #include "output/resumable_run.hpp"
 #include "output/screen_table.hpp"
-#include "results/continuation_table.hpp"
+#include "results/continuation_result.hpp"
 
 namespace gearfilm {
 namespace {
@@ -51,18 +51,6 @@ Stopped stopped_dry(const Stopped& stopped) {
   return Stopped(stopped.what(), " (branches of the dry pair are then followed from the beginning: give more time)");
 }
 
-/// The summary of what was found, completed or not.
-void write_branches(MPI_Comm comm, const CaseInput& problem, const std::vector<Branch>& branches,
-                    const BranchReport& report, const BranchBeginning& begin, bool completed) {
-  Summary summary = {{"case", problem.name}, {"over", problem.continuation.parameter}, {"points", report.points()}};
-  if (begin.mesh_periods) summary["mesh_periods"] = *begin.mesh_periods;
-  summary["branches"] = Summary::array();
-  for (const Branch& branch : branches) summary["branches"].push_back(BranchReport::branch_summary(branch));
-  summary.update(report.summary());
-  summary["completed"] = completed;
-  write_summary(comm, problem.run.directory, summary);
-}
-
 }  // namespace
 
 void run_continuation(MPI_Comm comm, const CaseInput& problem) {
@@ -75,16 +63,14 @@ void run_continuation(MPI_Comm comm, const CaseInput& problem) {
   const BranchBeginning begin = problem.dry()
                                     ? dry_beginning(problems_of(problem), entry, counted(run.stop().check_in(comm)))
                                     : film_beginning(problems_of(problem), entry, comm, watch);
-  ContinuationTable table(comm, problem);
+  ContinuationResult result(comm, problem);
   BranchReport report(comm, given.unit, !problem.dry());
   const auto observer = [&](const Branch& branch, PointKind kind, const BranchPoint& point) {
-    report.add(branch, kind, point, table.add(branch, kind, point));
+    result.add(branch, kind, point);
+    report.add(branch, kind, point);
   };
   std::vector<Branch> branches;
-  const auto write = [&](bool completed) {
-    table.finish();
-    write_branches(comm, problem, branches, report, begin, completed);
-  };
+  const auto write = [&](bool completed) { result.write(branches, begin.mesh_periods.get(), completed); };
   try {
     branches = follow_branches(begin.map, problem.search.order, begin.start, given.upwards(), given.options, observer);
   } catch (const Stopped& stopped) {
@@ -97,7 +83,7 @@ void run_continuation(MPI_Comm comm, const CaseInput& problem) {
   }
   write(true);
   run.complete();
-  report.finish(branches);
+  report.finish(branches, result.stretches().all());
   ScreenTable({}).print(comm, run.directory().path());
 }
 

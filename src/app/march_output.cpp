@@ -7,13 +7,14 @@
 
 #include "gearfilm/error.hpp"
 #include "output/run_identity.hpp"
+#include "results/poincare_result.hpp"
+#include "results/spectrum_result.hpp"
 
 namespace gearfilm {
 
 namespace {
 
 constexpr double search_snapshot_interval = 0.05;  // mesh periods
-constexpr std::size_t peak_count = 8;
 
 double snapshot_interval(const CaseInput& problem, MarchPurpose purpose) {
   return problem.march.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
@@ -96,47 +97,12 @@ void MarchOutput::finish() {
 }
 
 Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow window) {
-  const Scales& scales = problem_.scales;
-  const std::vector<SpectralLine> lines = signal_.spectrum(T_begin, T_end, window);
-  std::vector<double> rows;
-  for (const SpectralLine& line : lines) {
-    rows.insert(rows.end(), {line.frequency / scales.time, line.amplitude, scales.thickness * line.amplitude});
-  }
-  ResultsTable table(file_, "/spectrum", {{"frequency", "Hz"}, {"H0", "-"}, {"h0", "m"}});
-  table.append(rows);
-  table.write();
-  Summary peaks = Summary::array();
-  for (const SpectralLine& peak : spectral_peaks(lines, window, peak_count)) {
-    peaks.push_back({{"frequency", peak.frequency / scales.time}, {"H0", peak.amplitude}});
-  }
-  return peaks;
+  return gearfilm::write_spectrum(file_, problem_.scales, signal_.spectrum(T_begin, T_end, window), window);
 }
 
 void MarchOutput::describe_recurrence(Summary& summary) {
-  const Scales& scales = problem_.scales;
-  const std::vector<PoincarePoint>& points = section_.points();
-  std::vector<TableColumn> columns = {{"T", "-"},  {"t", "s"},  {"distance", "m"},  {"pinion_speed", "rpm"},
-                                      {"H0", "-"}, {"V0", "-"}, {"force_max", "N"}, {"force_total_min", "N"}};
-  if (lubricated_) columns.push_back({"h_min", "m"});
-  std::vector<double> rows;
-  for (const PoincarePoint& point : points) {
-    rows.insert(rows.end(), {point.T, scales.time * point.T, mesh_.path.distance(point.T), mesh_.path.rpm(point.T),
-                             point.motion.H0(), point.motion.V0(), scales.force(point.largest_force),
-                             scales.force(point.smallest_force)});
-    if (lubricated_) rows.push_back(scales.thickness * point.smallest_film);
-  }
-  write_table(file_, "/history/poincare", columns, rows);
-  const auto recurrence = recurrence_of(points, same_point);
-  if (!recurrence || mesh_.path.course().duration > 0.0) return;
-  summary["repeats_every"] = recurrence->period > 0 ? Summary(recurrence->period) : Summary();
-  summary["repeats_within"] = recurrence->defect;
-  const auto settling = settling_of(points, *recurrence);
-  if (!settling) return;
-  summary["settles_on"] = settling->contracts() ? Summary(settling->period) : Summary();
-  summary["settling"] = {{"mesh_periods", settling->period},
-                         {"multiplier", settling->multiplier},
-                         {"modulus", std::abs(settling->multiplier)},
-                         {"modulus_error", settling->modulus_error}};
+  write_poincare(file_, mesh_, lubricated_, section_.points());
+  if (mesh_.path.course().duration == 0.0) add_recurrence(section_.points(), summary);
 }
 
 void MarchOutput::report(const StepRecord& record, double period) {

@@ -10,6 +10,8 @@
 #include "output/screen.hpp"
 #include "output/state_file.hpp"
 #include "parallel/agreement.hpp"
+#include "results/pair_conditions.hpp"
+#include "results/poincare_result.hpp"
 #include "results/sweep_point.hpp"
 
 namespace gearfilm {
@@ -83,7 +85,7 @@ private:
     const OrbitProblem search = orbit_problem(here);
     const MeshModel& mesh = search.mesh;
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
-    add_conditions(here, mesh, result);
+    add_conditions({here, mesh}, result);
     try {
       if (here.sweep.marched()) {
         march(search, value, point, result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/kernel_time.hpp"
 #include "bench/yardstick.hpp"
 #include "dynamics/march_statistics.hpp"
 #include "input/case_setup.hpp"
@@ -41,26 +42,42 @@ MeshPeriod march_a_period(MPI_Comm comm, const CaseInput& problem, GridSize size
   return {seconds, 0.5 * (before + common_unit(comm, size)), statistics.periods().back()};
 }
 
-Summary mesh_period_summary(MPI_Comm comm, const CaseInput& problem, GridSize size) {
-  const auto [seconds, unit, period] = march_a_period(comm, problem, size);
-  const double steps = period["steps"].value();
-  const double newton = period["newton_iterations"].value() / steps;
-  const double krylov = period["krylov_iterations"].value() / steps;
-  const int contact_steps = static_cast<int>(period["contact_steps"].value());
-  const double contact_step = period["wall_time"].value() / contact_steps / unit;
+/// Speed of a mesh period.
+struct PeriodSpeed {
+  GridSize size;
+  double dT;
+  MeshPeriod period;
+
+  double steps() const { return period.figures["steps"].value(); }
+  int contact_steps() const { return static_cast<int>(period.figures["contact_steps"].value()); }
+  double newton() const { return period.figures["newton_iterations"].value() / steps(); }
+  double krylov() const { return period.figures["krylov_iterations"].value() / steps(); }
+  double contact_step() const { return period.figures["wall_time"].value() / contact_steps() / period.unit; }
+};
+
+constexpr auto period_members = std::to_array<Member<PeriodSpeed>>({
+    {"nx", "", "-", "nodes in X", [](const PeriodSpeed& of) -> Summary { return of.size.nx; }},
+    {"ny", "", "-", "nodes in Y", [](const PeriodSpeed& of) -> Summary { return of.size.ny; }},
+    {"dT", "dT", "-", "time step over a/u_m", [](const PeriodSpeed& of) -> Summary { return of.dT; }},
+    {"seconds", "", "s", "time it took", [](const PeriodSpeed& of) -> Summary { return of.period.seconds; }},
+    {"contact_steps", "", "-", "time steps of contacts, each counted by itself",
+     [](const PeriodSpeed& of) -> Summary { return of.contact_steps(); }},
+    {"newton_per_step", "", "-", "iterations of Newton's method a step",
+     [](const PeriodSpeed& of) -> Summary { return of.newton(); }},
+    {"krylov_per_step", "", "-", "iterations of the linear solver a step",
+     [](const PeriodSpeed& of) -> Summary { return of.krylov(); }},
+    {"contact_step_convolutions", "", "-", "time of a contact-step in convolution times of its grid",
+     [](const PeriodSpeed& of) -> Summary { return of.contact_step(); }},
+});
+
+PeriodSpeed mesh_period_speed(MPI_Comm comm, const CaseInput& problem, GridSize size) {
+  const PeriodSpeed speed{size, problem.numerics.steps.dT, march_a_period(comm, problem, size)};
   petsc_check(PetscPrintf(comm,
                           "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
                           "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, problem.numerics.steps.dT, seconds, contact_steps, contact_step, newton,
-                          krylov));
-  return {{"nx", size.nx},
-          {"ny", size.ny},
-          {"dT", problem.numerics.steps.dT},
-          {"seconds", seconds},
-          {"contact_steps", contact_steps},
-          {"newton_per_step", newton},
-          {"krylov_per_step", krylov},
-          {"contact_step_convolutions", contact_step}};
+                          size.nx, size.ny, speed.dT, speed.period.seconds, speed.contact_steps(), speed.contact_step(),
+                          speed.newton(), speed.krylov()));
+  return speed;
 }
 
 /// The whole of `gearfilm periodic`, results and all, in mesh periods of its own grid.
@@ -77,7 +94,21 @@ double periodic_job(MPI_Comm comm, const CaseInput& problem, const Job& run_peri
 
 /// Speed of all processes together over that of one alone; and what the machine would allow: as many marches side by
 /// side as there are processes.
-Summary process_summary(MPI_Comm comm, const CaseInput& problem, GridSize size) {
+struct ProcessSpeed {
+  GridSize size;
+  double speedup, limit;
+};
+
+constexpr auto process_members = std::to_array<Member<ProcessSpeed>>({
+    {"nx", "", "-", "nodes in X", [](const ProcessSpeed& of) -> Summary { return of.size.nx; }},
+    {"ny", "", "-", "nodes in Y", [](const ProcessSpeed& of) -> Summary { return of.size.ny; }},
+    {"process_speedup", "", "-", "speed of all processes together over that of one",
+     [](const ProcessSpeed& of) -> Summary { return of.speedup; }},
+    {"process_limit", "", "-", "the same of as many marches side by side: what the machine allows",
+     [](const ProcessSpeed& of) -> Summary { return of.limit; }},
+});
+
+ProcessSpeed process_speed(MPI_Comm comm, const CaseInput& problem, GridSize size) {
   const int processes = processes_in(comm);
   double alone = rank_in(comm) == 0 ? march_a_period(PETSC_COMM_SELF, problem, size).seconds : 0.0;
   wait_asleep(comm);
@@ -85,10 +116,10 @@ Summary process_summary(MPI_Comm comm, const CaseInput& problem, GridSize size) 
   double side_by_side = march_a_period(PETSC_COMM_SELF, problem, size).seconds;
   MPI_Allreduce(MPI_IN_PLACE, &side_by_side, 1, MPI_DOUBLE, MPI_MAX, comm);
   const double together = march_a_period(comm, problem, size).seconds;
-  const double speedup = alone / together, limit = processes * alone / side_by_side;
+  const ProcessSpeed speed{size, alone / together, processes * alone / side_by_side};
   petsc_check(PetscPrintf(comm, "%d processes, %d x %d nodes: %.3g times as fast as one, the machine's limit is %.3g\n",
-                          processes, size.nx, size.ny, speedup, limit));
-  return {{"nx", size.nx}, {"ny", size.ny}, {"process_speedup", speedup}, {"process_limit", limit}};
+                          processes, size.nx, size.ny, speed.speedup, speed.limit));
+  return speed;
 }
 
 }  // namespace
@@ -112,23 +143,33 @@ Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic)
   CaseInput resized = problem;
   resized.numerics.nx = small.nx;
   resized.numerics.ny = small.ny;
-  Summary summary;
-  summary["mesh_period"] = mesh_period_summary(comm, resized, small);
-  const double contact_step = summary["mesh_period"]["contact_step_convolutions"].get<double>();
-  summary["contact_step_convolutions"] = contact_step;
+  const PeriodSpeed speed = mesh_period_speed(comm, resized, small);
   CaseInput warm = resized;
   warm.traction = warm_film(problem);
   warm.numerics.on_widening = widening_notice(warm.scales, contacts_at_a_time(warm), heated_points(warm));
-  summary["thermal_mesh_period"] = mesh_period_summary(comm, warm, small);
-  summary["thermal_contact_step_ratio"] =
-      summary["thermal_mesh_period"]["contact_step_convolutions"].get<double>() / contact_step;
-  summary["periodic_job_mesh_periods"] =
-      periodic_job(comm, resized, periodic, summary["mesh_period"]["seconds"].get<double>());
+  const PeriodSpeed thermal = mesh_period_speed(comm, warm, small);
+  Summary summary;
+  summary["mesh_period"] = as_summary(period_members, speed);
+  summary["contact_step_convolutions"] = speed.contact_step();
+  summary["thermal_mesh_period"] = as_summary(period_members, thermal);
+  summary["thermal_contact_step_ratio"] = thermal.contact_step() / speed.contact_step();
+  summary["periodic_job_mesh_periods"] = periodic_job(comm, resized, periodic, speed.period.seconds);
   if (processes_in(comm) == 1) return summary;
-  summary["processes"] = Summary::array();
-  for (const GridSize size : {small, large}) summary["processes"].push_back(process_summary(comm, resized, size));
-  for (const char* name : {"process_speedup", "process_limit"}) summary[name] = summary["processes"][0][name];
+  const ProcessSpeed first = process_speed(comm, resized, small);
+  summary["processes"] = {as_summary(process_members, first),
+                          as_summary(process_members, process_speed(comm, resized, large))};
+  summary["process_speedup"] = first.speedup;
+  summary["process_limit"] = first.limit;
   return summary;
+}
+
+std::string bench_markdown() {
+  return members_markdown("Kernels of `bench`", "Keys of each of the `rows` of each of its `grids`.", kernel_members) +
+         members_markdown("A mesh period of `bench`",
+                          "Keys of `mesh_period`, and of `thermal_mesh_period` on films that feel their heat.",
+                          period_members) +
+         members_markdown("Processes", "Keys of each of the `processes` of `bench`, on 129 x 65 and 257 x 257 nodes.",
+                          process_members);
 }
 
 }  // namespace gearfilm

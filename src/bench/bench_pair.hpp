@@ -26,4 +26,7 @@ using Job = std::function<void(MPI_Comm, const CaseInput&)>;
 /// Collective.
 Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic);
 
+/// What the summary of `bench` has, for the manual.
+std::string bench_markdown();
+
 }  // namespace gearfilm

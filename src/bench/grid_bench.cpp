@@ -1,6 +1,7 @@
 #include "bench/grid_bench.hpp"
 
 #include "bench/bench_pair.hpp"
+#include "bench/kernel_time.hpp"
 #include "bench/stopwatch.hpp"
 #include "bench/yardstick.hpp"
 #include "film/multigrid_level.hpp"
@@ -46,11 +47,10 @@ private:
   void time(const std::string& name, int runs, Work work) {
     double seconds = median_time(work, 0.0, 0, runs);
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, comm_);
-    const double per_node = 1e9 * seconds / (static_cast<double>(film_.grid().nx()) * film_.grid().ny());
-    petsc_check(
-        PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, per_node, seconds / unit_));
-    table_.push_back(
-        {{"kernel", name}, {"seconds", seconds}, {"ns_per_node", per_node}, {"convolutions", seconds / unit_}});
+    const KernelTime took{name, seconds, static_cast<double>(film_.grid().nx()) * film_.grid().ny(), unit_};
+    petsc_check(PetscPrintf(comm_, "%-28s %12.4g %10.3g %12.3g\n", name.c_str(), 1e3 * seconds, took.ns_per_node(),
+                            took.convolutions()));
+    table_.push_back(as_summary(kernel_members, took));
   }
 
   template <class Work>

@@ -61,6 +61,41 @@ struct RunOfPair {
   const MeshModel& mesh;
 };
 
+/// What happens in a march.
+struct EventOfPair {
+  const MeshModel& mesh;
+  const MeshEvent& event;
+};
+
+constexpr auto event_members = std::to_array<Member<EventOfPair>>({
+    {"event", "", "", "entry or exit of a contact",
+     [](const EventOfPair& of) -> Summary { return of.event.kind == MeshEvent::Kind::exit ? "exit" : "entry"; }},
+    {"contact", "", "-", "number of the contact, 0 for the leading one at the start",
+     [](const EventOfPair& of) -> Summary { return of.event.contact; }},
+    {"T", "T", "-", "time in units of a/u_m*", [](const EventOfPair& of) -> Summary { return of.event.T; }},
+    {"distance", "", "m", "way along the line of action since the start",
+     [](const EventOfPair& of) -> Summary { return of.mesh.path.distance(of.event.T); }},
+    {"H0", "H_0", "-", "rigid displacement", [](const EventOfPair& of) -> Summary { return of.event.motion.H0(); }},
+    {"V0", "V_0", "-", "its velocity", [](const EventOfPair& of) -> Summary { return of.event.motion.V0(); }},
+});
+
+struct LossOfPair {
+  const MeshModel& mesh;
+  const ContactLoss& loss;
+  bool lubricated;
+};
+
+constexpr auto loss_members = std::to_array<Member<LossOfPair>>({
+    {"distance", "", "m", "way along the line of action where contact is lost",
+     [](const LossOfPair& of) -> Summary { return of.mesh.path.distance(of.loss.begin); }},
+    {"distance_end", "", "m", "where it is found again",
+     [](const LossOfPair& of) -> Summary { return of.mesh.path.distance(of.loss.end); }},
+    {"largest_h_central", "", "m", "largest central film in between; not in the dry model",
+     [](const LossOfPair& of) -> Summary {
+       return of.lubricated ? Summary(of.mesh.scales.thickness * of.loss.largest_central_film) : absent();
+     }},
+});
+
 constexpr auto run_members = std::to_array<Member<RunOfPair>>({
     {"nx", "", "-", "nodes in X at the beginning",
      [](const RunOfPair& of) -> Summary { return of.problem.numerics.nx; }},
@@ -81,7 +116,9 @@ void add_run(const CaseInput& problem, const MeshModel& mesh, Summary& summary) 
 }
 
 std::string run_markdown() {
-  return members_markdown("What `transient` and `periodic` begin with", "Keys of their summaries.", run_members);
+  return members_markdown("What `transient` and `periodic` begin with", "Keys of their summaries.", run_members) +
+         members_markdown("Events of a march", "Keys of each of the `events` of `transient`.", event_members) +
+         members_markdown("Losses of contact", "Keys of each of the `contact_losses` of `transient`.", loss_members);
 }
 
 Summary march_summary(const CaseInput& problem, const MeshModel& mesh, const MarchStatistics& statistics) {
@@ -99,23 +136,14 @@ Summary march_summary(const CaseInput& problem, const MeshModel& mesh, const Mar
   add_efficiency(mesh, summary);
   summary["periods"] = std::move(periods);
   summary["events"] = Summary::array();
-  for (const MeshEvent& event : statistics.events()) {
-    summary["events"].push_back({{"event", event.kind == MeshEvent::Kind::exit ? "exit" : "entry"},
-                                 {"contact", event.contact},
-                                 {"T", event.T},
-                                 {"distance", mesh.path.distance(event.T)},
-                                 {"H0", event.motion.H0()},
-                                 {"V0", event.motion.V0()}});
-  }
+  for (const MeshEvent& event : statistics.events())
+    summary["events"].push_back(as_summary(event_members, EventOfPair{mesh, event}));
   summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodFigures& period) {
     return period["back_force_ratio_max"].value_or(0.0) > 0.0;
   });
   summary["contact_losses"] = Summary::array();
-  for (const ContactLoss& loss : statistics.losses()) {
-    Summary entry = {{"distance", mesh.path.distance(loss.begin)}, {"distance_end", mesh.path.distance(loss.end)}};
-    if (!problem.dry()) entry["largest_h_central"] = scales.thickness * loss.largest_central_film;
-    summary["contact_losses"].push_back(entry);
-  }
+  for (const ContactLoss& loss : statistics.losses())
+    summary["contact_losses"].push_back(as_summary(loss_members, LossOfPair{mesh, loss, !problem.dry()}));
   return summary;
 }
 

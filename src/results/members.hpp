@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -14,6 +15,9 @@
 
 namespace gearfilm {
 
+/// Whether a member is a column of the table of such results in results.h5, and of which numbers.
+enum class Column { none, real, whole };
+
 template <class Result>
 struct Member {
   std::string_view name;    ///< key of the summary, and of a column
@@ -21,7 +25,7 @@ struct Member {
   std::string_view unit;    ///< "-" for pure numbers; empty for what is no number
   std::string_view meaning;
   Summary (*value)(const Result&);  ///< in SI; null: not known; absent(): the result has none
-  bool in_sweep = false;            ///< a column of the table /sweep too
+  Column column = Column::none;
 };
 
 /// The value of a member that a result does not have.
@@ -45,27 +49,52 @@ void add_members(const Members& members, const Result& result, Summary& summary)
   }
 }
 
-/// The columns of /sweep among them.
+/// The members that are columns.
 template <class Members>
-std::vector<TableColumn> sweep_columns(const Members& members) {
+std::vector<TableColumn> columns_of(const Members& members) {
   std::vector<TableColumn> columns;
   for (const auto& member : members) {
-    if (member.in_sweep)
-      columns.push_back({std::string(member.name), member.unit.empty() ? "-" : std::string(member.unit)});
+    if (member.column == Column::none) continue;
+    const std::string_view unit = member.unit.empty() ? "-" : member.unit;
+    columns.push_back({std::string(member.name), std::string(unit), member.column == Column::whole});
   }
   return columns;
 }
 
-/// A table of the manual, in Markdown.
+/// A value in a row: NaN for what is not known or not there, 0 or 1 for what is true or not.
+inline double in_row(const Summary& value) {
+  if (value.is_null() || value.is_discarded()) return std::numeric_limits<double>::quiet_NaN();
+  return value.is_boolean() ? static_cast<double>(value.get<bool>()) : value.get<double>();
+}
+
+/// Adds the values of its columns to a row.
+template <class Members, class Result>
+void add_to_row(const Members& members, const Result& result, std::vector<double>& row) {
+  for (const auto& member : members) {
+    if (member.column != Column::none) row.push_back(in_row(member.value(result)));
+  }
+}
+
+/// All that the result has, as an object.
+template <class Members, class Result>
+Summary as_summary(const Members& members, const Result& result) {
+  Summary summary = Summary::object();
+  add_members(members, result, summary);
+  return summary;
+}
+
+/// A table of the manual, in Markdown. table: in results.h5, where not all members are its columns.
 template <class Members>
-std::string members_markdown(std::string_view title, std::string_view introduction, const Members& members) {
+std::string members_markdown(std::string_view title, std::string_view introduction, const Members& members,
+                             std::string_view table = {}) {
   std::ostringstream text;
   text << "\n## " << title << "\n\n" << introduction << "\n\n| Key | Symbol | Unit | Meaning |\n|---|---|---|---|\n";
   for (const auto& member : members) {
     text << "| `" << member.name << "` | ";
     if (!member.symbol.empty()) text << "`" << member.symbol << "` ";
     text << "| " << member.unit << (member.unit.empty() ? "| " : " | ") << member.meaning;
-    text << (member.in_sweep ? "; also a column of `/sweep`" : "") << " |\n";
+    text << (member.column == Column::none || table.empty() ? "" : "; also a column of ")
+         << (member.column == Column::none ? "" : table) << " |\n";
   }
   return text.str();
 }

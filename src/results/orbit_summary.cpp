@@ -25,19 +25,19 @@ constexpr auto multiplier_members = std::to_array<Member<PairMultipliers>>({
     {"floquet", "mu", "-", "Floquet multipliers of the motion, real and imaginary part each",
      [](const PairMultipliers& of) -> Summary { return of.all; }},
     {"floquet_modulus", "abs(mu)", "-", "what a disturbance keeps over the period",
-     [](const PairMultipliers& of) -> Summary { return of.modulus; }, true},
+     [](const PairMultipliers& of) -> Summary { return of.modulus; }, Column::real},
     {"stable", "", "", "whether disturbances die away: floquet_modulus below 1",
-     [](const PairMultipliers& of) -> Summary { return of.modulus < 1.0; }, true},
+     [](const PairMultipliers& of) -> Summary { return of.modulus < 1.0; }, Column::real},
     {"free_frequency", "", "Hz", "free oscillation about the periodic state",
      [](const PairMultipliers& of) -> Summary {
        return of.oscillation ? Summary(of.oscillation->frequency) : Summary();
      },
-     true},
+     Column::real},
     {"damping_ratio", "zeta", "-", "damping ratio of the free oscillation",
      [](const PairMultipliers& of) -> Summary {
        return of.oscillation ? Summary(of.oscillation->damping_ratio) : Summary();
      },
-     true},
+     Column::real},
 });
 
 /// A periodic state of a pair.
@@ -50,41 +50,41 @@ struct OrbitOfPair {
 
 constexpr auto search_members = std::to_array<Member<OrbitOfPair>>({
     {"periods_used", "", "-", "mesh periods marched to find the state",
-     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.periods_used; }, true},
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.periods_used; }, Column::real},
     {"final_grid", "", "", "nodes and bounds of the grid at the end, widened or not; not in the dry model",
      [](const OrbitOfPair& of) -> Summary {
        return of.lubricated() ? grid_summary(of.mesh.scales, of.found.orbit.end.shape) : absent();
      }},
     {"defect", "", "-", "change of the motion over the periodic period",
-     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.defect; }, true},
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.defect; }, Column::real},
     {"film_defect", "", "-",
      "largest change of any pressure over the periodic period, in units of p_h (of films that feel their heat: root "
      "mean square of a field over its largest value)",
      [](const OrbitOfPair& of) -> Summary { return of.lubricated() ? Summary(of.found.orbit.film_defect) : absent(); },
-     true},
+     Column::real},
     {"states_after_leaving", "", "-", "(H0, V0) just after a contact has left, once a mesh period of the state",
      [](const OrbitOfPair& of) -> Summary { return of.found.states_after_leaving; }},
     {"H0_after_leaving", "H_0", "-", "H_0 just after a contact has left",
-     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.H0(); }, true},
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.H0(); }, Column::real},
     {"V0_after_leaving", "V_0", "-", "V_0 just after a contact has left",
-     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.V0(); }, true},
+     [](const OrbitOfPair& of) -> Summary { return of.found.orbit.start.motion.V0(); }, Column::real},
 });
 
 constexpr auto swing_members = std::to_array<Member<OrbitOfPair>>({
     {"contact_lost", "", "", "whether the total force falls below 0.02 of the static force",
-     [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, true},
+     [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, Column::real},
     {"back_contact", "", "", "whether back flanks touch",
      [](const OrbitOfPair& of) -> Summary { return of.found.figures["back_force_ratio_max"].value_or(0.0) > 0.0; }},
     {"transmission_error_peak_to_peak", "", "m", "transmission error, largest less smallest",
      [](const OrbitOfPair& of) -> Summary {
        return of.mesh.scales.thickness * of.found.transmission_error.peak_to_peak;
      },
-     true},
+     Column::real},
     {"transmission_error_rms", "", "m", "transmission error, root mean square of its deviation from the mean",
      [](const OrbitOfPair& of) -> Summary {
        return of.mesh.scales.thickness * of.found.transmission_error.root_mean_square;
      },
-     true},
+     Column::real},
 });
 
 constexpr auto decay_members = std::to_array<Member<OrbitOfPair>>({
@@ -92,7 +92,7 @@ constexpr auto decay_members = std::to_array<Member<OrbitOfPair>>({
      [](const OrbitOfPair& of) -> Summary {
        return of.found.decay ? Summary(of.found.decay->modulus_error) : absent();
      },
-     true},
+     Column::real},
 });
 
 }  // namespace
@@ -113,22 +113,29 @@ Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found) {
 }
 
 std::vector<TableColumn> orbit_columns() {
-  std::vector<TableColumn> columns = sweep_columns(swing_members);
-  for (const auto& more :
-       {sweep_columns(search_members), sweep_columns(multiplier_members), sweep_columns(decay_members)})
+  std::vector<TableColumn> columns = columns_of(swing_members);
+  for (const auto& more : {columns_of(search_members), columns_of(multiplier_members), columns_of(decay_members)})
     columns.insert(columns.end(), more.begin(), more.end());
   return columns;
+}
+
+std::vector<TableColumn> multiplier_columns() {
+  return {{"floquet_1_re", "-"}, {"floquet_1_im", "-"}, {"floquet_2_re", "-"}, {"floquet_2_im", "-"}};
+}
+
+void add_multipliers_to_row(const Summary& floquet, std::vector<double>& row) {
+  for (int n = 0; n < 4; ++n) row.push_back(floquet.is_null() ? in_row(floquet) : in_row(floquet[n / 2][n % 2]));
 }
 
 std::string orbit_markdown() {
   return members_markdown("A periodic state",
                           "Keys of the summary of `periodic` and of each point of `sweep`, beside the figures of its "
                           "period.",
-                          search_members) +
-         members_markdown("Its swing", "Likewise.", swing_members) +
+                          search_members, "`/sweep`") +
+         members_markdown("Its swing", "Likewise.", swing_members, "`/sweep`") +
          members_markdown("Its multipliers", "Likewise; of `eigen` and of the dry pair's orbit too.",
-                          multiplier_members) +
-         members_markdown("How well they are known", "Likewise.", decay_members);
+                          multiplier_members, "`/sweep`") +
+         members_markdown("How well they are known", "Likewise.", decay_members, "`/sweep`");
 }
 
 void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Summary& summary) {

@@ -15,6 +15,10 @@ Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found);
 std::vector<TableColumn> orbit_columns();
 std::string orbit_markdown();
 
+/// Both multipliers as four columns of a table; floquet: of a summary, or null.
+std::vector<TableColumn> multiplier_columns();
+void add_multipliers_to_row(const Summary& floquet, std::vector<double>& row);
+
 /// Multipliers, and the free oscillation they mean, added to a summary.
 void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary);
 

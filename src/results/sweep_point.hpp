@@ -4,20 +4,13 @@
 #include "input/case.hpp"
 #include "orbits/described_orbit.hpp"
 #include "orbits/orbit_chain.hpp"
-#include "output/results_table.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {
 
-/// Speed, torque, mass and frequencies of the case there.
-void add_conditions(const CaseInput& here, const MeshModel& mesh, Summary& result);
-std::vector<TableColumn> condition_columns();
-std::string conditions_markdown();
 /// A periodic state with its map; that of the dry pair too.
 void add_orbit(const MeshModel& mesh, const DescribedOrbit& found, Summary& result);
 void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summary& result);
-/// A march, in SI.
-Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lubricated);
 
 /// A point on disk, but for its films, as the beginning of the next.
 ChainLink read_link(const Summary& point);

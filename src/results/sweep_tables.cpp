@@ -2,29 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "dynamics/period_figures.hpp"
 #include "input/case_setup.hpp"
 #include "output/results_table.hpp"
 #include "output/run_identity.hpp"
-#include "results/derived.hpp"
+#include "results/members.hpp"
 #include "results/orbit_summary.hpp"
-#include "results/sweep_point.hpp"
+#include "results/pair_conditions.hpp"
+#include "results/poincare_result.hpp"
 
 namespace gearfilm {
 namespace {
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
-/// Of a point, under the name of a column; absent where a point that failed lacks it.
+/// Of a point, under the name of a column; NaN where a point that failed lacks it.
 double number(const Summary& point, const std::string& name) {
   if (name == "up") return point["direction"] == "up" ? 1.0 : 0.0;
   if (name == "found") return point.contains("error") ? 0.0 : 1.0;
-  const auto found = point.find(name);
-  if (found == point.end() || found->is_null()) return no_value;
-  return found->is_boolean() ? static_cast<double>(found->get<bool>()) : found->get<double>();
+  return in_row(point.value(name, Summary()));
 }
 
 void append_numbers(const Summary& point, const std::vector<TableColumn>& columns, std::vector<double>& row) {
@@ -53,31 +49,15 @@ void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& 
   std::vector<double> rows;
   for (const Summary& point : results) {
     append_numbers(point, columns, rows);
-    for (int n = 0; n < 4; ++n) {
-      rows.push_back(point.contains("floquet") ? point["floquet"][n / 2][n % 2].get<double>() : no_value);
-    }
+    add_multipliers_to_row(point.value("floquet", Summary()), rows);
   }
-  write_table(
-      file, "/sweep",
-      joined(columns, {{"floquet_1_re", "-"}, {"floquet_1_im", "-"}, {"floquet_2_re", "-"}, {"floquet_2_im", "-"}}),
-      rows);
+  write_table(file, "/sweep", joined(columns, multiplier_columns()), rows);
 }
 
 /// Of marches: one row a march, and in /diagram one row a mesh period that is kept of it.
 void write_marches(ResultsFile& file, const CaseInput& problem, const Summary& results) {
-  const std::vector<TableColumn> where = {{"up", "-", true}, {"speed_rpm", "rpm"}, {"torque", "N m"}, {"m_ge", "kg"}};
-  std::vector<TableColumn> point = joined(columns_of_point(), {{"H0_after_leaving", "-"},
-                                                               {"V0_after_leaving", "-"},
-                                                               {"force_ratio_max", "-"},
-                                                               {"total_force_ratio_min", "-"},
-                                                               {"contact_lost", "-"},
-                                                               {"settles_on", "-"}});
-  std::vector<TableColumn> section =
-      joined(where, {{"H0", "-"}, {"V0", "-"}, {"force_ratio_max", "-"}, {"total_force_ratio_min", "-"}});
-  if (!problem.dry()) {
-    point.push_back({"h_min", "m"});
-    section.push_back({"h_min", "m"});
-  }
+  const std::vector<TableColumn> where = joined({{"up", "-", true}}, condition_columns());
+  const std::vector<TableColumn> point = joined(columns_of_point(), marched_columns(!problem.dry()));
   std::vector<double> points, sections;
   for (const Summary& result : results) {
     append_numbers(result, point, points);
@@ -88,7 +68,7 @@ void write_marches(ResultsFile& file, const CaseInput& problem, const Summary& r
     }
   }
   write_table(file, "/sweep", point, points);
-  write_table(file, "/diagram", section, sections);
+  write_table(file, "/diagram", joined(where, diagram_columns(!problem.dry())), sections);
 }
 
 /// The motions that a march repeats, or comes near to; none where it does not settle.
@@ -138,25 +118,52 @@ std::vector<int> basins_of(const Summary& results, const std::vector<const Summa
   return basins;
 }
 
+/// A start of the basins, and the attractor that its march comes to; 0: none.
+struct Start {
+  const Summary& march;
+  int attractor;
+
+  Summary operator[](const char* name) const { return march.value(name, Summary()); }
+};
+
+constexpr auto basin_members = std::to_array<Member<Start>>({
+    {"H0", "H_0", "-", "rigid displacement at the start", [](const Start& of) { return of["H0"]; }, Column::real},
+    {"V0", "V_0", "-", "its velocity there", [](const Start& of) { return of["V0"]; }, Column::real},
+    {"attractor", "", "-", "number of the motion that the march comes to, as in the summary; 0: none",
+     [](const Start& of) -> Summary { return of.attractor; }, Column::whole},
+    {"settles_on", "", "-", "mesh periods after which that repeats", [](const Start& of) { return of["settles_on"]; },
+     Column::real},
+    {"H0_end", "H_0", "-", "rigid displacement at the end of the march",
+     [](const Start& of) { return of["H0_after_leaving"]; }, Column::real},
+    {"V0_end", "V_0", "-", "its velocity there", [](const Start& of) { return of["V0_after_leaving"]; }, Column::real},
+    {"force_ratio_max", "", "-", "largest force on one contact over the static force",
+     [](const Start& of) { return of["force_ratio_max"]; }, Column::real},
+});
+
+/// A motion on which marches settle; number 0: what is left.
+struct Attractor {
+  int number;
+  const Summary* march;  ///< that comes to it; null of what is left
+  double share;
+};
+
+constexpr auto attractor_members = std::to_array<Member<Attractor>>({
+    {"attractor", "", "-", "its number, from 1; 0: marches that settle on none",
+     [](const Attractor& of) -> Summary { return of.number; }},
+    {"repeats_every", "", "-", "mesh periods after which it repeats; null: not known",
+     [](const Attractor& of) -> Summary { return of.march ? (*of.march)["settles_on"] : Summary(); }},
+    {"force_ratio_max", "", "-", "largest force on one contact over the static force",
+     [](const Attractor& of) -> Summary { return of.march ? (*of.march)["force_ratio_max"] : absent(); }},
+    {"share", "", "-", "of the starts that lead there", [](const Attractor& of) -> Summary { return of.share; }},
+    {"states_after_leaving", "", "-", "(H0, V0) just after a contact has left, once a mesh period",
+     [](const Attractor& of) -> Summary { return of.march ? Summary(states_of(*of.march)) : absent(); }},
+});
+
 void write_basins(ResultsFile& file, const Summary& results) {
-  const std::vector<const Summary*> attractors = attractors_in(results);
-  const std::vector<int> basins = basins_of(results, attractors);
+  const std::vector<int> basins = basins_of(results, attractors_in(results));
   std::vector<double> rows;
-  for (std::size_t n = 0; n < basins.size(); ++n) {
-    const Summary& result = results[n];
-    rows.insert(rows.end(), {number(result, "H0"), number(result, "V0"), static_cast<double>(basins[n]),
-                             number(result, "settles_on"), number(result, "H0_after_leaving"),
-                             number(result, "V0_after_leaving"), number(result, "force_ratio_max")});
-  }
-  write_table(file, "/basins",
-              {{"H0", "-"},
-               {"V0", "-"},
-               {"attractor", "-", true},
-               {"settles_on", "-"},
-               {"H0_end", "-"},
-               {"V0_end", "-"},
-               {"force_ratio_max", "-"}},
-              rows);
+  for (std::size_t n = 0; n < basins.size(); ++n) add_to_row(basin_members, Start{results[n], basins[n]}, rows);
+  write_table(file, "/basins", columns_of(basin_members), rows);
 }
 
 }  // namespace
@@ -168,17 +175,17 @@ Summary attractors_of(const Summary& results) {
     return static_cast<double>(std::ranges::count(basins, number)) / static_cast<double>(basins.size());
   };
   Summary list = Summary::array();
-  for (std::size_t n = 0; n < attractors.size(); ++n) {
-    const Summary& found = *attractors[n];
-    Summary entry = {{"attractor", n + 1},
-                     {"repeats_every", found["settles_on"]},
-                     {"force_ratio_max", found["force_ratio_max"]},
-                     {"share", share(static_cast<int>(n) + 1)}};
-    entry["states_after_leaving"] = states_of(found);
-    list.push_back(std::move(entry));
-  }
-  if (share(0) > 0.0) list.push_back({{"attractor", 0}, {"repeats_every", nullptr}, {"share", share(0)}});
+  const auto add = [&](int number, const Summary* march) {
+    list.push_back(as_summary(attractor_members, Attractor{number, march, share(number)}));
+  };
+  for (std::size_t n = 0; n < attractors.size(); ++n) add(static_cast<int>(n) + 1, attractors[n]);
+  if (share(0) > 0.0) add(0, nullptr);
   return list;
+}
+
+std::string basins_markdown() {
+  return members_markdown("`/basins`", "One row a start of `sweep` with `sweep.kind: basins`.", basin_members) +
+         members_markdown("Attractors", "Keys of each of the `attractors` in its summary.", attractor_members);
 }
 
 std::string description_of(const Summary& attractor) {

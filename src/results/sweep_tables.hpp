@@ -17,5 +17,6 @@ void write_sweep_tables(MPI_Comm comm, const CaseInput& problem, const Summary& 
 Summary attractors_of(const Summary& results);
 /// One of them in a line.
 std::string description_of(const Summary& attractor);
+std::string basins_markdown();
 
 }  // namespace gearfilm
