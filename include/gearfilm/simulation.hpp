@@ -59,7 +59,7 @@ public:
   void run_to(double mesh_periods);
   /// The present time [s].
   double time() const;
-  /// Those of `gearfilm transient`: figures of every mesh period, extremes, events, losses of contact.
+  /// Those of `gearfilm transient`: quantities of every mesh period, extremes, events, losses of contact.
   Results results() const;
 
 private:

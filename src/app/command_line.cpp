@@ -11,8 +11,8 @@
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "input/memory.hpp"
-#include "input/oddities.hpp"
 #include "input/options.hpp"
+#include "input/plausibility.hpp"
 #include "input/useful_processes.hpp"
 #include "output/provenance.hpp"
 #include "output/screen.hpp"
@@ -62,7 +62,7 @@ void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& comma
     throw InputError(problem.parameters.origin("restart") + ": " + command.name +
                      " has nothing to go on from; run it without -restart");
   }
-  for (const std::string& oddity : oddities(problem)) warn(comm, oddity);
+  for (const std::string& oddity : plausibility_warnings(problem)) warn(comm, oddity);
   const bool films = command.name != std::string_view("static") && !problem.dry();
   if (const std::string remark = thin_film_remark(problem); films && !remark.empty()) warn(comm, remark);
   const int present = processes_in(comm);

@@ -41,8 +41,8 @@ std::string constants_markdown() {
   return text;
 }
 
-std::string all_figures() {
-  return figures_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
+std::string all_quantities() {
+  return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
          orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
          StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
 }
@@ -64,7 +64,7 @@ constexpr std::array<Command, 9> case_commands = {{
 constexpr std::array<TextCommand, 3> printing_commands = {{
     {"parameters", parameter_markdown, "the table of all parameters in Markdown (needs no case)"},
     {"constants", constants_markdown, "the table of tuned constants of the algorithms in Markdown (needs no case)"},
-    {"figures", all_figures, "the tables of all figures in the results in Markdown (needs no case)"},
+    {"figures", all_quantities, "the tables of all quantities in the results in Markdown (needs no case)"},
 }};
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include "app/branch_report.hpp"
 #include "app/commands.hpp"
 #include "gearfilm/error.hpp"
-#include "input/case_at.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_with_parameter.hpp"
 #include "orbits/pair_branch.hpp"
 #include "output/resumable_run.hpp"
 #include "output/screen_table.hpp"
@@ -16,7 +16,7 @@ namespace {
 ProblemAt problems_of(const CaseInput& problem) {
   return [&problem](double value) {
     try {
-      return orbit_problem(case_at(problem, problem.continuation.parameter, value));
+      return orbit_problem(case_with_parameter(problem, problem.continuation.parameter, value));
     } catch (const InputError& error) {
       throw SolveError(error.what());
     }
@@ -44,7 +44,7 @@ void check_continuation(const CaseInput& problem) {
   if (given.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
     throw InputError("a continuation in mass needs gear.equivalent_mass in the place of both inertias");
   }
-  for (const double end : {*given.from, given.to}) (void)case_at(problem, given.parameter, end);
+  for (const double end : {*given.from, given.to}) (void)case_with_parameter(problem, given.parameter, end);
 }
 
 Stopped stopped_dry(const Stopped& stopped) {
@@ -59,7 +59,7 @@ void run_continuation(MPI_Comm comm, const CaseInput& problem) {
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "continuation");
   const BranchEntry entry{*given.from, given.options.corrector.unit};
-  const SearchWatch watch{.check_stop = run.stop().check_in(comm), .keeper = &run.checkpoint()};
+  const SearchWatch watch{.check_stop = run.stop().check_in(comm), .store = &run.checkpoint()};
   const BranchBeginning begin = problem.dry()
                                     ? dry_beginning(problems_of(problem), entry, counted(run.stop().check_in(comm)))
                                     : film_beginning(problems_of(problem), entry, comm, watch);

@@ -47,12 +47,12 @@ Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discr
   const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   RestingPair rest(mesh, problem.numerics, discretisation);
   const FilmSwing swing = film_swing(mesh, problem.numerics, rest, watcher);
-  const SwingFigures figures = figures_of(swing, problem.scales);
+  const SwingQuantities quantities = quantities_of(swing, problem.scales);
   summary["position"] = problem.steady.position;
   summary["contacts"] = rest.contacts();
   summary["H0"] = rest.displacement();
-  add_swing(swing, figures, summary);
-  const std::string remark = swing_remark(swing, figures, summary["f_n"].get<double>());
+  add_swing(swing, quantities, summary);
+  const std::string remark = swing_remark(swing, quantities, summary["f_n"].get<double>());
   if (!remark.empty()) remarks.push_back(remark);
   if (!swing.on_stiff_films()) {
     summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
@@ -70,11 +70,11 @@ Summary orbit_multipliers(const CaseInput& problem, const SharedDiscretisation& 
   const OrbitProblem search = orbit_problem(problem);
   const MeshModel& mesh = search.mesh;
   LongWork work(films->grid().comm());
-  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>&) {
+  const auto on_step = [&](const StepRecord& record, const std::vector<ActiveContact>&) {
     work.report(worded("periodic state and its multipliers: mesh period ", std::fixed, std::setprecision(2),
                        record.T / mesh.path.mesh_period()));
   };
-  const SearchWatch watch{.check_stop = run.stop().check_in(films->grid().comm()), .keeper = &run.checkpoint()};
+  const SearchWatch watch{.check_stop = run.stop().check_in(films->grid().comm()), .store = &run.checkpoint()};
   MeshMarch march = watched_march(search, films, watch, on_step);
   const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(search, films, dry_start(mesh)),
                                                   problem.search.options, [](const SearchPeriod&) {});

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "output/run_identity.hpp"
+#include "output/input_hash.hpp"
 #include "results/poincare_result.hpp"
 #include "results/spectrum_result.hpp"
 
@@ -40,9 +40,9 @@ MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid
   }
 }
 
-void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+void MarchOutput::step(const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   history_->append(record);
-  statistics_.add(record, given_figures(mesh_, lubricated_));
+  statistics_.add(record, available_models(mesh_, lubricated_));
   signal_.add(record);
   section_.add(record);
   const double period = mesh_.path.mesh_periods(record.T);
@@ -52,14 +52,14 @@ void MarchOutput::step(const StepRecord& record, const std::vector<LiveContact>&
     next_snapshot_ = interval * (std::floor(period / interval + 1e-9) + 1.0);
   }
   if (checkpoint_.is_new(record)) publish();
-  if (!record.recalled) report(record, period);
+  if (!record.replayed) report(record, period);
 }
 
-void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+void MarchOutput::take_snapshot(const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   const std::optional<FilmSnapshot> snapshot =
-      record.recalled ? checkpoint_.recall_snapshot() : film_snapshot(mesh_, record, contacts);
+      record.replayed ? checkpoint_.recall_snapshot() : film_snapshot(mesh_, record, contacts);
   if (!snapshot) return;
-  if (!record.recalled) checkpoint_.attach(*snapshot);
+  if (!record.replayed) checkpoint_.attach(*snapshot);
   if (purpose_ == MarchPurpose::search) {
     held_.push_back(*snapshot);
   } else {
@@ -111,8 +111,8 @@ void MarchOutput::report(const StepRecord& record, double period) {
        << record.pressure_integral() / problem_.scales.static_force;
   if (!record.contacts.empty()) text << ", xi = " << 1e3 * record.contacts.front().position << " mm";
   if (lubricated_ && !record.contacts.empty()) {
-    double smallest = record.contacts.front().figures["h_min"];
-    for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.figures["h_min"]);
+    double smallest = record.contacts.front().quantities["h_min"];
+    for (const ContactRecord& contact : record.contacts) smallest = std::min(smallest, contact.quantities["h_min"]);
     text << ", smallest film " << 1e6 * problem_.scales.thickness * smallest << " um";
   }
   progress_.report(std::min(1.0, period / expected_periods_), text.str());

@@ -27,7 +27,7 @@ public:
   MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid& grid, const MeshModel& mesh,
               MarchPurpose purpose, double expected_periods);
 
-  void step(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void step(const StepRecord& record, const std::vector<ActiveContact>& contacts);
 
   /// A period of a search is over: its fields are written where it is the wanted one, else dropped.
   void end_search_period(const SearchPeriod& period);
@@ -46,7 +46,7 @@ public:
   ResultsFile& file() { return file_; }
 
 private:
-  void take_snapshot(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void take_snapshot(const StepRecord& record, const std::vector<ActiveContact>& contacts);
   void publish();
   void report(const StepRecord& record, double period);
 

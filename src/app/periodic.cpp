@@ -2,7 +2,7 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/hard_entry.hpp"
+#include "app/corner_contact.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "gearfilm/error.hpp"
@@ -77,19 +77,19 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
   if (!advice.empty()) say(comm, advice.substr(1));
   if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
   warn(comm,
-       error ? error->text() + ", the largest of all (each figure's _error is in summary.json)"
-             : "the errors of the figures are not known, since no coarser grid has this state",
+       error ? error->text() + ", the largest of all (each quantity's _error is in summary.json)"
+             : "the errors of the quantities are not known, since no coarser grid has this state",
        "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }
 
 SearchWatch watch_of(MPI_Comm comm, ResumableRun& run, MarchOutput& output) {
   return {.on_step = [&](const StepRecord& record,
-                         const std::vector<LiveContact>& contacts) { output.step(record, contacts); },
+                         const std::vector<ActiveContact>& contacts) { output.step(record, contacts); },
           .on_period = [&](const SearchPeriod& period) { output.end_search_period(period); },
           .on_coarse_period = [&](const SearchPeriod& period) { output.note("coarser grid: " + text_of(period)); },
           .on_trouble = [&](const std::string& trouble) { output.note(trouble + "; the search goes on without"); },
           .check_stop = run.stop().check_in(comm),
-          .keeper = &run.checkpoint()};
+          .store = &run.checkpoint()};
 }
 
 void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found, ResumableRun& run,
@@ -121,7 +121,7 @@ void run_periodic(MPI_Comm comm, const CaseInput& given) {
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "periodic");
   const OrbitProblem search = orbit_problem(problem);
-  if (!search.mesh.teeth.rigid()) warn_of_hard_entry(comm, search.mesh);
+  if (!search.mesh.teeth.rigid()) warn_of_corner_contact(comm, search.mesh);
   MarchOutput output(run, problem, films->grid(), search.mesh, MarchPurpose::search,
                      (problem.dry() ? 1.0 : typical_periods) * search.mesh.periods());
   FoundOrbit found;

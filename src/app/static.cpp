@@ -2,14 +2,14 @@
 #include <iomanip>
 
 #include "app/commands.hpp"
-#include "app/hard_entry.hpp"
+#include "app/corner_contact.hpp"
 #include "gear/iso_stiffness.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "mesh/static_mesh.hpp"
 #include "output/file_ownership.hpp"
+#include "output/input_hash.hpp"
 #include "output/output_directory.hpp"
-#include "output/run_identity.hpp"
 #include "output/screen.hpp"
 #include "output/screen_table.hpp"
 #include "results/static_summary.hpp"
@@ -45,7 +45,7 @@ void run_static(MPI_Comm comm, const CaseInput& problem) {
   std::vector<double> rows;
   say(comm, "load ratio  TE mean um  peak-peak um  stiffness N/um  entry meets um  contacts");
   const auto add = [&](double ratio) {
-    const StaticMesh found = turn_slowly(mesh, ratio * mesh.scales.static_force, problem.statics.positions);
+    const StaticMesh found = quasi_static_cycle(mesh, ratio * mesh.scales.static_force, problem.statics.positions);
     const StaticLoad result(mesh, found);
     Summary at = result.summary();
     result.append_rows(ratio, rows);
@@ -69,7 +69,7 @@ void run_static(MPI_Comm comm, const CaseInput& problem) {
   write_table(comm, problem, rows);
   write_summary(comm, directory.path(), summary);
   ScreenTable(summary).print(comm, directory.path());
-  warn_of_hard_entry(comm, mesh);
+  warn_of_corner_contact(comm, mesh);
 }
 
 }  // namespace gearfilm

@@ -4,14 +4,14 @@
 #include <limits>
 
 #include "app/commands.hpp"
-#include "app/hard_entry.hpp"
+#include "app/corner_contact.hpp"
 #include "app/result_warnings.hpp"
 #include "app/sweep_chain.hpp"
 #include "app/sweep_mending.hpp"
-#include "dynamics/period_figures.hpp"
+#include "dynamics/period_quantities.hpp"
 #include "gearfilm/error.hpp"
-#include "input/case_at.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_with_parameter.hpp"
 #include "output/output_directory.hpp"
 #include "output/results_table.hpp"
 #include "output/screen.hpp"
@@ -123,7 +123,7 @@ void check_sweep(const CaseInput& problem) {
     throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
   }
   if (problem.sweep.kind == SweepKind::basins) return;
-  for (double value : problem.sweep.values) (void)case_at(problem, problem.sweep.parameter, value);
+  for (double value : problem.sweep.values) (void)case_with_parameter(problem, problem.sweep.parameter, value);
 }
 
 /// Summary of a sweep whose points are all on disk.
@@ -152,7 +152,7 @@ void run_sweep(MPI_Comm comm, const CaseInput& problem) {
   check_sweep(problem);
   const int groups = group_count(comm, problem);
   const OutputDirectory directory(comm, problem.run.directory);
-  if (!problem.pair.teeth.rigid()) warn_of_hard_entry(comm, mesh_after_leaving(problem));
+  if (!problem.pair.teeth.rigid()) warn_of_corner_contact(comm, mesh_after_leaving(problem));
   const SweepPoints points(comm, problem);
   directory.remove_earlier_results();
   const StopRequest stop(problem.run.time_limit);
@@ -165,7 +165,8 @@ void run_sweep(MPI_Comm comm, const CaseInput& problem) {
   points.complete(comm);
   print_result(comm, problem, summary);
   if (!problem.dry() && problem.sweep.kind == SweepKind::periodic) {
-    const CaseInput fastest = case_at(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
+    const CaseInput fastest =
+        case_with_parameter(problem, problem.sweep.parameter, std::ranges::max(problem.sweep.values));
     warn_of_heating(comm, fastest, heating_at_pitch(fastest));
   }
   if (summary["points_found"].get<int>() == 0)

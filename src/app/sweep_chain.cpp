@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "input/case_at.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_with_parameter.hpp"
 #include "orbits/orbit_chain.hpp"
 #include "output/file_ownership.hpp"
 #include "output/screen.hpp"
@@ -29,7 +29,7 @@ public:
     for (const SweepPoint& point : chain) {
       std::optional<Summary> result = points_.read(group_, point);
       if (result) {
-        take_over(point, *result);
+        resume_from(point, *result);
       } else {
         result = compute(point, problem_.sweep.values[point.index]);
         points_.write(group_, point, *result);
@@ -42,7 +42,7 @@ public:
 
 private:
   /// Goes on from a point that is on disk, since a program before has computed it.
-  void take_over(const SweepPoint& point, const Summary& result) {
+  void resume_from(const SweepPoint& point, const Summary& result) {
     if (result.contains("error")) {
       forget();
     } else {
@@ -126,7 +126,7 @@ private:
     } else {
       const SharedDiscretisation films = discretise(group_, search);
       Checkpoint kept = checkpoint(point, films);
-      watch.keeper = &kept;
+      watch.store = &kept;
       marched = march_on_films(search, films, from, length, watch);
       write_films(point, marched.end);
     }
@@ -150,7 +150,7 @@ private:
                             .on_coarse_period = list("coarse_search"),
                             .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
                             .check_stop = stop_.check_in(group_),
-                            .keeper = &kept};
+                            .store = &kept};
     OrbitChain::Search search;
     const auto describe_search = [&] {
       result["start"] = search.from_neighbour ? "neighbour" : "dry orbit";

@@ -1,8 +1,8 @@
 #include "app/sweep_mending.hpp"
 
 #include "app/sweep_chain.hpp"
-#include "input/case_at.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_with_parameter.hpp"
 #include "results/sweep_point.hpp"
 
 namespace gearfilm {
@@ -37,7 +37,7 @@ std::optional<Summary> mended(const CaseInput& problem, const Known& failed, con
   const auto value = failed.result["value"].get<double>();
   const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(problem), value, from, watch);
   if (!orbit) return {};
-  const CaseInput here = case_at(problem, problem.sweep.parameter, value);
+  const CaseInput here = case_with_parameter(problem, problem.sweep.parameter, value);
   Summary result = failed.result;
   result.erase("error");
   add_dry_orbit(orbit_problem(here), {*orbit, from.parameter == value ? "other way" : "point beyond"}, result);

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/hard_entry.hpp"
+#include "app/corner_contact.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "gearfilm/error.hpp"
@@ -92,10 +92,10 @@ void run_transient(MPI_Comm comm, const CaseInput& problem) {
   const MeshModel mesh =
       mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
   require_beyond(run, problem, mesh);
-  if (!mesh.teeth.rigid() && !mesh.load) warn_of_hard_entry(comm, mesh);
+  if (!mesh.teeth.rigid() && !mesh.load) warn_of_corner_contact(comm, mesh);
   MarchOutput output(run, problem, films->grid(), mesh, MarchPurpose::march,
                      mesh.path.mesh_periods(end_of(problem, mesh)));
-  const auto observer = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  const auto observer = [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
     output.step(record, contacts);
     if (run.checkpoint().is_new(record)) run.stop().check(comm, mesh.path.mesh_periods(record.T));
   };

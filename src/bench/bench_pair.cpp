@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "bench/convolution_time.hpp"
 #include "bench/kernel_time.hpp"
-#include "bench/yardstick.hpp"
 #include "dynamics/march_statistics.hpp"
 #include "input/case_setup.hpp"
 #include "orbits/dry_orbit.hpp"
@@ -18,7 +18,7 @@ constexpr GridSize small = {129, 65}, large = {257, 257};
 struct MeshPeriod {
   double seconds = 0.0;
   double unit = 0.0;  ///< a convolution's time, mean of those before and after it
-  PeriodFigures figures;
+  PeriodQuantities quantities;
 };
 
 /// The second mesh period of the lubricated pair from the dry periodic orbit shifted by the film: near the periodic
@@ -31,8 +31,8 @@ MeshPeriod march_a_period(MPI_Comm comm, const CaseInput& problem, GridSize size
   const MeshModel mesh = mesh_after_leaving(resized);
   const double mesh_period = mesh.path.mesh_period();
   MarchStatistics statistics(mesh_period, mesh.scales.static_force);
-  MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<LiveContact>&) {
-    statistics.add(record, given_figures(mesh, true));
+  MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<ActiveContact>&) {
+    statistics.add(record, available_models(mesh, true));
   });
   march.start(dry_guess(orbit_problem(resized), films, dry_start(mesh)).motion);
   march.run(mesh_period);
@@ -48,11 +48,11 @@ struct PeriodSpeed {
   double dT;
   MeshPeriod period;
 
-  double steps() const { return period.figures["steps"].value(); }
-  int contact_steps() const { return static_cast<int>(period.figures["contact_steps"].value()); }
-  double newton() const { return period.figures["newton_iterations"].value() / steps(); }
-  double krylov() const { return period.figures["krylov_iterations"].value() / steps(); }
-  double contact_step() const { return period.figures["wall_time"].value() / contact_steps() / period.unit; }
+  double steps() const { return period.quantities["steps"].value(); }
+  int contact_steps() const { return static_cast<int>(period.quantities["contact_steps"].value()); }
+  double newton() const { return period.quantities["newton_iterations"].value() / steps(); }
+  double krylov() const { return period.quantities["krylov_iterations"].value() / steps(); }
+  double contact_step() const { return period.quantities["wall_time"].value() / contact_steps() / period.unit; }
 };
 
 constexpr auto period_members = std::to_array<Member<PeriodSpeed>>({

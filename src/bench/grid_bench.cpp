@@ -1,9 +1,9 @@
 #include "bench/grid_bench.hpp"
 
 #include "bench/bench_pair.hpp"
+#include "bench/convolution_time.hpp"
 #include "bench/kernel_time.hpp"
 #include "bench/stopwatch.hpp"
-#include "bench/yardstick.hpp"
 #include "film/multigrid_level.hpp"
 #include "input/case_setup.hpp"
 #include "output/summary.hpp"

@@ -1,5 +1,5 @@
 // Speed of the kernels and of stationary films on one grid, in seconds, per node, and in convolution times
-// (yardstick.hpp).
+// (convolution_time.hpp).
 #pragma once
 
 #include "bench/bench_pair.hpp"

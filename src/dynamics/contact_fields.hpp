@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/figure.hpp"
+#include "dynamics/quantity.hpp"
 #include "traction/film_heat.hpp"
 
 namespace gearfilm {

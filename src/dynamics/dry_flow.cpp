@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "gearfilm/error.hpp"
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 
 namespace gearfilm {
 namespace {
@@ -109,7 +109,7 @@ private:
     const double T = s * pair.period;
     const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
     const std::vector<double> forces = contacts.forces(H0);
-    const BackForce back = back_force(pair.mesh, H0, T);
+    const ReverseForce back = reverse_flank_force(pair.mesh, H0, T);
     const double total = std::accumulate(forces.begin(), forces.end(), -back.value);
     if (slope) *slope = -pair.period * (contacts.stiffness(forces) + back.slope) / pair.mesh.inertia;
     return pair.period * ((total - pair.mesh.scales.static_force) / pair.mesh.inertia - pair.damping * V0);

@@ -3,43 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 
 namespace gearfilm {
 
-DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, MarchKeeper* keeper)
+DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, RunStore* store)
     : mesh_(std::move(mesh)),
       force_(mesh_),
       flow_(mesh_, damping),
       dT_(dT),
       observer_(std::move(observer)),
-      keeper_(keeper) {}
+      store_(store) {}
 
 void DryMarch::observe(double dT, double wall_seconds) const {
   StepRecord record;
   record.T = T_;
   record.dT = dT;
   record.motion = motion_;
-  record.back_force = back_force(mesh_, motion_.H0(), T_).value;
+  record.back_force = reverse_flank_force(mesh_, motion_.H0(), T_).value;
   record.wall_seconds = wall_seconds;
-  std::vector<LiveContact> live;
+  std::vector<ActiveContact> live;
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   const std::vector<double> forces = DryContacts(force_, mesh_, numbers, T_).forces(motion_.H0());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const int contact = numbers[k];
     const ContactConditions conditions = mesh_.contact(contact, T_).conditions;
-    FilmFigures figures;
-    figures.pressure_integral = forces[k];
-    if (figures.pressure_integral > 0.0) {
-      figures.largest_pressure =
-          dry_contact(mesh_.scales, conditions, figures.pressure_integral).pressure / mesh_.scales.pressure;
-      figures.central_pressure = figures.largest_pressure;
+    FilmQuantities quantities;
+    quantities.pressure_integral = forces[k];
+    if (quantities.pressure_integral > 0.0) {
+      quantities.largest_pressure =
+          dry_contact(mesh_.scales, conditions, quantities.pressure_integral).pressure / mesh_.scales.pressure;
+      quantities.central_pressure = quantities.largest_pressure;
     }
-    record.contacts.push_back(contact_record(mesh_, contact, T_, figures));
+    record.contacts.push_back(contact_record(mesh_, contact, T_, quantities));
     live.push_back({contact});
   }
   observer_(record, live);
-  if (keeper_) keeper_->record(record);
+  if (store_) store_->record(record);
 }
 
 void DryMarch::start(const std::optional<Motion>& motion) {
@@ -54,7 +54,7 @@ Motion DryMarch::balance(const MeshModel& mesh, const DryForce& force, double T)
 }
 
 void DryMarch::run(double T_end) {
-  if (const auto kept = take_over(keeper_, T_, motion_, observer_)) {
+  if (const auto kept = resume_from(store_, T_, motion_, observer_)) {
     T_ = kept->T;
     motion_ = kept->state.motion;
   }
@@ -67,7 +67,7 @@ void DryMarch::run(double T_end) {
       motion_ = flow_.between(motion_, before, T_);
       observe(T_ - before, MPI_Wtime() - wall_start);
     }
-    if (keeper_) keeper_->keep(T_, {motion_, {}}, {});
+    if (store_) store_->keep(T_, {motion_, {}}, {});
   }
 }
 

@@ -8,23 +8,23 @@
 #include <optional>
 
 #include "dynamics/dry_flow.hpp"
-#include "dynamics/march_keeper.hpp"
+#include "dynamics/run_store.hpp"
 #include "mesh/dry_force.hpp"
 
 namespace gearfilm {
 
 class DryMarch {
 public:
-  /// Steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A keeper must outlive the
+  /// Steps of the record at most dT long (the integration itself adapts its steps to 1e-10). A store must outlive the
   /// march.
-  DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping = 0.0, MarchKeeper* keeper = nullptr);
+  DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping = 0.0, RunStore* store = nullptr);
 
   /// At rest at a time.
   static Motion balance(const MeshModel& mesh, const DryForce& force, double T);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);
-  /// One run of the march (march_keeper.hpp).
+  /// One run of the march (run_store.hpp).
   void run(double T_end);
 
   const MeshModel& mesh() const { return mesh_; }
@@ -39,7 +39,7 @@ private:
   DryFlow flow_;
   double dT_;
   StepObserver observer_;
-  MarchKeeper* keeper_;
+  RunStore* store_;
   double T_ = 0.0;
   Motion motion_;
 };

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "dynamics/value_list.hpp"
+#include "dynamics/binary_stream.hpp"
 #include "solver/stationary.hpp"
 
 namespace gearfilm {

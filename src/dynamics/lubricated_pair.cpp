@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "film/rescaled_hertz_pressure.hpp"
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 #include "numerics/tuned.hpp"
 
 namespace gearfilm {
@@ -16,22 +16,22 @@ const Tuned<double> smallest_ratio("guess_smallest_ratio", 0.1,
 const Tuned<double> crossed("guess_crossed", 0.5, "part of a central film that the motion of a guess may cross");
 const Tuned<double> receded("guess_receded", 0.3, "mesh widths by which the ends of the ellipse may recede in a step");
 
-std::vector<ContactFilm*> films_of(const std::vector<LiveContact>& contacts) {
+std::vector<ContactFilm*> films_of(const std::vector<ActiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
-  std::ranges::transform(contacts, films.begin(), &LiveContact::film);
+  std::ranges::transform(contacts, films.begin(), &ActiveContact::film);
   return films;
 }
 
-std::vector<LiveContact> without_fields(const std::vector<LiveContact>& contacts) {
-  std::vector<LiveContact> bare;
+std::vector<ActiveContact> without_fields(const std::vector<ActiveContact>& contacts) {
+  std::vector<ActiveContact> bare;
   bare.reserve(contacts.size());
-  for (const LiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.processes});
+  for (const ActiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.processes});
   return bare;
 }
 
 }  // namespace
 
-LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<LiveContact>& contacts,
+LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<ActiveContact>& contacts,
                                const std::optional<LoadSharing::Piece>& share)
     : mesh_(mesh),
       contacts_(without_fields(contacts)),
@@ -77,11 +77,11 @@ void LubricatedPair::predict_for_load_share(Vec state, double T0, double T1) con
 
 // The pressures of the guess are still those from before: bodies that sink by more than a film would touch.
 void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
-                                           const std::vector<FilmFigures>& figures) const {
+                                           const std::vector<FilmQuantities>& quantities) const {
   if (mesh_.inertia == 0.0) return;
   const Motion last = motion(state);
   double thinnest = HUGE_VAL;
-  for (const FilmFigures& film : figures) thinnest = std::min(thinnest, film.central_film);
+  for (const FilmQuantities& film : quantities) thinnest = std::min(thinnest, film.central_film);
   const double change = std::max((T1 - T0) * last.V0(), -crossed * thinnest);
   set_motion(state, {last.H0() + change, last.V0()});
 }
@@ -89,12 +89,12 @@ void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
 // by a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T1,
-                                        const std::vector<FilmFigures>& figures) const {
+                                        const std::vector<FilmQuantities>& quantities) const {
   const Eigen::VectorXd low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
-    const double force = figures[k].pressure_integral;
+    const double force = quantities[k].pressure_integral;
     if (rise <= 0.0 || force <= 0.0) continue;
     const HertzContact before = dry_contact(mesh_.scales, conditions, force);
     const double approach = before.approach - rise * mesh_.scales.thickness;
@@ -107,11 +107,11 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
   }
 }
 
-double LubricatedPair::swing(double T, const std::vector<FilmFigures>& figures) const {
+double LubricatedPair::swing(double T, const std::vector<FilmQuantities>& quantities) const {
   if (mesh_.inertia == 0.0) return 0.0;
-  std::vector<double> forces(figures.size());
-  std::ranges::transform(figures, forces.begin(),
-                         [](const FilmFigures& film) { return std::max(0.0, film.pressure_integral); });
+  std::vector<double> forces(quantities.size());
+  std::ranges::transform(quantities, forces.begin(),
+                         [](const FilmQuantities& film) { return std::max(0.0, film.pressure_integral); });
   const double stiffness = DryContacts(dry_force_, mesh_, numbers_, T).stiffness(forces) / share_at(T);
   return std::sqrt(stiffness / mesh_.inertia);
 }
@@ -132,7 +132,7 @@ void LubricatedPair::place(double T) {
   ReverseFlankForce reverse_flanks;
   if (mesh_.teeth.backlash()) {
     const auto law = [this, T](double H0) {
-      const BackForce back = back_force(mesh_, H0, T);
+      const ReverseForce back = reverse_flank_force(mesh_, H0, T);
       return ReverseFlankForce::Value{back.value, back.slope};
     };
     // They approach as H_0 grows, and act along the line on which the films act.
@@ -155,19 +155,19 @@ void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double s
                     together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first);
 }
 
-std::vector<FilmFigures> LubricatedPair::film_figures(Vec state, double T) {
+std::vector<FilmQuantities> LubricatedPair::film_quantities(Vec state, double T) {
   place(T);
-  return system_.figures(state);
+  return system_.quantities(state);
 }
 
 void LubricatedPair::advance_processes(double dT) {
-  for (const LiveContact& contact : contacts_) {
+  for (const ActiveContact& contact : contacts_) {
     for (const auto& process : contact.processes) process->advance(*contact.film, dT);
   }
 }
 
-std::vector<ContactRecord> LubricatedPair::records(double T, const std::vector<FilmFigures>& figures) const {
-  return contact_records(mesh_, contacts_, T, figures);
+std::vector<ContactRecord> LubricatedPair::records(double T, const std::vector<FilmQuantities>& quantities) const {
+  return contact_records(mesh_, contacts_, T, quantities);
 }
 
 }  // namespace gearfilm

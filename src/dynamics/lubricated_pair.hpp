@@ -16,7 +16,7 @@ class LubricatedPair {
 public:
   /// At least one contact, all with films of one discretisation, which must outlive the pair, as must the mesh. share:
   /// f along the path where the first contact travels.
-  LubricatedPair(const MeshModel& mesh, const std::vector<LiveContact>& contacts,
+  LubricatedPair(const MeshModel& mesh, const std::vector<ActiveContact>& contacts,
                  const std::optional<LoadSharing::Piece>& share = {});
 
   FilmSystem& system() { return system_; }
@@ -34,16 +34,17 @@ public:
   /// share.
   void predict_for_load_share(Vec state, double T0, double T1) const;
   /// With inertia: a guess of the motion at T1 from that at T0, of the same V_0, sunk by half of the thinnest film at
-  /// most. figures: of the films at T0.
-  void predict_without_force(Vec state, double T0, double T1, const std::vector<FilmFigures>& figures) const;
+  /// most. quantities: of the films at T0.
+  void predict_without_force(Vec state, double T0, double T1, const std::vector<FilmQuantities>& quantities) const;
 
   /// Where the flanks of a guess at T1 have parted since the last state, at T0, so far that ellipses draw back by much
-  /// of a cell: pressures of the guess as those of Hertz contacts that shrink so. figures: of the films of the last
+  /// of a cell: pressures of the guess as those of Hertz contacts that shrink so. quantities: of the films of the last
   /// state.
-  void predict_for_motion(Vec guess, Vec last, double T0, double T1, const std::vector<FilmFigures>& figures) const;
+  void predict_for_motion(Vec guess, Vec last, double T0, double T1,
+                          const std::vector<FilmQuantities>& quantities) const;
 
   /// Circular frequency with which the pair would swing on dry contacts of these forces at T; 0 without inertia.
-  double swing(double T, const std::vector<FilmFigures>& figures) const;
+  double swing(double T, const std::vector<FilmQuantities>& quantities) const;
   /// For the equation of motion of the stage to come.
   void fit_frequency(const FrequencyFit& fit) { fit_ = fit; }
 
@@ -61,11 +62,13 @@ public:
   void continue_friction(double T, const std::vector<ContactRecord>& contacts);
 
   /// Of the film of every contact, placed at T. Collective.
-  std::vector<FilmFigures> film_figures(Vec state, double T);
-  /// Lets what follows the films follow them over a step of dT, at whose end film_figures() has put them. Collective.
+  std::vector<FilmQuantities> film_quantities(Vec state, double T);
+  /// Lets what follows the films follow them over a step of dT, at whose end film_quantities() has put them.
+  /// Collective.
   void advance_processes(double dT);
-  /// The records of all contacts at time T, after film_figures() at that time, whose result `figures` is. Collective.
-  std::vector<ContactRecord> records(double T, const std::vector<FilmFigures>& figures) const;
+  /// The records of all contacts at time T, after film_quantities() at that time, whose result `quantities` is.
+  /// Collective.
+  std::vector<ContactRecord> records(double T, const std::vector<FilmQuantities>& quantities) const;
 
 private:
   /// f at time T; 1 where contacts share by themselves.
@@ -74,7 +77,7 @@ private:
   double left_over(double T) const;
 
   const MeshModel& mesh_;
-  std::vector<LiveContact> contacts_;  ///< without fields
+  std::vector<ActiveContact> contacts_;  ///< without fields
   std::vector<int> numbers_;
   std::vector<ContactFilm*> films_;
   std::optional<LoadSharing::Piece> share_;

@@ -34,15 +34,15 @@ std::optional<double> reduced(const std::optional<double>& kept, Reduction reduc
 
 }  // namespace
 
-void MarchStatistics::add(const StepRecord& record, const Given& given) {
+void MarchStatistics::add(const StepRecord& record, const AvailableModels& given) {
   add_events(record);
   add_loss(record);
   if (record.dT > 0.0) add_to_period(record, given);
-  for (std::size_t n = 0; n < step_figures.size(); ++n) last_[n] = step_figures[n].value(record);
+  for (std::size_t n = 0; n < step_quantities.size(); ++n) last_[n] = step_quantities[n].value(record);
 }
 
-void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t figure, double value, double dT) {
-  const double step = 0.5 * (last_[figure] + value) * dT;
+void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t quantity, double value, double dT) {
+  const double step = 0.5 * (last_[quantity] + value) * dT;
   mean = (mean.value_or(0.0) * elapsed_ + step) / (elapsed_ + dT);
 }
 
@@ -71,7 +71,7 @@ void MarchStatistics::add_loss(const StepRecord& record) {
     ContactLoss& loss = losses_.back();
     loss.end = record.T;
     for (const ContactRecord& contact : record.contacts) {
-      loss.largest_central_film = std::max(loss.largest_central_film, contact.figures["h_central"]);
+      loss.largest_central_film = std::max(loss.largest_central_film, contact.quantities["h_central"]);
     }
   }
   lost_ = lost;
@@ -82,7 +82,7 @@ bool MarchStatistics::contact_lost(double T_begin, double T_end) const {
                      [&](const ContactLoss& loss) { return loss.begin <= T_end && loss.end > T_begin; });
 }
 
-void MarchStatistics::add_to_period(const StepRecord& record, const Given& given) {
+void MarchStatistics::add_to_period(const StepRecord& record, const AvailableModels& given) {
   // A step that ends within round-off of the period's end still belongs to it.
   const double passed = course_.phase(record.T) / mesh_period_;
   const auto index = static_cast<std::size_t>(std::max(0.0, std::ceil(passed - 1e-9) - 1.0));
@@ -91,29 +91,31 @@ void MarchStatistics::add_to_period(const StepRecord& record, const Given& given
     pitch_distance_ = HUGE_VAL;
     elapsed_ = 0.0;
   }
-  PeriodFigures& period = periods_[index];
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
-    const PeriodFigure& figure = period_figures[n];
-    if (figure.of_contact || !given.has(figure.needs)) continue;
-    const double value = step_figures[figure.source].value(record);
-    if (figure.reduction == Reduction::mean) {
-      add_to_mean(period.values[n], figure.source, value, record.dT);
+  PeriodQuantities& period = periods_[index];
+  for (std::size_t n = 0; n < period_quantities.size(); ++n) {
+    const PeriodQuantity& quantity = period_quantities[n];
+    if (quantity.of_contact || !given.has(quantity.needs)) continue;
+    const double value = step_quantities[quantity.source].value(record);
+    if (quantity.reduction == Reduction::mean) {
+      add_to_mean(period.values[n], quantity.source, value, record.dT);
     } else {
-      period.values[n] = reduced(period.values[n], figure.reduction, value);
+      period.values[n] = reduced(period.values[n], quantity.reduction, value);
     }
   }
   elapsed_ += record.dT;
   for (const ContactRecord& contact : record.contacts) add_contact(contact, given, period);
 }
 
-void MarchStatistics::add_contact(const ContactRecord& contact, const Given& given, PeriodFigures& period) {
+void MarchStatistics::add_contact(const ContactRecord& contact, const AvailableModels& given,
+                                  PeriodQuantities& period) {
   const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.number};
   if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
   if (moments.entered) entered_.reset();
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
-    const PeriodFigure& figure = period_figures[n];
-    if (!figure.of_contact || !given.has(figure.needs)) continue;
-    period.values[n] = reduced(period.values[n], figure.reduction, contact.figures.values[figure.source], moments);
+  for (std::size_t n = 0; n < period_quantities.size(); ++n) {
+    const PeriodQuantity& quantity = period_quantities[n];
+    if (!quantity.of_contact || !given.has(quantity.needs)) continue;
+    period.values[n] =
+        reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }
 }
 

@@ -1,11 +1,11 @@
-// What a march has to tell: figures per mesh period, events, and losses of contact. Dimensionless throughout.
+// What a march has to tell: quantities per mesh period, events, and losses of contact. Dimensionless throughout.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "dynamics/period_figures.hpp"
+#include "dynamics/period_quantities.hpp"
 #include "mesh/speed_course.hpp"
 
 namespace gearfilm {
@@ -33,10 +33,10 @@ public:
   MarchStatistics(double mesh_period, double static_force, const SpeedCourse& course = {})
       : mesh_period_(mesh_period), static_force_(static_force), course_(course) {}
 
-  /// given: which figures there are.
-  void add(const StepRecord& record, const Given& given);
+  /// given: which quantities there are.
+  void add(const StepRecord& record, const AvailableModels& given);
 
-  const std::vector<PeriodFigures>& periods() const { return periods_; }
+  const std::vector<PeriodQuantities>& periods() const { return periods_; }
   const std::vector<MeshEvent>& events() const { return events_; }
   const std::vector<ContactLoss>& losses() const { return losses_; }
   /// Whether contact was lost at any time in between.
@@ -45,21 +45,21 @@ public:
 private:
   void add_events(const StepRecord& record);
   void add_loss(const StepRecord& record);
-  void add_to_period(const StepRecord& record, const Given& given);
-  void add_contact(const ContactRecord& contact, const Given& given, PeriodFigures& period);
+  void add_to_period(const StepRecord& record, const AvailableModels& given);
+  void add_contact(const ContactRecord& contact, const AvailableModels& given, PeriodQuantities& period);
 
   /// Mean in time over the present period, by the trapezoidal rule.
-  void add_to_mean(std::optional<double>& mean, std::size_t figure, double value, double dT);
+  void add_to_mean(std::optional<double>& mean, std::size_t quantity, double value, double dT);
 
   double mesh_period_;
   double static_force_;
   SpeedCourse course_;
-  std::vector<PeriodFigures> periods_;
+  std::vector<PeriodQuantities> periods_;
   std::vector<MeshEvent> events_;
   std::vector<ContactLoss> losses_;
-  std::array<double, step_figures.size()> last_{};  ///< values of the last record
-  double elapsed_ = 0.0;                            ///< of the present period, before the last step
-  std::vector<int> present_;                        ///< contacts of the last record
+  std::array<double, step_quantities.size()> last_{};  ///< values of the last record
+  double elapsed_ = 0.0;                               ///< of the present period, before the last step
+  std::vector<int> present_;                           ///< contacts of the last record
   bool lost_ = false;
   std::optional<int> entered_;   ///< contact whose first step is still to come
   double pitch_distance_ = 0.0;  ///< |xi| of the nearest contact of the present period so far [m]

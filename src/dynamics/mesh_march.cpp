@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "film/validity.hpp"
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 #include "numerics/tuned.hpp"
 #include "parallel/events.hpp"
 
@@ -43,10 +43,10 @@ int step_levels(const Grid& grid, double dT) {
 }
 
 MeshMarch::MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options, StepObserver observer,
-                     MarchKeeper* keeper)
+                     RunStore* store)
     : films_(std::move(discretisation), std::move(mesh), std::move(options)),
       observer_(std::move(observer)),
-      keeper_(keeper) {}
+      store_(store) {}
 
 void MeshMarch::start(const std::optional<Motion>& motion) {
   films_.start(motion);
@@ -73,24 +73,24 @@ void MeshMarch::remember(std::span<const double> memory) {
   if (memory.empty()) return;
   ValueReader values(memory);
   films_.entering().take_from(values);
-  guesses_ = GuessMemory(values);
+  guesses_ = PeriodicPredictor(values);
 }
 
-void MeshMarch::show(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+void MeshMarch::show(const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   if (record.halvings > 0) ++halved_steps_;
   observer_(record, contacts);
 }
 
 void MeshMarch::observe(const StepRecord& record) {
   show(record, contacts());
-  if (keeper_) keeper_->record(record);
+  if (store_) store_->record(record);
 }
 
 void MeshMarch::observe_present() {
   StepRecord record;
   record.T = T();
   record.motion = motion();
-  record.back_force = back_force(mesh(), motion().H0(), T()).value;
+  record.back_force = reverse_flank_force(mesh(), motion().H0(), T()).value;
   record.contacts = films_.records();
   observe(record);
 }
@@ -117,10 +117,10 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
     films_.move(record.T, record.motion);
     DomainMargins needed;
     for (std::size_t k = 0; k < contacts().size(); ++k) {
-      const LiveContact& contact = contacts()[k];
-      const FilmFigures figures = film_figures(record.contacts[k].figures);
-      needed = enclosing(needed, films_.required_margins(contact.number, figures.pressure_integral));
-      check_validity(*contact.film, figures, films_.label(contact.number));
+      const ActiveContact& contact = contacts()[k];
+      const FilmQuantities quantities = film_quantities(record.contacts[k].quantities);
+      needed = enclosing(needed, films_.required_margins(contact.number, quantities.pressure_integral));
+      check_validity(*contact.film, quantities, films_.label(contact.number));
     }
     observe(record);
     if (!films_.fits(needed)) stepper.stop();
@@ -134,8 +134,8 @@ void MeshMarch::run_segment(double T_end, const StepOptions& steps, const std::o
 }
 
 void MeshMarch::run(double T_end) {
-  const auto recalled = [&](const StepRecord& record, const std::vector<LiveContact>& none) { show(record, none); };
-  if (const auto kept = take_over(keeper_, T(), motion(), recalled)) {
+  const auto replayed = [&](const StepRecord& record, const std::vector<ActiveContact>& none) { show(record, none); };
+  if (const auto kept = resume_from(store_, T(), motion(), replayed)) {
     films_.take_up(kept->T, kept->state, mesh().path.contacts_before(kept->T));
     remember(kept->memory);
   }
@@ -163,7 +163,7 @@ void MeshMarch::run(double T_end) {
       }
     }
     run_segment(segment_end, steps, share, transferred);
-    if (keeper_) keeper_->keep(T(), state(), memory());
+    if (store_) store_->keep(T(), state(), memory());
   }
 }
 

@@ -9,8 +9,8 @@
 
 #include <optional>
 
-#include "dynamics/march_keeper.hpp"
 #include "dynamics/meshed_films.hpp"
+#include "dynamics/run_store.hpp"
 
 namespace gearfilm {
 
@@ -27,13 +27,13 @@ int step_levels(const Grid& grid, double dT);
 class MeshMarch {
 public:
   /// All contacts have films of this discretisation, at first. With a prescribed load the mesh has a single contact. A
-  /// keeper must outlive the march.
+  /// store must outlive the march.
   MeshMarch(SharedDiscretisation discretisation, MeshModel mesh, MarchOptions options, StepObserver observer,
-            MarchKeeper* keeper = nullptr);
+            RunStore* store = nullptr);
 
   /// Stationary films of all contacts at T = 0: at the given motion, or at rest where they carry the static force.
   void start(const std::optional<Motion>& motion);
-  /// Integrates up to T_end: one run, of which a keeper may know a part.
+  /// Integrates up to T_end: one run, of which a store may know a part.
   void run(double T_end);
 
   /// The present state.
@@ -52,7 +52,7 @@ public:
   void adapt_pressures() { films_.adapt_pressures(); }
 
   /// The contacts that exist now, the leading one first.
-  const std::vector<LiveContact>& contacts() const { return films_.contacts(); }
+  const std::vector<ActiveContact>& contacts() const { return films_.contacts(); }
 
   const MeshModel& mesh() const { return films_.mesh(); }
   double T() const { return films_.T(); }
@@ -65,7 +65,7 @@ public:
 
 private:
   void exchange_contacts();
-  void show(const StepRecord& record, const std::vector<LiveContact>& contacts);
+  void show(const StepRecord& record, const std::vector<ActiveContact>& contacts);
   void observe(const StepRecord& record);
   void observe_present();
   /// transferred: when the load has passed to the present contacts, where it does.
@@ -74,8 +74,8 @@ private:
 
   MeshedFilms films_;
   StepObserver observer_;
-  MarchKeeper* keeper_;
-  GuessMemory guesses_;
+  RunStore* store_;
+  PeriodicPredictor guesses_;
   int halved_steps_ = 0;
 };
 

@@ -30,7 +30,7 @@ std::vector<double> MeshedFilms::displacements() const {
 
 std::vector<ContactFilm*> MeshedFilms::present_films() const {
   std::vector<ContactFilm*> films;
-  for (const LiveContact& contact : contacts_) {
+  for (const ActiveContact& contact : contacts_) {
     move_surfaces(*contact.film, mesh_.contact(contact.number, T_).conditions);
     films.push_back(contact.film);
   }
@@ -39,7 +39,7 @@ std::vector<ContactFilm*> MeshedFilms::present_films() const {
 
 std::vector<double> MeshedFilms::values(const ContactField& kind) const {
   std::vector<double> all;
-  for (const LiveContact& contact : contacts_) {
+  for (const ActiveContact& contact : contacts_) {
     const std::vector<double>& own = values_of(contact.fields, kind);
     all.insert(all.end(), own.begin(), own.end());
   }
@@ -47,7 +47,7 @@ std::vector<double> MeshedFilms::values(const ContactField& kind) const {
 }
 
 void MeshedFilms::set_values(const ContactField& kind, std::span<const double> values) {
-  for (LiveContact& contact : contacts_) {
+  for (ActiveContact& contact : contacts_) {
     std::vector<double>& own = values_of(contact.fields, kind);
     std::ranges::copy(values.first(own.size()), own.begin());
     values = values.subspan(own.size());
@@ -57,7 +57,7 @@ void MeshedFilms::set_values(const ContactField& kind, std::span<const double> v
 // Films in wait still have the flow of the contact that left.
 ContactFilm* MeshedFilms::free_film() {
   for (const auto& film : films_) {
-    const auto uses = [&](const LiveContact& contact) { return contact.film == film.get(); };
+    const auto uses = [&](const ActiveContact& contact) { return contact.film == film.get(); };
     if (std::any_of(contacts_.begin(), contacts_.end(), uses)) continue;
     film->set_flow_factors({});
     return film.get();
@@ -71,8 +71,8 @@ void MeshedFilms::move_to(const GridShape& shape) {
   if (shape == before->grid().shape()) return;
   discretisation_ = discretise(Grid(comm(), shape), mesh_.scales, discretisation_->of_films());
   films_.clear();
-  for (LiveContact& contact : contacts_) contact.film = nullptr;
-  for (LiveContact& contact : contacts_) {
+  for (ActiveContact& contact : contacts_) contact.film = nullptr;
+  for (ActiveContact& contact : contacts_) {
     contact.film = free_film();
     for (auto& [name, values] : contact.fields) values = remapped(values, before->grid(), discretisation_->grid());
     restore_processes(contact);
@@ -80,7 +80,7 @@ void MeshedFilms::move_to(const GridShape& shape) {
 }
 
 void MeshedFilms::set_fields(std::size_t contact, std::vector<double> pressure, std::vector<double> rate) {
-  LiveContact& live = contacts_[contact];
+  ActiveContact& live = contacts_[contact];
   values_of(live.fields, field::pressure) = std::move(pressure);
   values_of(live.fields, field::rate) = std::move(rate);
   save_processes(live);
@@ -120,8 +120,9 @@ bool MeshedFilms::grow_domain() {
   return grow_domain(needed);
 }
 
-// Its neighbours bend its teeth; how it bends theirs, they learn of when all contacts that exist from now on are there.
-LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std::vector<double> carried) {
+// Its neighbours bend its teeth; how it bends theirs, they record of when all contacts that exist from now on are
+// there.
+ActiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std::vector<double> carried) {
   const ScopedStage stage("Entering film");
   const std::size_t own = std::ranges::find(together, number) - together.begin();
   carried.resize(together.size());
@@ -134,9 +135,9 @@ LiveContact MeshedFilms::enter(int number, const std::vector<int>& together, std
     move_surfaces(*film, mesh_.contact(number, T_).conditions);
     StationaryResult entered =
         located(label(number) + ", entering", [&] { return entering_.solve(*film, load, options_.films); });
-    const DomainMargins needed = required_margins(number, entered.figures.pressure_integral);
+    const DomainMargins needed = required_margins(number, entered.quantities.pressure_integral);
     if (fits(needed)) {
-      check_validity(*film, entered.figures, label(number));
+      check_validity(*film, entered.quantities, label(number));
       return located(label(number), [&] { return begin_contact(mesh_, number, film, load, options_.films, entered); });
     }
     grow_domain(needed);
@@ -199,24 +200,24 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
     balance_at_rest();
   }
   grow_domain();
-  const std::vector<FilmFigures> present = figures();
+  const std::vector<FilmQuantities> present = quantities();
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     check_validity(*contacts_[k].film, present[k], label(contacts_[k].number));
   }
 }
 
-std::vector<FilmFigures> MeshedFilms::figures() const {
+std::vector<FilmQuantities> MeshedFilms::quantities() const {
   const std::vector<double> displaced = displacements();
   const std::vector<ContactFilm*> films = present_films();
-  std::vector<FilmFigures> all;
+  std::vector<FilmQuantities> all;
   for (std::size_t k = 0; k < films.size(); ++k) {
-    all.push_back(films[k]->figures(values_of(contacts_[k].fields, field::pressure), displaced[k]));
+    all.push_back(films[k]->quantities(values_of(contacts_[k].fields, field::pressure), displaced[k]));
   }
   return all;
 }
 
 std::vector<ContactRecord> MeshedFilms::records() const {
-  const std::vector<FilmFigures> present = figures();
+  const std::vector<FilmQuantities> present = quantities();
   return contact_records(mesh_, contacts_, T_, present);
 }
 
@@ -232,7 +233,7 @@ bool MeshedFilms::exchange() {
   if (before == after) return false;
   const std::map<int, double> displaced = displacement_by_number();
   std::erase_if(contacts_,
-                [&](const LiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
+                [&](const ActiveContact& contact) { return std::ranges::find(after, contact.number) == after.end(); });
   for (int number : after) {
     if (std::ranges::find(before, number) == before.end()) contacts_.push_back(enter(number, after, forces()));
   }
@@ -265,7 +266,7 @@ std::vector<double> MeshedFilms::oil_at(const std::vector<double>& displacements
 
 PairState MeshedFilms::state() const {
   PairState state{motion_, {}, discretisation_->grid().shape()};
-  for (const LiveContact& contact : contacts_) state.films.push_back(contact.fields);
+  for (const ActiveContact& contact : contacts_) state.films.push_back(contact.fields);
   return state;
 }
 

@@ -57,7 +57,7 @@ public:
   const MarchOptions& options() const { return options_; }
   const SharedDiscretisation& discretisation() const { return discretisation_; }
   /// The leading one first.
-  const std::vector<LiveContact>& contacts() const { return contacts_; }
+  const std::vector<ActiveContact>& contacts() const { return contacts_; }
   /// What the next contact to enter begins with, if it is near.
   EnteringFilm& entering() { return entering_; }
   const EnteringFilm& entering() const { return entering_; }
@@ -82,7 +82,7 @@ private:
   std::map<int, double> displacement_by_number() const;
   /// Put where they are now.
   std::vector<ContactFilm*> present_films() const;
-  std::vector<FilmFigures> figures() const;
+  std::vector<FilmQuantities> quantities() const;
   /// A field of all contacts, one after the other.
   std::vector<double> values(const ContactField& kind) const;
   void set_values(const ContactField& kind, std::span<const double> values);
@@ -93,7 +93,7 @@ private:
   std::vector<double> rescaled_pressures(const std::vector<double>& displaced) const;
 
   /// A new contact, among those together with it, of which the first ones carry these forces.
-  LiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
+  ActiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
   /// Makes the present films stationary together.
   void settle(const LoadCondition& load);
@@ -109,7 +109,7 @@ private:
   MeshModel mesh_;
   MarchOptions options_;
   std::vector<std::unique_ptr<ContactFilm>> films_;  ///< in use or waiting for the next contact
-  std::vector<LiveContact> contacts_;
+  std::vector<ActiveContact> contacts_;
   double T_ = 0.0;
   Motion motion_;
   EnteringFilm entering_;

@@ -12,12 +12,11 @@ class PairMarch {
 public:
   /// On films of a discretisation.
   PairMarch(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
-            StepObserver observer, MarchKeeper* keeper = nullptr)
-      : march_(make_march(mesh, numerics, films, std::move(observer), keeper)) {}
+            StepObserver observer, RunStore* store = nullptr)
+      : march_(make_march(mesh, numerics, films, std::move(observer), store)) {}
   /// Dry, with a damper of this ratio beside the contacts and steps of the record at most dT long.
-  PairMarch(const MeshModel& mesh, double dT, double damping_ratio, StepObserver observer,
-            MarchKeeper* keeper = nullptr)
-      : march_(DryMarch(mesh, dT, std::move(observer), dry_damping(mesh, damping_ratio), keeper)) {}
+  PairMarch(const MeshModel& mesh, double dT, double damping_ratio, StepObserver observer, RunStore* store = nullptr)
+      : march_(DryMarch(mesh, dT, std::move(observer), dry_damping(mesh, damping_ratio), store)) {}
 
   /// At the given motion, or at rest.
   void start(const std::optional<Motion>& motion) {

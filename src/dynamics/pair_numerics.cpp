@@ -47,12 +47,12 @@ SlightlyCoarser slightly_coarser(const PairNumerics& numerics) {
 }
 
 MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
-                     StepObserver observer, MarchKeeper* keeper) {
+                     StepObserver observer, RunStore* store) {
   MarchOptions options{numerics.solver, numerics.steps, numerics.margins, numerics.on_widening};
   options.films.multigrid.keep_rows = false;
   options.films.multigrid.levels =
       numerics.step_levels > 0 ? numerics.step_levels : step_levels(films->grid(), numerics.steps.dT);
-  return MeshMarch(films, mesh, options, std::move(observer), keeper);
+  return MeshMarch(films, mesh, options, std::move(observer), store);
 }
 
 StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films) {

@@ -42,9 +42,9 @@ struct SlightlyCoarser {
 };
 SlightlyCoarser slightly_coarser(const PairNumerics& numerics);
 
-/// A march of the lubricated pair. A keeper must outlive it.
+/// A march of the lubricated pair. A store must outlive it.
 MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
-                     StepObserver observer, MarchKeeper* keeper = nullptr);
+                     StepObserver observer, RunStore* store = nullptr);
 /// The film at the pitch point under the whole static force. Throws SolveError.
 StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films);
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 #include "numerics/tuned.hpp"
 
 namespace gearfilm {
@@ -35,7 +35,7 @@ void StepOptions::lengthen(double ratio) {
   without_event *= ratio;
 }
 
-SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOptions options,
+SegmentStepper::SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, StepOptions options,
                                std::function<void(const StepRecord&)> on_step)
     : pair_(pair),
       memory_(memory),
@@ -46,7 +46,7 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOp
       solved_(pair.system().create_state()),
       jacobian_(shell_jacobian(pair.system())) {
   create_time_scheme();
-  configure_solvers();
+  conquantity_solvers();
 }
 
 void SegmentStepper::create_time_scheme() {
@@ -139,10 +139,10 @@ SegmentStepper& SegmentStepper::of(TS ts) {
   return *static_cast<SegmentStepper*>(context);
 }
 
-void SegmentStepper::configure_solvers() {
+void SegmentStepper::conquantity_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
-  configure_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
+  conquantity_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   begin_with_short_restart(ksp);
@@ -171,7 +171,7 @@ void SegmentStepper::guess(SNES, Vec state) {
 
 void SegmentStepper::set_solved(double T, Vec state) {
   solved_time_ = T;
-  solved_films_ = pair_.film_figures(state, T);
+  solved_films_ = pair_.film_quantities(state, T);
   petsc_check(VecCopy(state, solved_));
   pair_.system().copied(state, solved_);
 }
@@ -198,7 +198,7 @@ void SegmentStepper::guess_by_short_steps(Vec state) {
   options.dT = (state_time_ - solved_time_) / short_steps;
   options.max_rejections = short_halvings;
   options.guess_by_short_steps = false;
-  GuessMemory nothing;
+  PeriodicPredictor nothing;
   SegmentStepper shorter(pair_, nothing, options, [](const StepRecord&) {});
   const OwnedVec marched = pair_.system().create_state();
   petsc_check(VecCopy(solved_, marched));
@@ -225,7 +225,7 @@ void SegmentStepper::finish_stage(double T, Vec state) {
   petsc_check(TSGetSNES(ts_, &snes));
   petsc_check(SNESGetConvergedReason(snes, &reason));
   if (reason > 0) {
-    memory_.learn(pair_, state, solved_time_, T);
+    memory_.record(pair_, state, solved_time_, T);
     set_solved(T, state);
     at_start_ = false;
     return;
@@ -264,10 +264,10 @@ void SegmentStepper::finish_step() {
   record.T = T;
   record.dT = T - last_time_;
   record.motion = pair_.motion(state);
-  const std::vector<FilmFigures> figures = pair_.film_figures(state, T);
+  const std::vector<FilmQuantities> quantities = pair_.film_quantities(state, T);
   pair_.advance_processes(record.dT);
-  record.contacts = pair_.records(T, figures);
-  record.back_force = back_force(pair_.mesh(), record.motion.H0(), T).value;
+  record.contacts = pair_.records(T, quantities);
+  record.back_force = reverse_flank_force(pair_.mesh(), record.motion.H0(), T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = MPI_Wtime() - wall_start_;
@@ -316,7 +316,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   set_failures(0);
   wall_start_ = MPI_Wtime();
   if (pair_.mesh().friction_couples_dynamics)
-    pair_.begin_friction(T0, pair_.records(T0, pair_.film_figures(state, T0)));
+    pair_.begin_friction(T0, pair_.records(T0, pair_.film_quantities(state, T0)));
   petsc_check(TSSetTime(ts_, T0));
   petsc_check(TSSetStepNumber(ts_, 0));
   petsc_check(TSSetMaxTime(ts_, T1));

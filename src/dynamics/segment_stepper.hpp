@@ -18,8 +18,8 @@
 #include <optional>
 #include <string>
 
-#include "dynamics/guess_memory.hpp"
 #include "dynamics/lubricated_pair.hpp"
+#include "dynamics/periodic_predictor.hpp"
 #include "dynamics/step_record.hpp"
 
 namespace gearfilm {
@@ -53,7 +53,7 @@ struct StepOptions {
 class SegmentStepper {
 public:
   /// on_step is called after every accepted step. Pair and memory must outlive the stepper.
-  SegmentStepper(LubricatedPair& pair, GuessMemory& memory, StepOptions options,
+  SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, StepOptions options,
                  std::function<void(const StepRecord&)> on_step);
   SegmentStepper(const SegmentStepper&) = delete;
   SegmentStepper& operator=(const SegmentStepper&) = delete;
@@ -81,7 +81,7 @@ private:
   /// For the stage from begin to T.
   void fit_frequency(double begin, double T);
   void control_errors();
-  void configure_solvers();
+  void conquantity_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Of the present step; decides how it is tried next.
@@ -98,7 +98,7 @@ private:
   std::string describe_end() const;
 
   LubricatedPair& pair_;
-  GuessMemory& memory_;
+  PeriodicPredictor& memory_;
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;
@@ -117,7 +117,7 @@ private:
   double begin_ = 0.0;        ///< T of the segment
   double last_time_ = 0.0;
   double solved_time_ = 0.0;
-  std::vector<FilmFigures> solved_films_;
+  std::vector<FilmQuantities> solved_films_;
   double wall_start_ = 0.0;
   PetscInt newton_so_far_ = 0;
   PetscInt krylov_so_far_ = 0;

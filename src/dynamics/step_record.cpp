@@ -2,21 +2,21 @@
 
 namespace gearfilm {
 
-ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmFigures& figures) {
+ContactRecord contact_record(const MeshModel& mesh, int number, double T, const FilmQuantities& quantities) {
   const MeshedContact contact = mesh.contact(number, T);
-  return {number, contact.position, figures_of({mesh.scales, contact, figures})};
+  return {number, contact.position, quantities_of({mesh.scales, contact, quantities})};
 }
 
-std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<LiveContact>& contacts, double T,
-                                           const std::vector<FilmFigures>& figures) {
+std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vector<ActiveContact>& contacts, double T,
+                                           const std::vector<FilmQuantities>& quantities) {
   std::vector<ContactRecord> records;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const MeshedContact contact = mesh.contact(contacts[k].number, T);
-    ContactMoment at{mesh.scales, contact, figures[k], {}, mesh.roughness};
+    QuantityInputs at{mesh.scales, contact, quantities[k], {}, mesh.roughness};
     if (mesh.traction) {
-      at.traction = with_powers_times(mesh.load_factor(), traction_of(*mesh.traction, contacts[k])->figures);
+      at.traction = with_powers_times(mesh.load_factor(), traction_of(*mesh.traction, contacts[k])->quantities);
     }
-    records.push_back({contacts[k].number, contact.position, figures_of(at)});
+    records.push_back({contacts[k].number, contact.position, quantities_of(at)});
   }
   return records;
 }

@@ -194,7 +194,7 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
 
 void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
 
-FilmFigures ContactFilm::figures(std::span<const double> pressure, double H0, StateVersion state_version) {
+FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double H0, StateVersion state_version) {
   evaluate(pressure, H0, state_version);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.

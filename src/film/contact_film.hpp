@@ -20,8 +20,8 @@
 
 namespace gearfilm {
 
-/// Figures of a film that are common to all processes; dimensionless.
-struct FilmFigures {
+/// Quantities of a film that are common to all processes; dimensionless.
+struct FilmQuantities {
   double pressure_integral = 0.0;  ///< Int Int P dX dY
   double central_film = 0.0;       ///< H at the node nearest X = Y = 0
   double smallest_film = 0.0;
@@ -48,7 +48,7 @@ public:
 
   /// Film and oil at (pressure, H_0), which state() and the fields then show.
   void evaluate(std::span<const double> pressure, double H0, StateVersion state_version = 0);
-  FilmFigures figures(std::span<const double> pressure, double H0, StateVersion state_version = 0);
+  FilmQuantities quantities(std::span<const double> pressure, double H0, StateVersion state_version = 0);
   /// rows = G at (pressure, H_0).
   void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
                 StateVersion state_version = 0);

@@ -26,18 +26,18 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
   require(ellipse.a / scales.hertz.a - conditions.nearest.X, shape.x_min, "inlet", "grid_x_min");
 }
 
-void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where) {
-  if (!figures.finite) {
+void check_validity(const ContactFilm& film, const FilmQuantities& quantities, const std::string& where) {
+  if (!quantities.finite) {
     throw SolveError(where + ": the film is not finite; use a finer grid (grid_nx, grid_ny)");
   }
-  if (figures.smallest_film <= 0.0) {
+  if (quantities.smallest_film <= 0.0) {
     std::ostringstream message;
-    message << where << ": smallest film " << figures.smallest_film * film.scales().thickness
+    message << where << ": smallest film " << quantities.smallest_film * film.scales().thickness
             << " m is not positive; use a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
                "grid_y_half)";
     throw SolveError(message.str());
   }
-  check_domain(film.grid(), film.scales(), film.conditions(), figures.pressure_integral, where);
+  check_domain(film.grid(), film.scales(), film.conditions(), quantities.pressure_integral, where);
 }
 
 }  // namespace gearfilm

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "gearfilm/error.hpp"
 #include "film/contact_film.hpp"
+#include "gearfilm/error.hpp"
 
 namespace gearfilm {
 
@@ -18,7 +18,7 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
                   const std::string& where);
 
 /// Throws SolveError naming `where`, what is wrong and the remedy, if the film may not be believed.
-void check_validity(const ContactFilm& film, const FilmFigures& figures, const std::string& where);
+void check_validity(const ContactFilm& film, const FilmQuantities& quantities, const std::string& where);
 
 /// Runs `solve`; an error of it that says what failed gets `where` in front.
 template <class Solve>

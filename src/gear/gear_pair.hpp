@@ -26,7 +26,7 @@ struct SpurGearPair {
   double pressure_angle = 0.0;       ///< of the basic rack, alpha [rad]
   double centre_distance = 0.0;      ///< working centre distance a_w [m]
   double face_width = 0.0;           ///< F_w [m]
-  std::optional<double> backlash{};  ///< j_n along the line of action [m]; absent: none, and back flanks never touch
+  std::optional<double> backlash{};  ///< j_n along the line of action [m]; absent: none, and reverse flanks never touch
 };
 
 }  // namespace gearfilm

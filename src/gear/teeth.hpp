@@ -3,7 +3,7 @@
 //
 //   e_k(xi) = E_1(rho_1) + E_2(rho_2) - f_1[tooth] - f_2[tooth]       flank.hpp; f: how far a flank stands proud
 //   gap opened at contact k = e_k + sum_j c_kj F_j                    tooth_compliance.hpp, both gears together
-// Contact n has tooth n mod Z of either gear. The pinion's tooth whose front flank is at xi has its back flank at
+// Contact n has tooth n mod Z of either gear. The pinion's tooth whose front flank is at xi has its reverse flank at
 //   xi_b = -(xi - s_w1 cos alpha' + n p_b)                             within the path of contact, moving backwards.
 #pragma once
 
@@ -59,11 +59,11 @@ public:
   double compliance(double xi) const;
   /// c_kj of contacts so many pitches apart [m/N].
   double coupling(int pitches) const;
-  /// j_n [m]; absent: back flanks never touch.
+  /// j_n [m]; absent: reverse flanks never touch.
   const std::optional<double>& backlash() const { return backlash_; }
-  /// Where back flanks meet on their own line of action when a contact of front flanks is at xi [m].
+  /// Where reverse flanks meet on their own line of action when a contact of front flanks is at xi [m].
   std::vector<double> back_positions(double xi) const;
-  /// E_1 + E_2 at xi [m]; of back flanks too, which are taken to be modified alike.
+  /// E_1 + E_2 at xi [m]; of reverse flanks too, which are taken to be modified alike.
   double removed(double xi) const;
   /// After how many mesh periods the same teeth meet again that errors can tell apart.
   long pattern() const { return pattern_; }

@@ -34,8 +34,8 @@ std::string read_text(MPI_Comm comm, const std::string& file, const std::string&
 /// ranks alike, for everything that is wrong with the file or with an option, unknown options included.
 ParameterValues read_parameters(MPI_Comm comm, const std::string& file);
 
-/// Given values in the place of what there is, completed by defaults; the files that they name are read. origin: what
-/// messages call the place where they stand. Collective; throws InputError on all ranks alike.
+/// AvailableModels values in the place of what there is, completed by defaults; the files that they name are read.
+/// origin: what messages call the place where they stand. Collective; throws InputError on all ranks alike.
 ParameterValues with_values(MPI_Comm comm, ParameterValues values, const std::map<std::string, std::string>& given,
                             const std::string& origin);
 

@@ -142,19 +142,19 @@ WideningObserver widening_notice(const Scales& scales, int contacts, int points)
 }
 
 MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                     StepObserver observer, MarchKeeper* keeper) {
-  return make_march(mesh, problem.numerics, films, std::move(observer), keeper);
+                     StepObserver observer, RunStore* store) {
+  return make_march(mesh, problem.numerics, films, std::move(observer), store);
 }
 
 PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
-                          StepObserver observer, MarchKeeper* keeper) {
+                          StepObserver observer, RunStore* store) {
   if (!films) {
     const double damping_ratio = problem.march.dry_damping_ratio.value_or(0.0);
-    return {mesh, problem.numerics.steps.dT, damping_ratio, std::move(observer), keeper};
+    return {mesh, problem.numerics.steps.dT, damping_ratio, std::move(observer), store};
   }
   PairNumerics numerics = problem.numerics;
   numerics.steps.tolerance = problem.march.step_tolerance;
-  return {mesh, numerics, films, std::move(observer), keeper};
+  return {mesh, numerics, films, std::move(observer), store};
 }
 
 OrbitProblem orbit_problem(const CaseInput& problem) {

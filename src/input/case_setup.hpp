@@ -45,10 +45,10 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
 MeshModel mesh_after_leaving(const CaseInput& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films, const MeshModel& mesh,
-                     StepObserver observer, MarchKeeper* keeper = nullptr);
-/// The march of `transient`: on films of a discretisation, or dry without one. A keeper must outlive it.
+                     StepObserver observer, RunStore* store = nullptr);
+/// The march of `transient`: on films of a discretisation, or dry without one. A store must outlive it.
 PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const SharedDiscretisation& films,
-                          StepObserver observer, MarchKeeper* keeper = nullptr);
+                          StepObserver observer, RunStore* store = nullptr);
 /// The search for the case's periodic state.
 OrbitProblem orbit_problem(const CaseInput& problem);
 

@@ -94,10 +94,10 @@ Records gear_records() {
        choice("profile_local", {"offset", "field"},
               "flanks act on films as one gap at the contact's place, or as a shape along the contact too"),
        choice("body_coupling", {"yes", "no"}, "teeth bent by their neighbours' forces, where bores are given"),
-       optional("back flanks never touch",
+       optional("reverse flanks never touch",
                 number("backlash", "j_n", "m", closed(0, 0.1),
                        "normal backlash along the line of action: by so much the teeth are thinner, and beyond it "
-                       "their back flanks touch, dry"))});
+                       "their reverse flanks touch, dry"))});
 }
 
 }  // namespace

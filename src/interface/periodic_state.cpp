@@ -16,7 +16,7 @@ PeriodicState::PeriodicState(MPI_Comm comm, const Case& of, const Observer& obse
   const Scales& scales = problem.mesh.scales;
   SearchWatch watch;
   if (observer) {
-    watch.on_step = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+    watch.on_step = [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
       observer(step_of(problem.mesh, record, contacts));
     };
   }

@@ -17,7 +17,7 @@ namespace gearfilm {
 struct ContactInStep::View {
   Scales scales;
   ContactRecord record;
-  Given given;              ///< which figures there are
+  AvailableModels given;    ///< which quantities there are
   const ContactFilm* film;  ///< borrowed; null in the dry model
 };
 
@@ -25,11 +25,11 @@ int ContactInStep::number() const { return view_->record.number; }
 double ContactInStep::position() const { return view_->record.position; }
 
 double ContactInStep::value(const std::string& name) const {
-  for (std::size_t n = 0; n < contact_figures.size(); ++n) {
-    if (contact_figures[n].name == name && view_->given.has(contact_figures[n].needs))
-      return contact_figures[n].unit.in_si(view_->scales, view_->record.figures.values[n]);
+  for (std::size_t n = 0; n < contact_quantities.size(); ++n) {
+    if (contact_quantities[n].name == name && view_->given.has(contact_quantities[n].needs))
+      return contact_quantities[n].unit.in_si(view_->scales, view_->record.quantities.values[n]);
   }
-  throw std::out_of_range("contacts of this case have no figure '" + name + "'");
+  throw std::out_of_range("contacts of this case have no quantity '" + name + "'");
 }
 
 bool ContactInStep::has_film() const { return view_->film != nullptr; }
@@ -45,12 +45,12 @@ double Step::total_force() const {
   return sum;
 }
 
-Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts) {
+Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   const Scales& scales = mesh.scales;
   Step step{scales.time * record.T, scales.time * record.dT, record.motion.H0(), record.motion.V0(), {}};
-  const Given given = given_figures(mesh, !contacts.empty() || record.contacts.empty());
+  const AvailableModels given = available_models(mesh, !contacts.empty() || record.contacts.empty());
   for (const ContactRecord& contact : record.contacts) {
-    const auto live = std::ranges::find(contacts, contact.number, &LiveContact::number);
+    const auto live = std::ranges::find(contacts, contact.number, &ActiveContact::number);
     const ContactFilm* film = live == contacts.end() ? nullptr : live->film;
     step.contacts.emplace_back(
         std::make_shared<const ContactInStep::View>(ContactInStep::View{scales, contact, given, film}));
@@ -64,8 +64,8 @@ struct Simulation::March {
         observer(std::move(watching)),
         mesh(mesh_model(input, input.march.start_position, input.march.geometry, input.march.course)),
         statistics(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()) {
-    const auto on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
-      statistics.add(record, given_figures(mesh, !input.dry()));
+    const auto on_step = [this](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
+      statistics.add(record, available_models(mesh, !input.dry()));
       if (observer) observer(step_of(mesh, record, contacts));
     };
     const QuietErrors quiet;

@@ -7,6 +7,6 @@
 namespace gearfilm {
 
 /// Its films are borrowed: valid while these are.
-Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
+Step step_of(const MeshModel& mesh, const StepRecord& record, const std::vector<ActiveContact>& contacts);
 
 }  // namespace gearfilm

@@ -59,7 +59,7 @@ double corner_distance(const MeshModel& mesh, double penetration) {
   return std::sqrt(2.0 * line.radius_x(line.entry()) * penetration * mesh.scales.thickness) / tangent;
 }
 
-StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions) {
+StaticMesh quasi_static_cycle(const MeshModel& mesh, double load, int positions) {
   const DryForce force(mesh);
   const ContactPath& path = mesh.path;
   const double period = path.mesh_period();

@@ -44,6 +44,6 @@ double corner_distance(const MeshModel& mesh, double penetration);
 
 /// The load [-], at so many positions. The mesh starts (T = 0) just after a contact has left. Throws SolveError where
 /// nothing carries the load.
-StaticMesh turn_slowly(const MeshModel& mesh, double load, int positions);
+StaticMesh quasi_static_cycle(const MeshModel& mesh, double load, int positions);
 
 }  // namespace gearfilm

@@ -2,8 +2,8 @@
 //
 // Errors are of second order: with steps r times as long they are r^2 times as large, so that
 //   e = (f(h) - f(r h))/(r^2 - 1)
-// is the estimate of the error and f(h) + e the extrapolated value. Two kinds of figures converge more slowly, and have
-// bars of their own, with measured factors (docs/verification.md, section 13):
+// is the estimate of the error and f(h) + e the extrapolated value. Two kinds of quantities converge more slowly, and
+// have bars of their own, with measured factors (docs/verification.md, section 13):
 // - Smallest films, and pressures beside a spike, converge with orders of 1.3 to 2: 3 e/2.
 // - The outlet's spike (Petrusevich) is thinner than the steps of usual grids: its height grows by 3 to 13 % whenever
 //   nodes are doubled, for four doublings and more. Its bar is what two doublings add, which is not the limit: that
@@ -16,7 +16,7 @@
 
 namespace gearfilm {
 
-/// A figure with its bar.
+/// A quantity with its bar.
 struct Estimate {
   double value = 0.0;
   double error = 0.0;                    ///< of the value, absolute

@@ -68,12 +68,12 @@ OrbitProblem searched_briefly(OrbitProblem problem) {
 }
 
 /// What watches marches that only lead to the orbit.
-SearchWatch on_the_way(const SearchWatch& watch, MarchKeeper* keeper) {
+SearchWatch on_the_way(const SearchWatch& watch, RunStore* store) {
   return {.on_period = watch.on_coarse_period,
           .on_coarse_period = watch.on_coarse_period,
           .on_trouble = watch.on_trouble,
           .check_stop = watch.check_stop,
-          .keeper = keeper};
+          .store = store};
 }
 
 OrbitGuess guess_from(const DescribedOrbit& run) {
@@ -164,9 +164,9 @@ private:
   template <class Result, class March>
   std::optional<Result> attempt(const std::string& name, const OrbitProblem& coarse, March march) {
     const std::string place = place_of(coarse.numerics);
-    const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch_.keeper, name, films_->grid());
+    const std::unique_ptr<RunStore> store = store_within(watch_.store, name, films_->grid());
     try {
-      return march(on_the_way(watch_, keeper.get()));
+      return march(on_the_way(watch_, store.get()));
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(place + error.what());
     } catch (const SolveError& error) {
@@ -270,9 +270,9 @@ OrbitGuess with_marched_films(const OrbitProblem& problem, const SharedDiscretis
   OrbitProblem quick = problem;
   quick.numerics.steps.lengthen(2.0);
   if (!guess.neighbour || !resolves_swings(quick)) return guess;
-  const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch.keeper, "near_step", films->grid());
+  const std::unique_ptr<RunStore> store = store_within(watch.store, "near_step", films->grid());
   try {
-    return improve_guess(quick, films, guess, on_the_way(watch, keeper.get()));
+    return newton_step(quick, films, guess, on_the_way(watch, store.get()));
   } catch (const SolveError&) {
     return guess;
   }
@@ -328,8 +328,8 @@ FoundOrbit find_orbit(const OrbitProblem& problem, const SharedDiscretisation& f
   return found;
 }
 
-DescribedOrbit find_orbit_near(const OrbitProblem& problem, const SharedDiscretisation& films,
-                               const OrbitGuess& neighbour, const SearchWatch& watch) {
+DescribedOrbit find_orbit_with_coarse_start(const OrbitProblem& problem, const SharedDiscretisation& films,
+                                            const OrbitGuess& neighbour, const SearchWatch& watch) {
   OrbitProblem alone = problem;
   alone.search.with_multipliers = false;
   const OrbitGuess guess = with_marched_films(problem, films, neighbour, watch);
@@ -337,8 +337,8 @@ DescribedOrbit find_orbit_near(const OrbitProblem& problem, const SharedDiscreti
   if (!problem.search.with_multipliers) return run;
   run.decay = coarse_decay(problem, films, run.orbit, watch);
   if (run.decay) return run;
-  const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch.keeper, "decay", films->grid());
-  run.decay = decay_from(problem, films, run, on_the_way(watch, keeper.get()));
+  const std::unique_ptr<RunStore> store = store_within(watch.store, "decay", films->grid());
+  run.decay = decay_from(problem, films, run, on_the_way(watch, store.get()));
   return run;
 }
 
@@ -352,9 +352,9 @@ void find_coarse_orbit(const OrbitProblem& problem, const SearchWatch& watch, MP
   coarse.search.options.enough_periods = enough_periods;
   try {
     const SharedDiscretisation films = discretise(comm, coarse);
-    const std::unique_ptr<MarchKeeper> keeper = keeper_within(watch.keeper, "slightly_coarser", films->grid());
+    const std::unique_ptr<RunStore> store = store_within(watch.store, "slightly_coarser", films->grid());
     const OrbitGuess guess{found.own.orbit.start.motion, found.own.orbit.monodromy, {}};
-    found.coarse = find_described_orbit(coarse, films, guess, on_the_way(watch, keeper.get()));
+    found.coarse = find_described_orbit(coarse, films, guess, on_the_way(watch, store.get()));
     found.ratio = ratio;
   } catch (const SolveError& error) {
     watch.on_trouble(place_of(numerics) + error.what());

@@ -13,7 +13,7 @@ struct FoundOrbit {
   DescribedOrbit own{};                    ///< of the problem's own grid and step
   std::optional<DescribedOrbit> coarse{};  ///< the same with longer steps in space and time; absent where that has too
                                            ///< few nodes or no films
-  double ratio = 2.0;  ///< of those steps to the problem's own
+  double ratio = 2.0;                      ///< of those steps to the problem's own
   /// Where the coarse one has longer steps in space alone: the orbit on its grid with longer steps in time.
   std::optional<DescribedOrbit> longer_step{};
   static constexpr double step_ratio = 1.4;  ///< of those to the problem's own
@@ -32,7 +32,7 @@ void find_coarse_orbit(const OrbitProblem& problem, const SearchWatch& watch, MP
 
 /// From the orbit of a neighbouring pair, films and all; the multipliers are those of the coarser grid too. Throws
 /// SolveError. Collective.
-DescribedOrbit find_orbit_near(const OrbitProblem& problem, const SharedDiscretisation& films,
-                               const OrbitGuess& neighbour, const SearchWatch& watch);
+DescribedOrbit find_orbit_with_coarse_start(const OrbitProblem& problem, const SharedDiscretisation& films,
+                                            const OrbitGuess& neighbour, const SearchWatch& watch);
 
 }  // namespace gearfilm

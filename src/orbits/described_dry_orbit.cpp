@@ -29,8 +29,8 @@ DescribedOrbit describe(const OrbitProblem& problem, const DryOrbit& orbit, cons
   MarchStatistics statistics(mesh.period(), mesh.scales.static_force);
   MotionSignal signal;
   DescribedOrbit found;
-  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& none) {
-    statistics.add(record, given_figures(mesh, false));
+  const auto on_step = [&](const StepRecord& record, const std::vector<ActiveContact>& none) {
+    statistics.add(record, available_models(mesh, false));
     signal.add(record);
     const double mesh_periods = record.T / mesh.path.mesh_period(), next = std::round(mesh_periods);
     const bool leaving = std::abs(mesh_periods - next) < 1e-9 && next < static_cast<double>(mesh.periods());
@@ -46,7 +46,7 @@ DescribedOrbit describe(const OrbitProblem& problem, const DryOrbit& orbit, cons
   found.orbit.end.motion = march.motion();
   found.orbit.defect = length(difference(march.motion(), orbit.start));
   found.orbit.monodromy = orbit.monodromy;
-  found.figures = statistics.periods().at(0);
+  found.quantities = statistics.periods().at(0);
   found.contact_lost = statistics.contact_lost(0.0, mesh.period());
   found.transmission_error = signal.deviation(0.0, mesh.period());
   if (problem.search.with_multipliers) {

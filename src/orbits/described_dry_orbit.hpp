@@ -10,7 +10,7 @@ namespace gearfilm {
 DescribedOrbit find_described_dry_orbit(const OrbitProblem& problem, const StepObserver& observer,
                                         const DryWatch& watch = {});
 
-/// An orbit that was found, with its figures.
+/// An orbit that was found, with its quantities.
 DescribedOrbit describe(const OrbitProblem& problem, const DryOrbit& orbit, const StepObserver& observer = unseen);
 
 }  // namespace gearfilm

@@ -13,9 +13,9 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   MotionSignal signal;
   std::map<long, Motion> after_leaving;  // by mesh periods
   bool searching = true;
-  const auto on_step = [&](const StepRecord& record, const std::vector<LiveContact>& live) {
+  const auto on_step = [&](const StepRecord& record, const std::vector<ActiveContact>& live) {
     if (!searching) return;
-    statistics.add(record, given_figures(mesh, true));
+    statistics.add(record, available_models(mesh, true));
     signal.add(record);
     const double mesh_periods = record.T / mesh_period;
     if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)
@@ -27,7 +27,7 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   found.orbit = find_periodic_orbit(march, guess, problem.search.options, watch.on_period);
   searching = false;
   const double begin = found.orbit.begin, end = begin + period;
-  found.figures = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / period)));
+  found.quantities = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / period)));
   found.states_after_leaving = {found.orbit.start.motion};
   const long first = std::lround(begin / mesh_period);
   for (long n = 1; n < mesh.periods(); ++n) found.states_after_leaving.push_back(after_leaving.at(first + n));
@@ -39,8 +39,8 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   return found;
 }
 
-OrbitGuess improve_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const OrbitGuess& guess,
-                         const SearchWatch& watch) {
+OrbitGuess newton_step(const OrbitProblem& problem, const SharedDiscretisation& films, const OrbitGuess& guess,
+                       const SearchWatch& watch) {
   MeshMarch march = watched_march(problem, films, watch);
   return improved_guess(march, guess, watch.on_period);
 }

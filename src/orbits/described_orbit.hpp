@@ -1,4 +1,4 @@
-// A periodic state of the lubricated pair, found and described: its figures, its motion after every leaving, whether
+// A periodic state of the lubricated pair, found and described: its quantities, its motion after every leaving, whether
 // contact is lost in it, its transmission error, and how a disturbance dies away.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace gearfilm {
 
 struct DescribedOrbit {
   PeriodicOrbit orbit;
-  PeriodFigures figures;                     ///< of the periodic period
+  PeriodQuantities quantities;               ///< of the periodic period
   std::vector<Motion> states_after_leaving;  ///< one a mesh period of it
   bool contact_lost = false;                 ///< in it
   SignalDeviation transmission_error;        ///< of H_0 over it
@@ -24,8 +24,8 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
                                     const OrbitGuess& guess, const SearchWatch& watch);
 
 /// The guess after one period and one Newton step. Throws SolveError and Stopped.
-OrbitGuess improve_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const OrbitGuess& guess,
-                         const SearchWatch& watch);
+OrbitGuess newton_step(const OrbitProblem& problem, const SharedDiscretisation& films, const OrbitGuess& guess,
+                       const SearchWatch& watch);
 
 /// The return of the pair pushed off an orbit that was found with other tolerances.
 FreeDecay decay_from(const OrbitProblem& problem, const SharedDiscretisation& films, const DescribedOrbit& found,

@@ -20,7 +20,7 @@ struct ForceRange {
 
   void add(const StepRecord& record, double static_force) {
     for (const ContactRecord& contact : record.contacts) {
-      largest = std::max(largest, contact.figures["force"] / static_force);
+      largest = std::max(largest, contact.quantities["force"] / static_force);
     }
     smallest = std::min(smallest, record.pressure_integral() / static_force);
   }
@@ -35,7 +35,7 @@ public:
     ForceRange forces;
     bool counting = false;
     double static_force = 1.0;
-    MeshMarch march = march_at_(at.parameter, order, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    MeshMarch march = march_at_(at.parameter, order, [&](const StepRecord& record, const std::vector<ActiveContact>&) {
       if (counting) forces.add(record, static_force);
     });
     static_force = march.mesh().scales.static_force;

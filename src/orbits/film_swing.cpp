@@ -61,8 +61,8 @@ RestingPair::RestingPair(MeshModel mesh, const PairNumerics& numerics, const Sha
   march.start({});
   discretisation_ = march.discretisation();
   // Without the squeeze term the smoother alone does not do: all levels, as for stationary films.
-  std::vector<LiveContact> contacts;
-  for (const LiveContact& contact : march.contacts()) {
+  std::vector<ActiveContact> contacts;
+  for (const ActiveContact& contact : march.contacts()) {
     films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, numerics.solver.multigrid));
     contacts.push_back({contact.number, films_.back().get()});
   }
@@ -88,15 +88,15 @@ FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, Restin
           .coarser = coarser};
 }
 
-std::optional<double> SwingFigures::damping_ratio_bound() const {
+std::optional<double> SwingQuantities::damping_ratio_bound() const {
   return damping_ratio_error ? std::optional(std::abs(damping_ratio) + *damping_ratio_error) : std::nullopt;
 }
 
-SwingFigures figures_of(const FilmSwing& swing, const Scales& scales) {
-  const auto error = [&](double least, const auto& figure) -> std::optional<double> {
+SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales) {
+  const auto error = [&](double least, const auto& quantity) -> std::optional<double> {
     if (!swing.coarser) return {};
-    const double value = figure(swing.mode);
-    return std::max(of_doubling * estimate(value, figure(swing.coarser->mode), swing.coarser->ratio).error,
+    const double value = quantity(swing.mode);
+    return std::max(of_doubling * estimate(value, quantity(swing.coarser->mode), swing.coarser->ratio).error,
                     least * std::abs(value));
   };
   const double square = swing.steps.y * swing.steps.y;
@@ -108,16 +108,16 @@ SwingFigures figures_of(const FilmSwing& swing, const Scales& scales) {
           .damping_ratio_error = error(waves ? least_of_damping_ratio * square : 1.0, damping_ratio)};
 }
 
-std::string swing_remark(const FilmSwing& swing, const SwingFigures& figures, double dry_frequency) {
+std::string swing_remark(const FilmSwing& swing, const SwingQuantities& quantities, double dry_frequency) {
   if (!swing.on_stiff_films()) {
     return swing.coarser ? "" : "the errors of the mode on films are not known, since no coarser grid has a mode";
   }
-  const std::optional<double> bound = figures.damping_ratio_bound();
+  const std::optional<double> bound = quantities.damping_ratio_bound();
   return worded(std::setprecision(2), "while oil crosses half a contact the pair swings through ",
                 swing.mode.swings_in_passage,
                 " radians: films are stiff springs there. Their limit, the dry mode, has ", std::setprecision(5),
                 dry_frequency, " Hz, from which the mode is ", std::setprecision(2),
-                100.0 * (figures.frequency / dry_frequency - 1.0), " % away; the damping ratio ",
+                100.0 * (quantities.frequency / dry_frequency - 1.0), " % away; the damping ratio ",
                 bound ? worded(std::setprecision(2), "is ", *bound, " at most, with the error of the grid")
                       : "has no bound, since no coarser grid has a mode");
 }

@@ -61,7 +61,7 @@ FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, Restin
 
 /// Frequency [Hz] and damping ratio of the mode, with their errors; nothing is known of these without a coarser grid
 /// that has a mode.
-struct SwingFigures {
+struct SwingQuantities {
   double frequency = 0.0;
   std::optional<double> frequency_error{};
   double damping_ratio = 0.0;
@@ -70,10 +70,10 @@ struct SwingFigures {
   /// What the damping ratio is at most, with the error of the grid.
   std::optional<double> damping_ratio_bound() const;
 };
-SwingFigures figures_of(const FilmSwing& swing, const Scales& scales);
+SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales);
 
 /// What is to be said of a mode on stiff films, its limit and what is known of the damping, or of one whose errors are
 /// not known. Empty for others. dry_frequency: f_n [Hz].
-std::string swing_remark(const FilmSwing& swing, const SwingFigures& figures, double dry_frequency);
+std::string swing_remark(const FilmSwing& swing, const SwingQuantities& quantities, double dry_frequency);
 
 }  // namespace gearfilm

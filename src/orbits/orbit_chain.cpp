@@ -58,7 +58,7 @@ DescribedOrbit OrbitChain::search_on_films(const At& at, const SearchWatch& watc
     int& most = brief.search.options.max_periods;
     most = std::min<int>(most, periods_from_neighbour);
     try {
-      return find_orbit_near(brief, at.films, from_neighbour(at, dry), watch);
+      return find_orbit_with_coarse_start(brief, at.films, from_neighbour(at, dry), watch);
     } catch (const SolveError& error) {
       search.neighbour_error = error.what();
     }

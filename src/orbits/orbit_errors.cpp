@@ -10,15 +10,15 @@
 namespace gearfilm {
 namespace {
 
-constexpr PeriodFigureName largest_pressure = "p_max", spike_pressure = "p_spike_max";
-constexpr ContactFigureName smallest_film = "h_min";
+constexpr PeriodQuantityName largest_pressure = "p_max", spike_pressure = "p_spike_max";
+constexpr ContactQuantityName smallest_film = "h_min";
 
-bool is_force(const PeriodFigure& figure) { return figure.unit.in_si == units::static_force.in_si; }
+bool is_force(const PeriodQuantity& quantity) { return quantity.unit.in_si == units::static_force.in_si; }
 
 /// What depends on films, pressures or forces.
-bool has_error(const PeriodFigure& figure) {
-  const auto of = [&](const Unit& unit) { return figure.unit.name == unit.name && !figure.unit.whole; };
-  return of(units::metre) || of(units::pascal) || is_force(figure) || of(units::watt);
+bool has_error(const PeriodQuantity& quantity) {
+  const auto of = [&](const Unit& unit) { return quantity.unit.name == unit.name && !quantity.unit.whole; };
+  return of(units::metre) || of(units::pascal) || is_force(quantity) || of(units::watt);
 }
 
 /// With the errors of steps in time, where the coarse orbit tells those in space alone.
@@ -29,21 +29,21 @@ Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
   return bar;
 }
 
-/// Dimensionless, of the figure at that place, but for steps in time that the coarse orbit has too; nothing where an
+/// Dimensionless, of the quantity at that place, but for steps in time that the coarse orbit has too; nothing where an
 /// orbit has no value, or no spike.
 std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& found) {
-  const PeriodFigures &fine = found.own.figures, &coarse = found.coarse->figures;
+  const PeriodQuantities &fine = found.own.quantities, &coarse = found.coarse->quantities;
   const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
   if (!own || !other) return {};
-  const auto with_spike = [](double pressure, const PeriodFigures& figures) {
-    return PeakPressures{pressure, figures[spike_pressure].value_or(0.0)};
+  const auto with_spike = [](double pressure, const PeriodQuantities& quantities) {
+    return PeakPressures{pressure, quantities[spike_pressure].value_or(0.0)};
   };
-  const PeriodFigure& figure = period_figures[place];
+  const PeriodQuantity& quantity = period_quantities[place];
   if (place == spike_pressure.place) return estimate_spike(*own, *other, found.ratio);
   if (place == largest_pressure.place)
     return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.own.orbit.end.shape.h_x(),
                             found.ratio);
-  const bool smallest = figure.of_contact && figure.source == smallest_film.place;
+  const bool smallest = quantity.of_contact && quantity.source == smallest_film.place;
   Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
   if (found.discretisation == FilmDiscretisation::fitted) {
     bar.error = std::max(bar.error, (smallest ? least_bars.smallest : least_bars.central) * std::abs(bar.value));
@@ -51,13 +51,13 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
   return bar;
 }
 
-/// Value, error in space and time, and limit of the figure at that place, dimensionless; nothing where an orbit has no
-/// value.
+/// Value, error in space and time, and limit of the quantity at that place, dimensionless; nothing where an orbit has
+/// no value.
 std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
   const std::optional<Estimate> bar = error_in_space(place, found);
   if (!bar || !found.longer_step) return bar;
-  const std::optional<double>&coarse = found.coarse->figures.values[place],
-        &longer = found.longer_step->figures.values[place];
+  const std::optional<double>&coarse = found.coarse->quantities.values[place],
+        &longer = found.longer_step->quantities.values[place];
   if (!longer) return {};
   return with_error_in_time(*bar, *coarse, *longer);
 }
@@ -73,7 +73,7 @@ std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
 }  // namespace
 
 std::string LargestError::text() const {
-  return worded(figure, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
+  return worded(quantity, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
                 (of_static_force ? " of the static force" : ""));
 }
 
@@ -95,11 +95,11 @@ std::optional<Estimate> OrbitError::in_si(const Scales& scales) const {
 
 std::vector<OrbitError> errors_of(const FoundOrbit& found) {
   std::vector<OrbitError> errors;
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
-    const PeriodFigure& figure = period_figures[n];
-    if (!has_error(figure) || !found.own.figures.values[n]) continue;
+  for (std::size_t n = 0; n < period_quantities.size(); ++n) {
+    const PeriodQuantity& quantity = period_quantities[n];
+    if (!has_error(quantity) || !found.own.quantities.values[n]) continue;
     errors.push_back(
-        {std::string(figure.name), figure.unit, found.coarse ? error_of(n, found) : std::optional<Estimate>()});
+        {std::string(quantity.name), quantity.unit, found.coarse ? error_of(n, found) : std::optional<Estimate>()});
   }
   errors.push_back({"transmission_error_peak_to_peak", units::metre, error_of_swing(found)});
   return errors;

@@ -1,4 +1,4 @@
-// Error bars of a periodic state's figures, from the state with longer steps in space and time.
+// Error bars of a periodic state's quantities, from the state with longer steps in space and time.
 #pragma once
 
 #include "numerics/estimate.hpp"
@@ -11,22 +11,22 @@ namespace gearfilm {
 FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,
                                   const SearchWatch& watch);
 
-/// The error bar of one figure.
+/// The error bar of one quantity.
 struct OrbitError {
-  std::string name;  ///< of the figure: of a period, or transmission_error_peak_to_peak
+  std::string name;  ///< of the quantity: of a period, or transmission_error_peak_to_peak
   Unit unit;
   std::optional<Estimate> bar;  ///< dimensionless; nothing where nothing is known of it
 
-  /// In the same unit as figures of summaries.
+  /// In the same unit as quantities of summaries.
   std::optional<Estimate> in_si(const Scales& scales) const;
 };
 
-/// Of all figures that depend on films, pressures or forces; nothing is known without a coarser orbit.
+/// Of all quantities that depend on films, pressures or forces; nothing is known without a coarser orbit.
 std::vector<OrbitError> errors_of(const FoundOrbit& found);
 
-/// The figure that is known worst, of those that have a limit in sight.
+/// The quantity that is known worst, of those that have a limit in sight.
 struct LargestError {
-  std::string figure;
+  std::string quantity;
   double relative = 0.0;         ///< to its value; to the static force where a force is smaller, since it may vanish
   bool of_static_force = false;  ///< the latter
 

@@ -5,12 +5,12 @@ namespace gearfilm {
 MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation& films, const SearchWatch& watch,
                         StepObserver on_step) {
   const double mesh_period = problem.mesh.path.mesh_period();
-  const auto observer = [&watch, mesh_period, on_step = std::move(on_step)](const StepRecord& record,
-                                                                            const std::vector<LiveContact>& contacts) {
+  const auto observer = [&watch, mesh_period, on_step = std::move(on_step)](
+                            const StepRecord& record, const std::vector<ActiveContact>& contacts) {
     on_step(record, contacts);
-    if (is_new(watch.keeper, record)) watch.check_stop(record.T / mesh_period);
+    if (is_new(watch.store, record)) watch.check_stop(record.T / mesh_period);
   };
-  return make_march(problem.mesh, problem.numerics, films, observer, watch.keeper);
+  return make_march(problem.mesh, problem.numerics, films, observer, watch.store);
 }
 
 OrbitGuess dry_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry) {

@@ -49,7 +49,7 @@ struct SearchWatch {
   /// Why there is none on it: the search goes on without.
   std::function<void(const std::string&)> on_trouble = [](const std::string&) {};
   StopCheck check_stop = [](double) {};
-  MarchKeeper* keeper = nullptr;  ///< keeps all marches, and may know a part
+  RunStore* store = nullptr;  ///< keeps all marches, and may know a part
 };
 
 /// A march of the problem, which ends where the watch says so, but not for what is done again on the way to where a

@@ -16,7 +16,7 @@ BranchMap dry_map(const ProblemAt& problem_at, const BranchEntry& entry) {
 PeriodicOrbit orbit_of(OrbitProblem problem, const SharedDiscretisation& films, const DryOrbit& dry,
                        const SearchWatch& watch) {
   problem.search.with_multipliers = false;
-  return find_orbit(problem, films, dry, {.check_stop = watch.check_stop, .keeper = watch.keeper}).own.orbit;
+  return find_orbit(problem, films, dry, {.check_stop = watch.check_stop, .store = watch.store}).own.orbit;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ BranchBeginning film_beginning(const ProblemAt& problem_at, const BranchEntry& e
     here.mesh.order = order;
     const double mesh_period = here.mesh.path.mesh_period();
     const auto on_step = [mesh_period, mesh_periods, observer = std::move(observer)](
-                             const StepRecord& record, const std::vector<LiveContact>& contacts) {
+                             const StepRecord& record, const std::vector<ActiveContact>& contacts) {
       observer(record, contacts);
       *mesh_periods += record.dT / mesh_period;
     };

@@ -54,8 +54,8 @@ void PoincareSection::add(const StepRecord& record) {
   const std::vector<int> before = std::exchange(present_, {});
   for (const ContactRecord& contact : record.contacts) {
     present_.push_back(contact.number);
-    now_.largest_force = std::max(now_.largest_force, contact.figures["force"]);
-    now_.smallest_film = std::min(now_.smallest_film, contact.figures["h_min"]);
+    now_.largest_force = std::max(now_.largest_force, contact.quantities["force"]);
+    now_.smallest_film = std::min(now_.smallest_film, contact.quantities["h_min"]);
   }
   now_.smallest_force = std::min(now_.smallest_force, record.pressure_integral());
   const bool left = std::ranges::any_of(before, [&](int number) { return std::ranges::count(present_, number) == 0; });

@@ -28,7 +28,7 @@ SettledMarch march_on_films(const OrbitProblem& problem, const SharedDiscretisat
                             const std::optional<PairState>& from, const MarchLength& length, const SearchWatch& watch) {
   PoincareSection section;
   MeshMarch march = watched_march(
-      problem, films, watch, [&](const StepRecord& record, const std::vector<LiveContact>&) { section.add(record); });
+      problem, films, watch, [&](const StepRecord& record, const std::vector<ActiveContact>&) { section.add(record); });
   if (from && !from->films.empty()) {
     march.resume(0.0, *from);
   } else {
@@ -53,25 +53,25 @@ SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>&
   return last_of(points, length, {points.back().motion, {}});
 }
 
-SettledFigures figures_of(const SettledMarch& march, const Scales& scales) {
-  SettledFigures figures{.smallest_force = HUGE_VAL, .smallest_film = HUGE_VAL};
+SettledQuantities quantities_of(const SettledMarch& march, const Scales& scales) {
+  SettledQuantities quantities{.smallest_force = HUGE_VAL, .smallest_film = HUGE_VAL};
   for (const PoincarePoint& point : march.points) {
-    figures.largest_force = std::max(figures.largest_force, point.largest_force / scales.static_force);
-    figures.smallest_force = std::min(figures.smallest_force, point.smallest_force / scales.static_force);
-    figures.smallest_film = std::min(figures.smallest_film, point.smallest_film);
+    quantities.largest_force = std::max(quantities.largest_force, point.largest_force / scales.static_force);
+    quantities.smallest_force = std::min(quantities.smallest_force, point.smallest_force / scales.static_force);
+    quantities.smallest_film = std::min(quantities.smallest_film, point.smallest_film);
   }
-  figures.contact_lost = figures.smallest_force < lost_force_ratio;
-  figures.recurrence = recurrence_of(march.points, same_point);
-  figures.settles_at = march.end.motion;
-  if (!figures.recurrence) return figures;
-  if (figures.recurrence->period > 0) {
-    figures.repeats_every = figures.settles_on = figures.recurrence->period;
-  } else if (const std::optional<Settling> settling = settling_of(march.points, *figures.recurrence);
+  quantities.contact_lost = quantities.smallest_force < lost_force_ratio;
+  quantities.recurrence = recurrence_of(march.points, same_point);
+  quantities.settles_at = march.end.motion;
+  if (!quantities.recurrence) return quantities;
+  if (quantities.recurrence->period > 0) {
+    quantities.repeats_every = quantities.settles_on = quantities.recurrence->period;
+  } else if (const std::optional<Settling> settling = settling_of(march.points, *quantities.recurrence);
              settling && settling->contracts()) {
-    figures.settles_on = settling->period;
-    figures.settles_at = settling->limit;
+    quantities.settles_on = settling->period;
+    quantities.settles_at = settling->limit;
   }
-  return figures;
+  return quantities;
 }
 
 }  // namespace gearfilm

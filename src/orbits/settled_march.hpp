@@ -29,7 +29,7 @@ SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>&
                        const StopCheck& check_stop);
 
 /// What the points say: extremes of forces over the static one and of the smallest film [-], and recurrence.
-struct SettledFigures {
+struct SettledQuantities {
   double largest_force = 0.0;   ///< on one contact
   double smallest_force = 0.0;  ///< of all contacts together
   double smallest_film = 0.0;
@@ -39,6 +39,6 @@ struct SettledFigures {
   std::optional<int> settles_on{};     ///< the same, of the motion that it comes to repeat
   Motion settles_at{};                 ///< that motion once a mesh period: its last state
 };
-SettledFigures figures_of(const SettledMarch& march, const Scales& scales);
+SettledQuantities quantities_of(const SettledMarch& march, const Scales& scales);
 
 }  // namespace gearfilm

@@ -8,7 +8,7 @@
 #include "gearfilm/error.hpp"
 #include "grid/remap.hpp"
 #include "output/file_ownership.hpp"
-#include "output/own_file.hpp"
+#include "output/rank_file.hpp"
 #include "output/state_file.hpp"
 #include "parallel/agreement.hpp"
 
@@ -27,9 +27,9 @@ bool same_run_begin(const Summary& kept, const Summary& now) {
 }
 
 /// What the journal has of a contact, in its order.
-Summary figure_names() {
+Summary quantity_names() {
   Summary names = Summary::array();
-  for (const auto& figure : contact_figures) names.push_back(std::string(figure.name));
+  for (const auto& quantity : contact_quantities) names.push_back(std::string(quantity.name));
   return names;
 }
 
@@ -122,9 +122,9 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
     throw InputError("'" + file(state).string() + "' is of a grid of other steps; start anew, without -restart");
   }
   const Summary& description = found->description;
-  if (description["figures"] != figure_names()) {
+  if (description["figures"] != quantity_names()) {
     throw InputError("'" + folder_.string() +
-                     "' was kept by a program with other figures; start anew, without -restart");
+                     "' was kept by a program with other quantities; start anew, without -restart");
   }
   state.T = description["T"].get<double>();
   state.with_snapshots = !description["snapshots"].empty();
@@ -153,16 +153,16 @@ void Checkpoint::forget_from(std::size_t first) {
   kept_.resize(first);
 }
 
-std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
+std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
   ++run_;
   run_begin_ = {T, motion};
   waiting_.clear();
   attached_.clear();
-  recalled_.clear();
+  replayed_.clear();
   const auto first = std::ranges::lower_bound(kept_, run_, {}, &KeptState::run);
   const auto end = std::ranges::upper_bound(kept_, run_, {}, &KeptState::run);
   if (first == end) return {};
-  KeptRun kept;
+  StoredRun kept;
   for (auto state = first; state != end; ++state) {
     const bool last = state + 1 == end;
     if (!last && !state->with_snapshots) continue;
@@ -173,7 +173,7 @@ std::optional<KeptRun> Checkpoint::begin_run(double T, const Motion& motion) {
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
       return {};
     }
-    read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, recalled_);
+    read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, replayed_);
     if (!last) continue;
     kept.T = description["T"].get<double>();
     kept.state.motion = description["motion"].get<Motion>();
@@ -191,9 +191,9 @@ void Checkpoint::record(const StepRecord& record) { waiting_.push_back(record); 
 void Checkpoint::attach(const FilmSnapshot& snapshot) { attached_.push_back(snapshot); }
 
 std::optional<FilmSnapshot> Checkpoint::recall_snapshot() {
-  if (recalled_.empty()) return {};
-  FilmSnapshot snapshot = std::move(recalled_.front());
-  recalled_.pop_front();
+  if (replayed_.empty()) return {};
+  FilmSnapshot snapshot = std::move(replayed_.front());
+  replayed_.pop_front();
   return snapshot;
 }
 
@@ -218,7 +218,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   const Grid grid = state.films.empty() ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);
-  description["figures"] = figure_names();
+  description["figures"] = quantity_names();
   description["snapshots"] = Summary::array();
   for (const FilmSnapshot& snapshot : attached_) {
     description["snapshots"].push_back(description_of(snapshot));

@@ -1,7 +1,7 @@
 // A march kept on disk as it goes, so that a run that was stopped, killed, or failed can go on.
 //
 //   steps                   every step so far, to the bit: the history in results.h5 is made from these again
-//   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (march_keeper.hpp), with
+//   run003_00017.state      the state after the 17th segment, which belongs to the fourth run (run_store.hpp), with
 //                           the snapshots taken since the state before
 //   run003_00017.guesses0   what the first process remembers for first guesses; another number of
 //                           processes begins without
@@ -12,15 +12,15 @@
 
 #include <deque>
 
-#include "dynamics/march_keeper.hpp"
-#include "output/disk_flush.hpp"
+#include "dynamics/run_store.hpp"
+#include "output/async_fsync.hpp"
 #include "output/film_snapshot.hpp"
-#include "output/record_journal.hpp"
+#include "output/step_log.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {
 
-class Checkpoint final : public MarchKeeper {
+class Checkpoint final : public RunStore {
 public:
   enum class Begin { anew, where_it_stopped };
 
@@ -29,7 +29,7 @@ public:
   /// anything else. Collective.
   Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
 
-  std::optional<KeptRun> begin_run(double T, const Motion& motion) override;
+  std::optional<StoredRun> begin_run(double T, const Motion& motion) override;
   void record(const StepRecord& record) override;
   void keep(double T, const PairState& state, const std::vector<double>& memory) override;
 
@@ -41,7 +41,7 @@ public:
   void drop_snapshots();
 
   /// In a folder within, begun as this one was.
-  std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const override {
+  std::unique_ptr<RunStore> within(const std::string& name, const Grid& grid) const override {
     return std::make_unique<Checkpoint>(grid, folder_ / name, begin_);
   }
 
@@ -52,7 +52,7 @@ public:
   double kept_until() const { return kept_.empty() ? 0.0 : kept_.back().T; }
   /// False while runs are taken over that were completed before.
   bool caught_up() const { return kept_.empty() || run_ >= kept_.back().run; }
-  bool is_new(const StepRecord& record) const override { return !record.recalled && caught_up(); }
+  bool is_new(const StepRecord& record) const override { return !record.replayed && caught_up(); }
 
 private:
   struct KeptState {
@@ -82,7 +82,7 @@ private:
   Summary run_begin_;                ///< T and the motion
   std::vector<StepRecord> waiting_;  ///< since the last state
   std::vector<FilmSnapshot> attached_;
-  std::deque<FilmSnapshot> recalled_;
+  std::deque<FilmSnapshot> replayed_;
 };
 
 }  // namespace gearfilm

@@ -15,7 +15,8 @@ std::vector<NamedField> film_fields(const ContactFilm& film, const TractionField
 }
 
 // The film itself has the pressure of the step; what else a contact carries is in its fields.
-FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts) {
+FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record,
+                           const std::vector<ActiveContact>& contacts) {
   FilmSnapshot snapshot{record.T, {}};
   if (!contacts.empty()) snapshot.shape = contacts.front().film->grid().shape();
   for (std::size_t k = 0; k < contacts.size(); ++k) {

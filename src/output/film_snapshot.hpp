@@ -33,6 +33,6 @@ struct FilmSnapshot {
 std::vector<NamedField> film_fields(const ContactFilm& film, const TractionFields* traction);
 
 /// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
-FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<LiveContact>& contacts);
+FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<ActiveContact>& contacts);
 
 }  // namespace gearfilm

@@ -1,9 +1,10 @@
 // The history of a march in results.h5: one row a step in /history/steps, one row a contact and step in
 // /history/contacts; rows with dT = 0 are the states after a contact entered or left, or after a jump
-// of the motion in a search. A row begins with what tells it from others; the figures of the tables in dynamics follow.
+// of the motion in a search. A row begins with what tells it from others; the quantities of the tables in dynamics
+// follow.
 #pragma once
 
-#include "dynamics/step_figures.hpp"
+#include "dynamics/step_quantities.hpp"
 #include "mesh/mesh_model.hpp"
 #include "output/results_table.hpp"
 
@@ -47,7 +48,7 @@ public:
 
 private:
   const MeshModel& mesh_;
-  Given given_;
+  AvailableModels given_;
   ResultsTable steps_;
   ResultsTable contacts_;
   int step_ = 0;

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "dynamics/contact_fields.hpp"
-#include "dynamics/period_figures.hpp"
+#include "dynamics/period_quantities.hpp"
 #include "output/history.hpp"
 
 namespace gearfilm {
@@ -16,35 +16,35 @@ std::string code(std::string_view text) {
   return quoted;
 }
 
-std::string condition(Needs needs) {
+std::string condition(RequiredModel needs) {
   constexpr std::array conditions = {"", "; not in the dry model", "; with `friction.law`", "; with `thermal.model`",
                                      "; with `pinion.roughness` or `wheel.roughness`"};
   return conditions[static_cast<std::size_t>(needs)];
 }
 
-template <class Keys, class Figures>
+template <class Keys, class Quantities>
 void describe_table(std::ostream& text, std::string_view name, std::string_view rows, const Keys& keys,
-                    const Figures& figures) {
+                    const Quantities& quantities) {
   text << "\n## " << code(name) << "\n\n" << rows << "\n\n| Column | Symbol | Unit | Meaning |\n|---|---|---|---|\n";
   for (const RowKey& key : keys)
     text << "| " << code(key.name) << " | | " << key.unit.name << " | " << key.meaning << " |\n";
-  for (const auto& figure : figures) {
-    text << "| " << code(figure.name) << " | " << code(figure.symbol) << (figure.symbol.empty() ? "| " : " | ")
-         << figure.unit.name << " | " << figure.meaning << condition(figure.needs) << " |\n";
+  for (const auto& quantity : quantities) {
+    text << "| " << code(quantity.name) << " | " << code(quantity.symbol) << (quantity.symbol.empty() ? "| " : " | ")
+         << quantity.unit.name << " | " << quantity.meaning << condition(quantity.needs) << " |\n";
   }
 }
 
 void describe_periods(std::ostream& text) {
   text
-      << "\n## Figures of a mesh period\n\n"
+      << "\n## Quantities of a mesh period\n\n"
          "Keys of the summaries of `periodic`, of each point of `sweep`, and of each of the `periods` of `transient`.\n"
          "Those marked *march* stand in the summary of `transient` for all periods together as well, those marked\n"
          "*sweep* are columns of the table `/sweep`.\n\n"
          "| Key | Unit | Meaning | Also in |\n|---|---|---|---|\n";
-  for (const PeriodFigure& figure : period_figures) {
-    const std::string march = figure.of_march() ? "march" : "", sweep = figure.of_sweep() ? "sweep" : "";
-    text << "| " << code(figure.name) << " | " << figure.unit.name << " | " << figure.meaning << condition(figure.needs)
-         << " | " << march << (march.empty() || sweep.empty() ? "" : ", ") << sweep
+  for (const PeriodQuantity& quantity : period_quantities) {
+    const std::string march = quantity.of_march() ? "march" : "", sweep = quantity.of_sweep() ? "sweep" : "";
+    text << "| " << code(quantity.name) << " | " << quantity.unit.name << " | " << quantity.meaning
+         << condition(quantity.needs) << " | " << march << (march.empty() || sweep.empty() ? "" : ", ") << sweep
          << (march.empty() && sweep.empty() ? "|\n" : " |\n");
   }
 }
@@ -63,16 +63,16 @@ void describe_fields(std::ostream& text) {
 
 }  // namespace
 
-std::string figures_markdown() {
+std::string quantities_markdown() {
   std::ostringstream text;
-  text << "# Figures\n\n"
+  text << "# Quantities\n\n"
           "This page is the output of `gearfilm figures`.\n\n"
           "The history of `transient` and `periodic` in `results.h5`, and what mesh periods keep of it. Everything is "
           "SI\n"
-          "but for the pure numbers. The summary of `steady` has the figures of its contact under the names of the\n"
+          "but for the pure numbers. The summary of `steady` has the quantities of its contact under the names of the\n"
           "columns of `/history/contacts`.\n";
-  describe_table(text, "/history/steps", "One row a time step.", step_keys, step_figures);
-  describe_table(text, "/history/contacts", "One row a contact and time step.", contact_keys, contact_figures);
+  describe_table(text, "/history/steps", "One row a time step.", step_keys, step_quantities);
+  describe_table(text, "/history/contacts", "One row a contact and time step.", contact_keys, contact_quantities);
   describe_periods(text);
   describe_fields(text);
   return text.str();

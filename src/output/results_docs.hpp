@@ -1,11 +1,11 @@
-// The tables of figures as text.
+// The tables of quantities as text.
 #pragma once
 
 #include <string>
 
 namespace gearfilm {
 
-/// The content of docs/results.md: columns of the history, figures of a mesh period.
-std::string figures_markdown();
+/// The content of docs/results.md: columns of the history, quantities of a mesh period.
+std::string quantities_markdown();
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-// The short table with which a command ends: main figures with units and error bars, and where the results are.
+// The short table with which a command ends: main quantities with units and error bars, and where the results are.
 #pragma once
 
 #include <petscsys.h>
@@ -13,10 +13,10 @@ namespace gearfilm {
 
 class ScreenTable {
 public:
-  /// The figures are looked up in a summary, in SI.
+  /// The quantities are looked up in a summary, in SI.
   explicit ScreenTable(Summary summary) : summary_(std::move(summary)) {}
 
-  /// A figure times a factor, with its error where there is one (`KEY_error`); nothing where the summary has none.
+  /// A quantity times a factor, with its error where there is one (`KEY_error`); nothing where the summary has none.
   ScreenTable& add(const std::string& label, const std::string& key, double factor = 1.0, const std::string& unit = "");
   /// The same of another summary.
   ScreenTable& add(const Summary& summary, const std::string& label, const std::string& key, double factor = 1.0,

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "input/case_at.hpp"
 #include "input/case_setup.hpp"
-#include "output/run_identity.hpp"
+#include "input/case_with_parameter.hpp"
+#include "output/input_hash.hpp"
 #include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
@@ -104,7 +104,7 @@ ContinuationResult::ContinuationResult(MPI_Comm comm, const CaseInput& problem)
 }
 
 void ContinuationResult::add(const Branch& branch, PointKind kind, const BranchPoint& point) {
-  const CaseInput here = case_at(problem_, problem_.continuation.parameter, point.state.parameter);
+  const CaseInput here = case_with_parameter(problem_, problem_.continuation.parameter, point.state.parameter);
   const MeshModel mesh = mesh_after_leaving(here);
   const PointOnBranch at{branch, kind, point};
   const PairConditions conditions{here, mesh};

@@ -44,21 +44,21 @@ constexpr auto dry_members = std::to_array<Member<DryPair>>({
 
 struct SwingOnFilms {
   const FilmSwing& swing;
-  const SwingFigures& figures;
+  const SwingQuantities& quantities;
 };
 
 constexpr auto film_swing_members = std::to_array<Member<SwingOnFilms>>({
     {"film_frequency", "", "Hz", "frequency of the pair on its films",
-     [](const SwingOnFilms& of) -> Summary { return of.figures.frequency; }},
+     [](const SwingOnFilms& of) -> Summary { return of.quantities.frequency; }},
     {"film_frequency_error", "", "Hz", "its error; null where no coarser grid has a mode",
-     [](const SwingOnFilms& of) -> Summary { return known(of.figures.frequency_error); }},
+     [](const SwingOnFilms& of) -> Summary { return known(of.quantities.frequency_error); }},
     {"film_damping_ratio", "", "-", "damping ratio of the pair on its films",
-     [](const SwingOnFilms& of) -> Summary { return of.figures.damping_ratio; }},
+     [](const SwingOnFilms& of) -> Summary { return of.quantities.damping_ratio; }},
     {"film_damping_ratio_error", "", "-", "its error, likewise",
-     [](const SwingOnFilms& of) -> Summary { return known(of.figures.damping_ratio_error); }},
+     [](const SwingOnFilms& of) -> Summary { return known(of.quantities.damping_ratio_error); }},
     {"film_damping_ratio_bound", "", "-", "on stiff films: what the damping ratio is at most",
      [](const SwingOnFilms& of) -> Summary {
-       return of.swing.on_stiff_films() ? known(of.figures.damping_ratio_bound()) : absent();
+       return of.swing.on_stiff_films() ? known(of.quantities.damping_ratio_bound()) : absent();
      }},
     {"swings_in_passage", "", "-", "radians of the swing while oil crosses half a contact",
      [](const SwingOnFilms& of) -> Summary { return of.swing.mode.swings_in_passage; }},
@@ -81,8 +81,8 @@ Summary damper_summary(const CaseInput& problem, double f_n) {
   return {{"damping_ratio", zeta}, {"damped_frequency", f_n * std::sqrt(1.0 - zeta * zeta)}};
 }
 
-void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& summary) {
-  add_members(film_swing_members, SwingOnFilms{swing, figures}, summary);
+void add_swing(const FilmSwing& swing, const SwingQuantities& quantities, Summary& summary) {
+  add_members(film_swing_members, SwingOnFilms{swing, quantities}, summary);
 }
 
 std::string modes_markdown() {

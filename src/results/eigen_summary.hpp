@@ -13,7 +13,7 @@ Summary dry_pair_summary(const CaseInput& problem);
 Summary damper_summary(const CaseInput& problem, double f_n);
 /// Frequency and damping ratio with their errors, null where no coarser grid has a mode; what the mode took. On stiff
 /// films also what the damping ratio is at most.
-void add_swing(const FilmSwing& swing, const SwingFigures& figures, Summary& summary);
+void add_swing(const FilmSwing& swing, const SwingQuantities& quantities, Summary& summary);
 
 /// What is in these, in the manual's Markdown.
 std::string modes_markdown();

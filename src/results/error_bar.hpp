@@ -1,4 +1,4 @@
-// The error bar of a figure in a summary: `_error`, and `_extrapolated`, where finer grids lead to.
+// The error bar of a quantity in a summary: `_error`, and `_extrapolated`, where finer grids lead to.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What summaries say of friction and heat beside the figures of contacts: formulas and efficiency.
+// What summaries say of friction and heat beside the quantities of contacts: formulas and efficiency.
 #pragma once
 
 #include "input/case.hpp"

@@ -8,21 +8,21 @@
 namespace gearfilm {
 namespace {
 
-/// One figure over all the periods that have it.
-Summary over_periods(const Summary& periods, const PeriodFigure& figure) {
+/// One quantity over all the periods that have it.
+Summary over_periods(const Summary& periods, const PeriodQuantity& quantity) {
   Summary kept;
   double sum = 0.0;
   int count = 0;
   for (const Summary& period : periods) {
-    const auto found = period.find(figure.name);
+    const auto found = period.find(quantity.name);
     if (found == period.end()) continue;
-    if (figure.reduction == Reduction::mean) {
+    if (quantity.reduction == Reduction::mean) {
       sum += found->get<double>();
       kept = sum / ++count;
       continue;
     }
-    const bool replaces = kept.is_null() || figure.reduction == Reduction::last ||
-                          (figure.reduction == Reduction::largest ? *found > kept : *found < kept);
+    const bool replaces = kept.is_null() || quantity.reduction == Reduction::last ||
+                          (quantity.reduction == Reduction::largest ? *found > kept : *found < kept);
     if (replaces) kept = *found;
   }
   return kept;
@@ -30,14 +30,14 @@ Summary over_periods(const Summary& periods, const PeriodFigure& figure) {
 
 }  // namespace
 
-Summary period_summary(const Scales& scales, const PeriodFigures& period) {
+Summary period_summary(const Scales& scales, const PeriodQuantities& period) {
   Summary summary;
-  for (std::size_t n = 0; n < period_figures.size(); ++n) {
+  for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     if (!period.values[n]) continue;
-    const PeriodFigure& figure = period_figures[n];
-    const double value = figure.unit.in_si(scales, *period.values[n]);
-    Summary& entry = summary[std::string(figure.name)];
-    if (figure.unit.whole) {
+    const PeriodQuantity& quantity = period_quantities[n];
+    const double value = quantity.unit.in_si(scales, *period.values[n]);
+    Summary& entry = summary[std::string(quantity.name)];
+    if (quantity.unit.whole) {
       entry = static_cast<long>(value);
     } else {
       entry = value;
@@ -127,18 +127,18 @@ Summary march_summary(const CaseInput& problem, const MeshModel& mesh, const Mar
   if (problem.march.model == MarchModel::dynamic) summary["motion"] = problem.parameters.text("motion");
   add_members(run_members, RunOfPair{problem, mesh}, summary);
   Summary periods = Summary::array();
-  for (const PeriodFigures& period : statistics.periods()) periods.push_back(period_summary(scales, period));
-  for (const PeriodFigure& figure : period_figures) {
-    if (!figure.of_march()) continue;
-    if (const Summary value = over_periods(periods, figure); !value.is_null())
-      summary[std::string(figure.name)] = value;
+  for (const PeriodQuantities& period : statistics.periods()) periods.push_back(period_summary(scales, period));
+  for (const PeriodQuantity& quantity : period_quantities) {
+    if (!quantity.of_march()) continue;
+    if (const Summary value = over_periods(periods, quantity); !value.is_null())
+      summary[std::string(quantity.name)] = value;
   }
   add_efficiency(mesh, summary);
   summary["periods"] = std::move(periods);
   summary["events"] = Summary::array();
   for (const MeshEvent& event : statistics.events())
     summary["events"].push_back(as_summary(event_members, EventOfPair{mesh, event}));
-  summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodFigures& period) {
+  summary["back_contact"] = std::ranges::any_of(statistics.periods(), [](const PeriodQuantities& period) {
     return period["back_force_ratio_max"].value_or(0.0) > 0.0;
   });
   summary["contact_losses"] = Summary::array();

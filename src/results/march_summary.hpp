@@ -7,8 +7,8 @@
 
 namespace gearfilm {
 
-/// Figures of one mesh period.
-Summary period_summary(const Scales& scales, const PeriodFigures& period);
+/// Quantities of one mesh period.
+Summary period_summary(const Scales& scales, const PeriodQuantities& period);
 /// The grid that a run ended on, widened or not, in the units of the case's parameters.
 Summary grid_summary(const Scales& scales, const GridShape& shape);
 /// Grid, step, force and mesh period of a run on the pair, and what they are in the manual's Markdown.

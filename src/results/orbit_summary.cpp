@@ -73,8 +73,8 @@ constexpr auto search_members = std::to_array<Member<OrbitOfPair>>({
 constexpr auto swing_members = std::to_array<Member<OrbitOfPair>>({
     {"contact_lost", "", "", "whether the total force falls below 0.02 of the static force",
      [](const OrbitOfPair& of) -> Summary { return of.found.contact_lost; }, Column::real},
-    {"back_contact", "", "", "whether back flanks touch",
-     [](const OrbitOfPair& of) -> Summary { return of.found.figures["back_force_ratio_max"].value_or(0.0) > 0.0; }},
+    {"back_contact", "", "", "whether reverse flanks touch",
+     [](const OrbitOfPair& of) -> Summary { return of.found.quantities["back_force_ratio_max"].value_or(0.0) > 0.0; }},
     {"transmission_error_peak_to_peak", "", "m", "transmission error, largest less smallest",
      [](const OrbitOfPair& of) -> Summary {
        return of.mesh.scales.thickness * of.found.transmission_error.peak_to_peak;
@@ -105,7 +105,7 @@ Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found) {
   const OrbitOfPair orbit{mesh, found};
   Summary summary;
   add_members(search_members, orbit, summary);
-  summary.update(period_summary(mesh.scales, found.figures));
+  summary.update(period_summary(mesh.scales, found.quantities));
   add_members(swing_members, orbit, summary);
   if (found.decay) add_multipliers(mesh, found.decay->multipliers, summary);
   add_members(decay_members, orbit, summary);
@@ -128,10 +128,11 @@ void add_multipliers_to_row(const Summary& floquet, std::vector<double>& row) {
 }
 
 std::string orbit_markdown() {
-  return members_markdown("A periodic state",
-                          "Keys of the summary of `periodic` and of each point of `sweep`, beside the figures of its "
-                          "period.",
-                          search_members, "`/sweep`") +
+  return members_markdown(
+             "A periodic state",
+             "Keys of the summary of `periodic` and of each point of `sweep`, beside the quantities of its "
+             "period.",
+             search_members, "`/sweep`") +
          members_markdown("Its swing", "Likewise.", swing_members, "`/sweep`") +
          members_markdown("Its multipliers", "Likewise; of `eigen` and of the dry pair's orbit too.",
                           multiplier_members, "`/sweep`") +

@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// Figures and states of an orbit, and its multipliers where they are known.
+/// Quantities and states of an orbit, and its multipliers where they are known.
 Summary orbit_summary(const MeshModel& mesh, const DescribedOrbit& found);
 
 /// The columns of the table /sweep among these, and all of them in the manual's Markdown.
@@ -22,7 +22,7 @@ void add_multipliers_to_row(const Summary& floquet, std::vector<double>& row);
 /// Multipliers, and the free oscillation they mean, added to a summary.
 void add_multipliers(const MeshModel& mesh, const Multipliers& pair, Summary& summary);
 
-/// `_error` and `_extrapolated` of its figures, null where nothing is known.
+/// `_error` and `_extrapolated` of its quantities, null where nothing is known.
 void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Summary& summary);
 
 /// All of `periodic` but for its spectrum and the dry pair's orbit.

@@ -58,7 +58,7 @@ constexpr auto diagram_members = std::to_array<Member<PointOfMarch>>({
 struct MarchOfSweep {
   const SettledMarch& march;
   const Scales& scales;
-  SettledFigures figures;
+  SettledQuantities quantities;
   bool lubricated;
 };
 
@@ -68,20 +68,20 @@ constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
     {"V0_after_leaving", "V_0", "-", "V_0 there",
      [](const MarchOfSweep& of) -> Summary { return of.march.end.motion.V0(); }, Column::real},
     {"force_ratio_max", "", "-", "largest force on one contact over the static force, in the mesh periods kept",
-     [](const MarchOfSweep& of) -> Summary { return of.figures.largest_force; }, Column::real},
+     [](const MarchOfSweep& of) -> Summary { return of.quantities.largest_force; }, Column::real},
     {"total_force_ratio_min", "", "-", "smallest force on all contacts together over it",
-     [](const MarchOfSweep& of) -> Summary { return of.figures.smallest_force; }, Column::real},
+     [](const MarchOfSweep& of) -> Summary { return of.quantities.smallest_force; }, Column::real},
     {"contact_lost", "", "", "whether the total force falls below 0.02 of the static force",
-     [](const MarchOfSweep& of) -> Summary { return of.figures.contact_lost; }, Column::real},
+     [](const MarchOfSweep& of) -> Summary { return of.quantities.contact_lost; }, Column::real},
     {"settles_on", "", "-", "mesh periods after which the motion that it comes to repeat begins again; null: none",
-     [](const MarchOfSweep& of) -> Summary { return known(of.figures.settles_on); }, Column::real},
+     [](const MarchOfSweep& of) -> Summary { return known(of.quantities.settles_on); }, Column::real},
     {"settles_at", "", "-", "(H0, V0) of that motion once in it",
-     [](const MarchOfSweep& of) -> Summary { return of.figures.settles_at; }},
+     [](const MarchOfSweep& of) -> Summary { return of.quantities.settles_at; }},
     {"repeats_every", "", "-", "mesh periods after which the march repeats; null where it does not yet",
-     [](const MarchOfSweep& of) -> Summary { return known(of.figures.repeats_every); }},
+     [](const MarchOfSweep& of) -> Summary { return known(of.quantities.repeats_every); }},
     {"repeats_within", "", "-", "distance in (H0, V0) within which it does",
      [](const MarchOfSweep& of) -> Summary {
-       return of.figures.recurrence ? Summary(of.figures.recurrence->defect) : Summary();
+       return of.quantities.recurrence ? Summary(of.quantities.recurrence->defect) : Summary();
      }},
     {"poincare", "", "", "its points: the columns of `/diagram` from H0 on",
      [](const MarchOfSweep& of) -> Summary {
@@ -96,7 +96,7 @@ constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
      }},
     {"h_min", "", "m", "smallest film; not in the dry model",
      [](const MarchOfSweep& of) -> Summary {
-       return of.lubricated ? Summary(of.scales.thickness * of.figures.smallest_film) : absent();
+       return of.lubricated ? Summary(of.scales.thickness * of.quantities.smallest_film) : absent();
      },
      Column::real},
 });
@@ -162,7 +162,7 @@ void add_recurrence(const std::vector<PoincarePoint>& points, Summary& summary) 
 }
 
 Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lubricated) {
-  return as_summary(marched_members, MarchOfSweep{march, scales, figures_of(march, scales), lubricated});
+  return as_summary(marched_members, MarchOfSweep{march, scales, quantities_of(march, scales), lubricated});
 }
 
 std::vector<TableColumn> marched_columns(bool lubricated) { return columns_of_model(marched_members, lubricated); }

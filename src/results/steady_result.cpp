@@ -3,7 +3,7 @@
 #include "film/domain_margins.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "output/run_identity.hpp"
+#include "output/input_hash.hpp"
 #include "output/snapshots.hpp"
 #include "output/xdmf.hpp"
 #include "results/derived.hpp"
@@ -16,8 +16,8 @@ namespace {
 
 /// Values with their error and what they tend to; null where the grid cannot tell.
 void add_errors(const Scales& scales, const std::optional<GridErrors>& errors, Summary& summary) {
-  const auto add = [&](const std::string& name, double unit, Estimate GridErrors::*figure) {
-    add_error_bar(summary, name, errors ? std::optional((*errors).*figure) : std::nullopt, unit);
+  const auto add = [&](const std::string& name, double unit, Estimate GridErrors::*quantity) {
+    add_error_bar(summary, name, errors ? std::optional((*errors).*quantity) : std::nullopt, unit);
   };
   add("h_central", scales.thickness, &GridErrors::central_film);
   add("h_min", scales.thickness, &GridErrors::smallest_film);
@@ -40,9 +40,9 @@ SolveCounts total(const StationaryResult& result) {
 constexpr auto film_members = std::to_array<Member<StationaryResult>>({
     {"H0", "H_0", "-", "rigid displacement", [](const StationaryResult& of) -> Summary { return of.solution.H0; }},
     {"H_central", "H", "-", "central film in units of a^2/R_x",
-     [](const StationaryResult& of) -> Summary { return of.figures.central_film; }},
+     [](const StationaryResult& of) -> Summary { return of.quantities.central_film; }},
     {"H_min", "H", "-", "smallest film in units of a^2/R_x",
-     [](const StationaryResult& of) -> Summary { return of.figures.smallest_film; }},
+     [](const StationaryResult& of) -> Summary { return of.quantities.smallest_film; }},
     {"residual", "", "-", "last residual", [](const StationaryResult& of) -> Summary { return of.counts.residual; }},
     {"newton_iterations", "", "-", "iterations of Newton's method on the finest grid",
      [](const StationaryResult& of) -> Summary { return of.counts.newton; }},
@@ -63,19 +63,19 @@ struct Coupled {
   const Scales& scales;
   const SolvedContact& solved;
 
-  double factor(double FilmFigures::*film) const { return solved.result.figures.*film / solved.bare.*film; }
-  double bare(double FilmFigures::*film) const { return scales.thickness * solved.bare.*film; }
+  double factor(double FilmQuantities::*film) const { return solved.result.quantities.*film / solved.bare.*film; }
+  double bare(double FilmQuantities::*film) const { return scales.thickness * solved.bare.*film; }
 };
 
 constexpr auto heat_members = std::to_array<Member<Coupled>>({
     {"h_central_isothermal", "", "m", "central film without heat",
-     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
+     [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::central_film); }},
     {"h_min_isothermal", "", "m", "smallest film without heat",
-     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::smallest_film); }},
+     [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::smallest_film); }},
     {"thermal_factor", "", "-", "central film with heat over that without",
-     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::central_film); }},
+     [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::central_film); }},
     {"thermal_factor_min", "", "-", "smallest film with heat over that without",
-     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::smallest_film); }},
+     [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::smallest_film); }},
     {"thermal_turns", "", "-", "turns of film and heat",
      [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
     {"thermal_newton_iterations", "", "-", "iterations of all films in them",
@@ -86,13 +86,13 @@ constexpr auto heat_members = std::to_array<Member<Coupled>>({
 
 constexpr auto shear_members = std::to_array<Member<Coupled>>({
     {"h_central_newtonian", "", "m", "central film of a Newtonian oil",
-     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::central_film); }},
+     [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::central_film); }},
     {"h_min_newtonian", "", "m", "smallest film of a Newtonian oil",
-     [](const Coupled& of) -> Summary { return of.bare(&FilmFigures::smallest_film); }},
+     [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::smallest_film); }},
     {"shear_factor", "", "-", "central film over that of a Newtonian oil",
-     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::central_film); }},
+     [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::central_film); }},
     {"shear_factor_min", "", "-", "smallest film over that of a Newtonian oil",
-     [](const Coupled& of) -> Summary { return of.factor(&FilmFigures::smallest_film); }},
+     [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::smallest_film); }},
     {"shear_turns", "", "-", "turns of film and shear",
      [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
     {"shear_newton_iterations", "", "-", "iterations of all films in them",
@@ -102,18 +102,18 @@ constexpr auto shear_members = std::to_array<Member<Coupled>>({
 });
 
 Summary film_summary(const CaseInput& problem, const SteadyPosition& position, const Grid& grid,
-                     const StationaryResult& result, const TractionFigures& friction) {
+                     const StationaryResult& result, const TractionQuantities& friction) {
   const Scales& scales = problem.scales;
   Summary summary;
   summary["case"] = problem.name;
   summary["nx"] = grid.nx();
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
-  const ContactMoment at{scales, position.contact, result.figures, friction, problem.roughness};
-  const Given given = given_figures(true, problem.traction, problem.roughness);
-  for (const auto& figure : contact_figures) {
-    if (!given.has(figure.needs)) continue;
-    summary[std::string(figure.name)] = figure.unit.in_si(scales, figure.value(at));
+  const QuantityInputs at{scales, position.contact, result.quantities, friction, problem.roughness};
+  const AvailableModels given = available_models(true, problem.traction, problem.roughness);
+  for (const auto& quantity : contact_quantities) {
+    if (!given.has(quantity.needs)) continue;
+    summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));
   }
   add_members(film_members, result, summary);
   summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);
@@ -198,9 +198,9 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
                       {}};
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
   result.friction = traction_of(contact, result.solved);
-  result.friction.figures = with_powers_times(load_factor, result.friction.figures);
+  result.friction.quantities = with_powers_times(load_factor, result.friction.quantities);
   const SolvedContact& solved = result.solved;
-  result.summary = film_summary(problem, position, solved.film->grid(), solved.result, result.friction.figures);
+  result.summary = film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities);
   add_errors(problem.scales, solved.errors, result.summary);
   add_coupling(problem, solved, result.summary);
   return result;
@@ -239,7 +239,7 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
 std::string steady_markdown() {
   return members_markdown(
              "The film of `steady`",
-             "Keys of its summary, beside the figures of the contact (columns of `/history/contacts`), the "
+             "Keys of its summary, beside the quantities of the contact (columns of `/history/contacts`), the "
              "error bars of films and pressures (`NAME_error`, `NAME_extrapolated`), and the `predictions` of "
              "formulas.",
              film_members) +

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "dynamics/period_figures.hpp"
+#include "dynamics/period_quantities.hpp"
 #include "input/case_setup.hpp"
+#include "output/input_hash.hpp"
 #include "output/results_table.hpp"
-#include "output/run_identity.hpp"
 #include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
@@ -39,11 +39,11 @@ std::vector<TableColumn> columns_of_point() {
 
 /// One row a point.
 void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& results) {
-  const Given given = given_figures(!problem.dry(), problem.traction, problem.roughness);
+  const AvailableModels given = available_models(!problem.dry(), problem.traction, problem.roughness);
   std::vector<TableColumn> columns = columns_of_point();
-  for (const PeriodFigure& figure : period_figures) {
-    if (figure.of_sweep() && given.has(figure.needs))
-      columns.push_back({std::string(figure.name), std::string(figure.unit.name)});
+  for (const PeriodQuantity& quantity : period_quantities) {
+    if (quantity.of_sweep() && given.has(quantity.needs))
+      columns.push_back({std::string(quantity.name), std::string(quantity.unit.name)});
   }
   columns = joined(columns, orbit_columns());
   std::vector<double> rows;

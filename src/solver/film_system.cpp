@@ -257,15 +257,15 @@ void FilmSystem::precondition_exactly(std::span<const double> rows, std::span<do
   put_scalars(scalars, change);
 }
 
-std::vector<FilmFigures> FilmSystem::figures(Vec state) {
+std::vector<FilmQuantities> FilmSystem::quantities(Vec state) {
   const StateVersion version = versions_.of(state);
   const VecReading in(state);
   const Eigen::VectorXd displaced = displacements(in.values(), scalars_in(in.values()));
-  std::vector<FilmFigures> figures;
+  std::vector<FilmQuantities> quantities;
   for (std::size_t k = 0; k < films(); ++k) {
-    figures.push_back(films_[k]->figures(part(in.values(), k), displaced[k], version));
+    quantities.push_back(films_[k]->quantities(part(in.values(), k), displaced[k], version));
   }
-  return figures;
+  return quantities;
 }
 
 WorstNode FilmSystem::worst_node(Vec rows, std::size_t contact) const {

@@ -75,7 +75,7 @@ public:
   /// H_k, or their changes.
   Eigen::VectorXd displacements(Vec state) const;
   /// Of every contact.
-  std::vector<FilmFigures> figures(Vec state);
+  std::vector<FilmQuantities> quantities(Vec state);
   /// Where the rows of one contact are largest.
   WorstNode worst_node(Vec rows, std::size_t contact) const;
 

@@ -17,8 +17,8 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
-std::optional<GridErrors> errors_between(const Discretisation& discretisation, const FilmFigures& fine,
-                                         const FilmFigures& half) {
+std::optional<GridErrors> errors_between(const Discretisation& discretisation, const FilmQuantities& fine,
+                                         const FilmQuantities& half) {
   if (!half.finite || half.smallest_film <= 0.0) return {};
   const double step = discretisation.grid().h_x();
   const bool fitted = discretisation.of_films() == FilmDiscretisation::fitted;
@@ -52,12 +52,12 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   const auto against = [&](Discretisation* coarser) -> std::optional<GridErrors> {
     if (!coarser) return {};
     if (!couple && result.before && fine.prepare_sequencing_grid() == coarser)
-      return errors_between(fine, result.figures, *result.before);
+      return errors_between(fine, result.quantities, *result.before);
     ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
     coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
     try {
       const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
-      return errors_between(fine, result.figures, couple ? couple(coarse, alone).figures : alone.figures);
+      return errors_between(fine, result.quantities, couple ? couple(coarse, alone).quantities : alone.quantities);
     } catch (const SolveError&) {
       return {};
     }

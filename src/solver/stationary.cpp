@@ -131,7 +131,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     }
     ContactFilm& present = coarse_film ? *coarse_film : film;
     StationaryNewton newton({&present}, options.newton);
-    // The figures of the last grid but one tell the error of the finest.
+    // The quantities of the last grid but one tell the error of the finest.
     if (n > 1) newton.aim_at(rough(newton.tolerance()));
     bool solved = false;
     if (before) {
@@ -144,8 +144,8 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     }
     if (!solved && n == 0) report_failure(present.grid(), newton);
     result.by_grid.push_back(newton.counts());
-    if (n == 1 && solved) result.before = newton.figures().front();
-    if (n == 0) result.figures = newton.figures().front();
+    if (n == 1 && solved) result.before = newton.quantities().front();
+    if (n == 0) result.quantities = newton.quantities().front();
     // A coarse grid may be too coarse for a thin film to exist: then the next one starts from the dry pressure.
     before = solved ? &present.grid() : nullptr;
   }
@@ -160,7 +160,7 @@ StationaryResult result_of(StationaryNewton& newton, FilmSolution solution) {
   result.solution = std::move(solution);
   result.by_grid.push_back(newton.counts());
   result.counts = newton.counts();
-  result.figures = newton.figures().front();
+  result.quantities = newton.quantities().front();
   return result;
 }
 

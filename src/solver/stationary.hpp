@@ -14,10 +14,10 @@ namespace gearfilm {
 
 struct StationaryResult {
   FilmSolution solution;
-  FilmFigures figures;
-  SolveCounts counts;                 ///< on the finest grid
-  std::vector<SolveCounts> by_grid;   ///< coarsest first, the finest last
-  std::optional<FilmFigures> before;  ///< on the grid before the finest, where the film was found from there
+  FilmQuantities quantities;
+  SolveCounts counts;                    ///< on the finest grid
+  std::vector<SolveCounts> by_grid;      ///< coarsest first, the finest last
+  std::optional<FilmQuantities> before;  ///< on the grid before the finest, where the film was found from there
 };
 
 /// Film on film.grid() under the load condition, from nothing. Throws SolveError naming the step that failed.

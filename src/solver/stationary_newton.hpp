@@ -65,7 +65,7 @@ public:
   /// The films that solve() or step() has left.
   FilmSolution films() const;
   /// Of these films. Collective.
-  std::vector<FilmFigures> figures() { return system_.figures(state_); }
+  std::vector<FilmQuantities> quantities() { return system_.quantities(state_); }
 
   /// For solves from now on: a root mean square of the residual.
   void aim_at(double tolerance) {

@@ -13,7 +13,7 @@ namespace {
 /// Goes on to the film that feels its heat and shear.
 void couple(const ContactProblem& problem, SolvedContact& solved) {
   const TractionModel& model = *problem.traction;
-  solved.bare = solved.result.figures;
+  solved.bare = solved.result.quantities;
   solved.coupled = solve_coupled(*solved.film, problem.load, problem.solver, model, solved.result);
   solved.result = solved.coupled->film;
   solved.errors = grid_errors(*solved.film, problem.load, problem.solver, solved.result,
@@ -52,7 +52,7 @@ SolvedContact solve_contact(const Grid& grid, const ContactProblem& problem) {
   } else {
     solved.errors = grid_errors(*solved.film, problem.load, problem.solver, solved.result);
   }
-  check_validity(*solved.film, solved.result.figures, problem.label);
+  check_validity(*solved.film, solved.result.quantities, problem.label);
   return solved;
 }
 

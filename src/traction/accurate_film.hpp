@@ -29,7 +29,7 @@ struct SolvedContact {
   StationaryResult result;           ///< with heat and shear, where the film feels them
   std::optional<GridErrors> errors;  ///< of that
   std::optional<CoupledFilm> coupled;
-  FilmFigures bare{};  ///< without heat and shear, where the film feels them
+  FilmQuantities bare{};  ///< without heat and shear, where the film feels them
 };
 
 /// Throws SolveError where there is no film or none within the model's validity. Collective, as is the other.

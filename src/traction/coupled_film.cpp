@@ -160,7 +160,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     ++found.turns;
     const double warmed = loaded_change(film, found.traction.fields.temperature_mean, traction.fields.temperature_mean);
     const double sheared = loaded_change(film, present.flow.shear_index, swept.flow.shear_index);
-    const double friction = relative_change(found.traction.figures.coefficient, traction.figures.coefficient);
+    const double friction = relative_change(found.traction.quantities.coefficient, traction.quantities.coefficient);
     found.traction = std::move(traction);
     turns.push_back({found.change, std::max({found.change / settled_film, friction / settled_friction,
                                              warmed / settled_temperature, sheared / settled_shear})});
@@ -190,7 +190,7 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     if (!next) break;
     way = std::min(1.0, 2.0 * way);
     present = std::move(moved);
-    const FilmFigures &last = found.film.figures, &now = next->figures;
+    const FilmQuantities &last = found.film.quantities, &now = next->quantities;
     found.change = std::max(relative_change(last.central_film, now.central_film),
                             relative_change(last.smallest_film, now.smallest_film));
     found.newton += next->counts.newton;

@@ -94,14 +94,14 @@ double largest_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::ranges::max_element(values);
 }
 
-/// Figures of fields that are known.
+/// Quantities of fields that are known.
 Traction summed(const TractionModel& model, const ContactFilm& film, TractionFields known) {
   const Grid& grid = film.grid();
   const Scales& scales = film.scales();
   Traction result;
   result.fields = std::move(known);
   const TractionFields& fields = result.fields;
-  TractionFigures& figures = result.figures;
+  TractionQuantities& quantities = result.quantities;
 
   const std::vector<SurfaceVelocities> velocities = row_velocities(film);
   const std::vector<double> heat = sliding_heat(velocities, fields.shear_stress);
@@ -129,12 +129,12 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   std::vector<double> total = integrals(grid, values, sums);
   for (double& integral : total) integral *= scales.length * scales.length;
 
-  figures.sliding_force = total[stress];
-  figures.rolling_force = total[rolling];
+  quantities.sliding_force = total[stress];
+  quantities.rolling_force = total[rolling];
   const double force = scales.pressure * total[pressure];
-  figures.coefficient = force > 0.0 ? figures.sliding_force / force : 0.0;
-  figures.power_sliding = total[sliding_loss];
-  figures.power_rolling = total[rolling_loss];
+  quantities.coefficient = force > 0.0 ? quantities.sliding_force / force : 0.0;
+  quantities.power_sliding = total[sliding_loss];
+  quantities.power_rolling = total[rolling_loss];
 
   std::array<double, 5> maxima = {common_flash(model, grid, scales.length * grid.h_x(), velocities, heat),
                                   largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel),
@@ -142,30 +142,30 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
   unconverged[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
   MPI_Allreduce(MPI_IN_PLACE, unconverged, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
-  figures.unconverged_fraction = unconverged[0] > 0.0 ? unconverged[0] / unconverged[1] : 0.0;
-  figures.flash = maxima[0];
+  quantities.unconverged_fraction = unconverged[0] > 0.0 ? unconverged[0] / unconverged[1] : 0.0;
+  quantities.flash = maxima[0];
   if (!model.heat) return result;
-  figures.surface_pinion = maxima[1];
-  figures.surface_wheel = maxima[2];
-  figures.film_mean = maxima[3];
-  figures.film_max = maxima[4];
-  figures.heat_pinion = total[pinion];
-  figures.heat_wheel = total[wheel];
-  figures.heat_oil = total[oil];
+  quantities.surface_pinion = maxima[1];
+  quantities.surface_wheel = maxima[2];
+  quantities.film_mean = maxima[3];
+  quantities.film_max = maxima[4];
+  quantities.heat_pinion = total[pinion];
+  quantities.heat_wheel = total[wheel];
+  quantities.heat_oil = total[oil];
   if (total[generated] > 0.0) {
-    figures.energy_residual = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
+    quantities.energy_residual = (total[generated] - total[pinion] - total[wheel] - total[oil]) / total[generated];
   }
   return result;
 }
 
 }  // namespace
 
-TractionFigures with_powers_times(double factor, TractionFigures figures) {
-  for (double* power :
-       {&figures.power_sliding, &figures.power_rolling, &figures.heat_pinion, &figures.heat_wheel, &figures.heat_oil}) {
+TractionQuantities with_powers_times(double factor, TractionQuantities quantities) {
+  for (double* power : {&quantities.power_sliding, &quantities.power_rolling, &quantities.heat_pinion,
+                        &quantities.heat_wheel, &quantities.heat_oil}) {
     *power *= factor;
   }
-  return figures;
+  return quantities;
 }
 
 Traction traction(const TractionModel& model, const ContactFilm& film) {

@@ -11,7 +11,7 @@
 namespace gearfilm {
 
 /// SI.
-struct TractionFigures {
+struct TractionQuantities {
   double sliding_force = 0.0;  ///< F_s [N]
   double rolling_force = 0.0;  ///< F_r [N]
   double coefficient = 0.0;    ///< mu; 0 without force
@@ -32,10 +32,10 @@ struct TractionFigures {
 };
 
 /// With powers and heats so many times as large: of a whole tooth whose contact carries a part of its force.
-TractionFigures with_powers_times(double factor, TractionFigures figures);
+TractionQuantities with_powers_times(double factor, TractionQuantities quantities);
 
 struct Traction {
-  TractionFigures figures;
+  TractionQuantities quantities;
   TractionFields fields;
 };
 

@@ -15,9 +15,9 @@ struct AcceptedState {
   std::vector<std::vector<double>> mass;  ///< rho H
 };
 
-inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveContact>& contacts) {
+inline AcceptedState copy_of(const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   AcceptedState state{record.T, record.dT, record.motion, {}, {}, {}};
-  for (const LiveContact& contact : contacts) {
+  for (const ActiveContact& contact : contacts) {
     const FilmState& film = contact.film->state();
     const Grid& grid = contact.film->grid();
     std::vector<double> pressure(grid.local_size()), density(grid.local_size()), mass(grid.local_size());
@@ -36,7 +36,7 @@ inline AcceptedState copy_of(const StepRecord& record, const std::vector<LiveCon
 class AcceptedSteps {
 public:
   AcceptedSteps(const CaseInput& problem, double T_end) : march(problem) {
-    march.on_step = [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+    march.on_step = [this](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
       before_last = std::move(last_but_one);
       last_but_one = std::move(last);
       last = copy_of(record, contacts);
@@ -61,7 +61,7 @@ public:
     MultigridOptions options = march.problem().numerics.solver.multigrid;
     options.levels = levels;
     options.precision = Precision::double_precision;  // exact products
-    std::vector<LiveContact> contacts;
+    std::vector<ActiveContact> contacts;
     for (const int number : state.numbers) {
       films_.push_back(std::make_unique<ContactFilm>(march.discretisation(), march.problem().scales, options));
       contacts.push_back({number, films_.back().get()});

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dynamics/lubricated_pair.hpp"
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -48,7 +48,7 @@ TEST(BendingFilms, a_gap_everywhere_shifts_the_motion_and_nothing_else) {
 TEST(BendingFilms, at_rest_carry_the_static_force_each_at_its_own_displacement) {
   RecordedMarch march(table3_case(with(at_rest(shortly_after_an_entry()), bending())));
   march.start();
-  const std::vector<LiveContact>& contacts = march.march().contacts();
+  const std::vector<ActiveContact>& contacts = march.march().contacts();
   ASSERT_EQ(contacts.size(), 2u);
   const std::vector<int> numbers = {contacts[0].number, contacts[1].number};
   const PairState state = march.march().state();
@@ -63,7 +63,7 @@ TEST(BendingFilms, at_rest_carry_the_static_force_each_at_its_own_displacement) 
     move_surfaces(film, march.mesh().contact(numbers[k], 0.0).conditions);
     const StationaryResult alone =
         solve_stationary(film, LoadCondition::displacement(displaced), march.problem().numerics.solver);
-    EXPECT_NEAR(alone.figures.pressure_integral, forces[k], 1e-5 * forces[k]);
+    EXPECT_NEAR(alone.quantities.pressure_integral, forces[k], 1e-5 * forces[k]);
   }
 }
 
@@ -96,7 +96,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
   std::vector<StepRecord> records;
   MeshMarch march(discretise(PETSC_COMM_WORLD, problem), mesh,
                   {problem.numerics.solver, problem.numerics.steps, {}, {}},
-                  [&](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); });
+                  [&](const StepRecord& record, const std::vector<ActiveContact>&) { records.push_back(record); });
   march.start({});
   march.run(mesh.path.mesh_period());
   const DryForce dry(mesh);
@@ -108,7 +108,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
     double sum = 0.0;
     for (const ContactRecord& contact : record.contacts) {
       numbers.push_back(contact.number);
-      sum += film_figures(contact.figures).pressure_integral;
+      sum += film_quantities(contact.quantities).pressure_integral;
     }
     // A contact that has just entered carries before the motion knows.
     const bool passes = record.T < mesh.path.last_event(record.T) + part_of_transfer * mesh.path.mesh_period();
@@ -118,7 +118,7 @@ TEST(BendingFilms, turned_without_inertia_follow_the_dry_pair) {
     const std::vector<double> forces = contacts.forces(H0);
     EXPECT_NEAR(record.motion.H0() - shift, H0, 0.04) << record.T;  // 1.1 um of 75; the films are 1.1 um thick
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      EXPECT_NEAR(film_figures(record.contacts[k].figures).pressure_integral / mesh.scales.static_force,
+      EXPECT_NEAR(film_quantities(record.contacts[k].quantities).pressure_integral / mesh.scales.static_force,
                   forces[k] / mesh.scales.static_force, 0.02)
           << record.T;
     }
@@ -139,8 +139,9 @@ TEST(BendingFilms, a_film_is_pressed_and_not_crushed_when_its_neighbour_leaves) 
       std::ranges::find_if(records, [](const StepRecord& record) { return record.contacts.size() == 1; });
   ASSERT_NE(alone, records.end());
   const StepRecord& before = *std::prev(alone);
-  const FilmFigures gone = film_figures(before.contacts[0].figures), old = film_figures(before.contacts[1].figures),
-                    now = film_figures(alone->contacts[0].figures);
+  const FilmQuantities gone = film_quantities(before.contacts[0].quantities),
+                       old = film_quantities(before.contacts[1].quantities),
+                       now = film_quantities(alone->contacts[0].quantities);
   const std::vector<int> numbers = {before.contacts[0].number, before.contacts[1].number};
   const double back = march.mesh().compliance(numbers, before.T)(0, 1) * gone.pressure_integral;
   EXPECT_GT(back, 2.0 * old.central_film);
@@ -180,11 +181,12 @@ TEST(BackFlanks, push_the_motion_back) {
       with(shortly_after_an_entry(), {{"gear.backlash", "20e-6"}, {"start.H0", "0.9"}, {"start.V0", "0"}})));
   march.start();
   const double jbar = 20e-6 / march.problem().scales.thickness;
-  EXPECT_EQ(back_force(march.mesh(), jbar - 1e-9, 0.0).value, 0.0);
+  EXPECT_EQ(reverse_flank_force(march.mesh(), jbar - 1e-9, 0.0).value, 0.0);
   const double step = 1e-6, H0 = march.motion().H0();
-  const BackForce here = back_force(march.mesh(), H0, 0.0);
-  const double slope =
-      (back_force(march.mesh(), H0 + step, 0.0).value - back_force(march.mesh(), H0 - step, 0.0).value) / (2.0 * step);
+  const ReverseForce here = reverse_flank_force(march.mesh(), H0, 0.0);
+  const double slope = (reverse_flank_force(march.mesh(), H0 + step, 0.0).value -
+                        reverse_flank_force(march.mesh(), H0 - step, 0.0).value) /
+                       (2.0 * step);
   EXPECT_GT(here.value, 0.0);
   EXPECT_NEAR(here.slope / slope, 1.0, 1e-6);
   // I_n dV_0/dT = -F_b - F*: the films are far apart.

@@ -51,10 +51,10 @@ protected:
     record.newton = 3;
     record.krylov = 17;
     record.halvings = 2;
-    ContactFigures figures;
-    figures["force"] = T / 3.0;
-    figures["h_min"] = T / 11.0;
-    record.contacts = {{4, T / 13.0, figures}};
+    ContactQuantities quantities;
+    quantities["force"] = T / 3.0;
+    quantities["h_min"] = T / 11.0;
+    record.contacts = {{4, T / 13.0, quantities}};
     return record;
   }
 
@@ -197,7 +197,7 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
   Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
   for (int run = 0; run < 3; ++run) {
     EXPECT_EQ(checkpoint.caught_up(), false);
-    const std::optional<KeptRun> kept = checkpoint.begin_run(run, {0.1 * run, 0.0});
+    const std::optional<StoredRun> kept = checkpoint.begin_run(run, {0.1 * run, 0.0});
     ASSERT_TRUE(kept);
     const double T = run + 0.2 * 4;
     EXPECT_EQ(kept->T, T);
@@ -210,7 +210,7 @@ TEST_F(CheckpointTest, runs_come_back_in_their_order_with_all_their_steps) {
     EXPECT_EQ(kept->records.back().motion.V0(), T / 7.0);
     EXPECT_EQ(kept->records.back().motion.freedoms(), 2);
     EXPECT_EQ(kept->records.back().motion.v[1], -T);
-    EXPECT_EQ(kept->records.back().contacts.front().figures["h_min"], T / 11.0);
+    EXPECT_EQ(kept->records.back().contacts.front().quantities["h_min"], T / 11.0);
   }
   EXPECT_TRUE(checkpoint.caught_up());
   EXPECT_FALSE(checkpoint.begin_run(3.0, {0.3, 0.0}));
@@ -244,7 +244,7 @@ TEST_F(CheckpointTest, state_before_damaged_guesses_serves) {
   }
   change_bit(folder / "run000_00001.guesses0", restart_mark.size() + 9);
   Checkpoint checkpoint(grid_, folder, Checkpoint::Begin::where_it_stopped);
-  const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
+  const std::optional<StoredRun> kept = checkpoint.begin_run(0.0, {});
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->T, 0.1);
   EXPECT_EQ(kept->memory, std::vector<double>({0.1, 0.1}));
@@ -266,7 +266,7 @@ TEST_F(CheckpointTest, every_named_field_of_a_contact_comes_back) {
     checkpoint.keep(0.1, {{}, films, grid_.shape()}, {});
   }
   Checkpoint checkpoint(grid_, folder_ / "checkpoint", Checkpoint::Begin::where_it_stopped);
-  const std::optional<KeptRun> kept = checkpoint.begin_run(0.0, {});
+  const std::optional<StoredRun> kept = checkpoint.begin_run(0.0, {});
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->state.films, films);
   const std::optional<FilmSnapshot> snapshot = checkpoint.recall_snapshot();

@@ -210,7 +210,7 @@ TEST(DryFlow, derivatives_agree_with_marches) {
       const auto march = [&](const Motion& from, double at) {
         const MeshModel mesh = mesh_at(at);
         DryMarch dry(
-            mesh, 1.0, [](const StepRecord&, const std::vector<LiveContact>&) {}, dry_damping(mesh, zeta));
+            mesh, 1.0, [](const StepRecord&, const std::vector<ActiveContact>&) {}, dry_damping(mesh, zeta));
         dry.start(from);
         dry.run(2.0 * mesh.path.mesh_period());
         return dry.motion();

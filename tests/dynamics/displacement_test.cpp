@@ -124,7 +124,7 @@ TEST_F(Displacement, is_shown_with_the_forces_after_it) {
   ASSERT_EQ(record.contacts.size(), contacts);
   for (std::size_t k = 0; k < contacts; ++k) {
     const double force = force_of(after, k);
-    EXPECT_NEAR(record.contacts[k].figures["force"], force, 1e-12 * force);
+    EXPECT_NEAR(record.contacts[k].quantities["force"], force, 1e-12 * force);
     EXPECT_LT(force, 0.999 * force_of(before, k));
   }
 }

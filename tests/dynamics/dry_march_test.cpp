@@ -10,7 +10,7 @@
 namespace gearfilm {
 namespace {
 
-const StepObserver nobody = [](const StepRecord&, const std::vector<LiveContact>&) {};
+const StepObserver nobody = [](const StepRecord&, const std::vector<ActiveContact>&) {};
 
 /// The motion by classical Runge-Kutta steps between events that are found here again.
 class RungeKutta {
@@ -126,7 +126,7 @@ TEST(DryMarch, records_reach_every_event_and_share_the_force) {
   const ContactPath& path = mesh.path;
   double last = 0.0, next = path.next_event(0.0);
   int events = 0;
-  DryMarch march(mesh, 0.07, [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  DryMarch march(mesh, 0.07, [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
     EXPECT_NEAR(record.T - record.dT, last, 1e-12);
     EXPECT_LE(record.T, next + 1e-12);
     EXPECT_EQ(contacts.size(), record.contacts.size());
@@ -175,7 +175,7 @@ TEST_F(FrozenGeometry, energy_is_conserved) {
        {FrozenMotion{{1.4 * H0_at_rest, 0.0}, false}, FrozenMotion{{2.0 * H0_at_rest, 0.1}, true}}) {
     const double total = energy(start);
     double largest_H0 = start.H0(), drift = 0.0;
-    DryMarch march(mesh, 0.1, [&](const StepRecord& record, const std::vector<LiveContact>&) {
+    DryMarch march(mesh, 0.1, [&](const StepRecord& record, const std::vector<ActiveContact>&) {
       largest_H0 = std::max(largest_H0, record.motion.H0());
       drift = std::max(drift, std::abs(energy(record.motion) - total));
     });

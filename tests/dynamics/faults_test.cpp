@@ -42,7 +42,9 @@ TEST(Faults, pressure_that_is_not_a_number_is_found_in_the_next_step) {
 TEST(Faults, error_in_an_observer_comes_out_of_the_time_steps_as_it_was) {
   RecordedMarch march(table3_case(after_leaving()));
   march.start();
-  march.on_step = [](const StepRecord&, const std::vector<LiveContact>&) { throw std::logic_error("in the observer"); };
+  march.on_step = [](const StepRecord&, const std::vector<ActiveContact>&) {
+    throw std::logic_error("in the observer");
+  };
   EXPECT_THROW(march.run(1.0), std::logic_error);
 }
 

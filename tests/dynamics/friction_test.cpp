@@ -12,7 +12,7 @@ const Settings coulomb = {{"friction.law", "coulomb"}, {"friction.coefficient", 
 ContactRecord sliding_contact(double xi, double friction) {
   ContactRecord contact;
   contact.position = xi;
-  contact.figures["friction_force"] = friction;
+  contact.quantities["friction_force"] = friction;
   return contact;
 }
 
@@ -72,7 +72,7 @@ TEST(Losses, mean_power_is_that_of_the_steps) {
   MarchStatistics statistics(march.path().mesh_period(), march.static_force());
   double energy = 0.0, last = 0.0;
   for (const StepRecord& record : march.records()) {
-    statistics.add(record, given_figures(march.mesh(), true));
+    statistics.add(record, available_models(march.mesh(), true));
     energy += 0.5 * (last + record.power_sliding()) * record.dT;
     last = record.power_sliding();
   }

@@ -125,7 +125,7 @@ TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
   const AcceptedState &last = steps.last, &before = steps.last_but_one;
   const PairAt pair_before(steps.march, before);
   const OwnedVec state_before = pair_before.vector(before.pressure, before.motion);
-  const double w = pair_before.pair->swing(before.T, pair_before.pair->film_figures(state_before, before.T));
+  const double w = pair_before.pair->swing(before.T, pair_before.pair->film_quantities(state_before, before.T));
   const FrequencyFit fit = frequency_fit(w, derivative_by_bdf2(w, last.dT, before.dT));
   system.pair->fit_frequency(fit);
   system.pair->place(last.T);
@@ -172,11 +172,11 @@ TEST_P(LubricatedPairAt, jacobian_passes_taylor_test) {
 
 TEST_P(LubricatedPairAt, coasts_as_it_moves_but_no_deeper_than_half_a_film) {
   const double T = steps.last.T, dT = steps.last.dT;
-  const std::vector<FilmFigures> figures = system.pair->film_figures(state, T);
-  const double film = std::min(figures[0].central_film, figures[1].central_film);
+  const std::vector<FilmQuantities> quantities = system.pair->film_quantities(state, T);
+  const double film = std::min(quantities[0].central_film, quantities[1].central_film);
   for (const double by : {2.0 * film, -0.2 * film, -3.0 * film}) {
     const OwnedVec guess = system.vector(steps.last.pressure, {steps.last.motion.H0(), by / dT});
-    system.pair->predict_without_force(guess, T, T + dT, figures);
+    system.pair->predict_without_force(guess, T, T + dT, quantities);
     const Motion coasted = system.pair->motion(guess);
     EXPECT_NEAR(coasted.H0() - steps.last.motion.H0(), std::max(by, -0.5 * film), 1e-12) << by / film;
     EXPECT_EQ(coasted.V0(), by / dT);
@@ -256,7 +256,7 @@ TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
   options.krylov_tolerance = 1e-3;
   OwnedSNES snes;
   petsc_check(SNESCreate(films.comm(), snes.put()));
-  configure_newton(snes, films, options, films.weight());
+  conquantity_newton(snes, films, options, films.weight());
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   const OwnedMat jacobian = shell_jacobian(films);

@@ -16,14 +16,14 @@ void expect_same_records(const StepRecord& record, const StepRecord& expected) {
   expect_near(record.motion.V0(), expected.motion.V0());
   ASSERT_EQ(record.contacts.size(), expected.contacts.size());
   for (std::size_t k = 0; k < expected.contacts.size(); ++k) {
-    const ContactFigures &figures = record.contacts[k].figures, &others = expected.contacts[k].figures;
+    const ContactQuantities &quantities = record.contacts[k].quantities, &others = expected.contacts[k].quantities;
     EXPECT_EQ(record.contacts[k].number, expected.contacts[k].number);
     EXPECT_DOUBLE_EQ(record.contacts[k].position, expected.contacts[k].position);
-    expect_near(figures["force"], others["force"]);
-    expect_near(figures["h_central"], others["h_central"]);
-    expect_near(figures["h_min"], others["h_min"]);
-    expect_near(figures["p_central"], others["p_central"]);
-    expect_near(figures["p_max"], others["p_max"]);
+    expect_near(quantities["force"], others["force"]);
+    expect_near(quantities["h_central"], others["h_central"]);
+    expect_near(quantities["h_min"], others["h_min"]);
+    expect_near(quantities["p_central"], others["p_central"]);
+    expect_near(quantities["p_max"], others["p_max"]);
   }
 }
 
@@ -69,7 +69,7 @@ TEST(March, steps_that_were_halved_count_when_they_are_recalled) {
   const auto march_to = [&](double T) {
     MeshMarch march = make_march(
         problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
-        [](const StepRecord&, const std::vector<LiveContact>&) {}, &memory);
+        [](const StepRecord&, const std::vector<ActiveContact>&) {}, &memory);
     march.start(problem.march.start_motion);
     march.run(T);
     return march.halved_steps();
@@ -90,7 +90,7 @@ TEST(March, three_contacts_share_the_force_and_come_and_go) {
   ASSERT_EQ(rest.contacts.size(), 3U);
   EXPECT_NEAR(rest.pressure_integral() / march.static_force(), 1.0, 1e-6);
   for (const ContactRecord& contact : rest.contacts) {
-    EXPECT_NEAR(contact.figures["force"] / march.static_force(), 1.0 / 3.0, 0.05);
+    EXPECT_NEAR(contact.quantities["force"] / march.static_force(), 1.0 / 3.0, 0.05);
   }
   march.run(5.2);
   const auto events = statistics_of(march).events();
@@ -108,7 +108,7 @@ TEST(March, three_contacts_share_the_force_and_come_and_go) {
     EXPECT_EQ(after.motion.H0(), before.motion.H0());
     EXPECT_EQ(after.motion.V0(), before.motion.V0());
     for (const int contact : {1, 2}) {
-      EXPECT_EQ(of_contact(after, contact).figures["force"], of_contact(before, contact).figures["force"]);
+      EXPECT_EQ(of_contact(after, contact).quantities["force"], of_contact(before, contact).quantities["force"]);
     }
   }
   EXPECT_EQ(march.records().back().contacts.size(), 3U);
@@ -133,8 +133,8 @@ TEST(March, a_contact_that_outgrows_its_face_ends_the_march) {
     EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
   }
   // The last state shown was still inside.
-  EXPECT_LT(last.contacts.front().figures["force"] / march.static_force(), 1.34);
-  EXPECT_GT(last.contacts.front().figures["force"] / march.static_force(), 1.2);
+  EXPECT_LT(last.contacts.front().quantities["force"] / march.static_force(), 1.34);
+  EXPECT_GT(last.contacts.front().quantities["force"] / march.static_force(), 1.2);
 }
 
 }  // namespace

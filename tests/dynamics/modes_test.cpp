@@ -44,7 +44,7 @@ TEST(DryModes, bending_teeth_are_in_series_with_the_contact) {
 TEST(DryModes, stiffness_is_that_of_all_contacts_at_the_pitch_point) {
   const CaseInput problem = input_case("high_contact_ratio.yaml");
   const MeshModel mesh = mesh_of(problem);
-  const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 50);
+  const StaticMesh turned = quasi_static_cycle(mesh, mesh.scales.static_force, 50);
   ASSERT_EQ(turned.at_pitch.contacts.size(), 3u);
   EXPECT_NEAR(mesh.stiffness / turned.at_pitch.stiffness, 1.0, 1e-9);
   const double alone = 1.5 * mesh.scales.static_force / mesh.scales.approach;
@@ -84,7 +84,7 @@ public:
         march_(discretise(PETSC_COMM_WORLD, problem_),
                mesh_model(problem_, problem_.march.start_position, MeshGeometry::held),
                {problem_.numerics.solver, problem_.numerics.steps},
-               [](const StepRecord&, const std::vector<LiveContact>&) {}) {
+               [](const StepRecord&, const std::vector<ActiveContact>&) {}) {
     march_.start({});
     pair_ = std::make_unique<LubricatedPair>(march_.mesh(), march_.contacts());
     state_ = pair_->system().create_state();
@@ -175,7 +175,7 @@ TEST_P(SwingingMode, agrees_with_a_march_that_rings_down) {
   StepOptions steps = problem.numerics.steps;
   steps.dT = tested.dT;
   MeshMarch march(rest.discretisation(), rest.mesh(), {problem.numerics.solver, steps},
-                  [&](const StepRecord& record, const std::vector<LiveContact>&) {
+                  [&](const StepRecord& record, const std::vector<ActiveContact>&) {
                     if (record.T > tested.begin) samples.push_back(record.motion.H0());
                   });
   march.start(Motion{rest.H0() + 2e-3, 0.0});

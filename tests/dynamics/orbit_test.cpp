@@ -49,7 +49,7 @@ TEST(DryOrbit, repeats_and_matches_the_reference) {
   const CaseInput problem = table3_case(after_leaving_place());
   const MeshModel mesh = mesh_of(problem);
   const DryOrbit orbit = find_dry_orbit(mesh, 0.0);
-  DryMarch march(mesh, 1.0, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  DryMarch march(mesh, 1.0, [](const StepRecord&, const std::vector<ActiveContact>&) {});
   march.start(orbit.start);
   march.run(mesh.path.mesh_period());
   // Shooting stops at 1e-9, and integrates to 1e-10.

@@ -81,7 +81,7 @@ public:
       : problem_(std::move(problem)),
         discretisation_(discretise(comm, problem_)),
         march_(make_march(problem_, discretisation_, mesh_of(problem_),
-                          [this](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+                          [this](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
                             records_.push_back(record);
                             if (on_step) on_step(record, contacts);
                           })) {}
@@ -112,19 +112,19 @@ private:
 };
 
 /// Keeps what a march gives it, and gives it back as a program that was started again would find it.
-class Memory final : public MarchKeeper {
+class Memory final : public RunStore {
 public:
-  std::optional<KeptRun> begin_run(double, const Motion&) override { return known; }
+  std::optional<StoredRun> begin_run(double, const Motion&) override { return known; }
   void record(const StepRecord&) override {}
   void keep(double T, const PairState& state, const std::vector<double>& memory) override {
     kept.push_back({{}, T, state, memory});
   }
 
-  std::vector<KeptRun> kept;
-  std::optional<KeptRun> known;
+  std::vector<StoredRun> kept;
+  std::optional<StoredRun> known;
 };
 
-/// What the march has passed through, in figures.
+/// What the march has passed through, in quantities.
 inline MarchStatistics statistics_of(const RecordedMarch& march) {
   MarchStatistics statistics(march.path().mesh_period(), march.static_force());
   for (const StepRecord& record : march.records()) statistics.add(record, {});

@@ -23,7 +23,7 @@ public:
         discretisation_(discretise(PETSC_COMM_WORLD, problem_)),
         march_(discretisation_, mesh_model(problem_, problem_.march.start_position, problem_.march.geometry),
                {problem_.numerics.solver, problem_.numerics.steps},
-               [this](const StepRecord& record, const std::vector<LiveContact>&) { records_.push_back(record); }) {
+               [this](const StepRecord& record, const std::vector<ActiveContact>&) { records_.push_back(record); }) {
     march_.start({});
     march_.run(path().exit_time(0));
   }
@@ -73,15 +73,15 @@ TEST_P(QuasiStatic, films_away_from_jumps_are_nearly_the_stationary_ones) {
           };
           return off(a) < off(b);
         });
-    const ContactFigures& marched = record.contacts.front().figures;
+    const ContactQuantities& marched = record.contacts.front().quantities;
     move_surfaces(film, contact.mesh().contact(0, record.T).conditions);
     const StationaryResult still = solve_stationary(
         film, LoadCondition::force(contact.sharing()(record.contacts.front().position) * scales.static_force),
         contact.problem().numerics.solver);
     report("xi = %.3f mm: central film %.5f, stationary %.5f", 1e3 * record.contacts.front().position,
-           marched["h_central"], still.figures.central_film);
-    EXPECT_NEAR(marched["h_central"], still.figures.central_film, 0.01 * still.figures.central_film);
-    EXPECT_NEAR(marched["p_central"], still.figures.central_pressure, 0.01 * still.figures.central_pressure);
+           marched["h_central"], still.quantities.central_film);
+    EXPECT_NEAR(marched["h_central"], still.quantities.central_film, 0.01 * still.quantities.central_film);
+    EXPECT_NEAR(marched["p_central"], still.quantities.central_pressure, 0.01 * still.quantities.central_pressure);
     ++compared;
   }
   EXPECT_EQ(compared, 3);
@@ -97,7 +97,7 @@ TEST(LoadJump, catches_oil_whatever_the_steps) {
     double film = 0.0;
     for (const StepRecord& record : contact.records()) {
       if (record.contacts.empty() || std::abs(record.contacts.front().position) > 2.9e-3) continue;
-      film = std::max(film, record.contacts.front().figures["h_central"]);
+      film = std::max(film, record.contacts.front().quantities["h_central"]);
     }
     return film;
   };
@@ -105,7 +105,7 @@ TEST(LoadJump, catches_oil_whatever_the_steps) {
   const double film = greatest(usual), finer = greatest({"quasistatic", "step", "0.025"}),
                faster = greatest({"quasistatic", "step", "0.05", "0.00625"});
   report("greatest central film %.4f, with half the steps %.4f, in a quarter of the time %.4f", film, finer, faster);
-  EXPECT_GT(film, 1.4 * usual.records().front().contacts.front().figures["h_central"]);
+  EXPECT_GT(film, 1.4 * usual.records().front().contacts.front().quantities["h_central"]);
   EXPECT_NEAR(finer, film, 0.05 * film);
   EXPECT_NEAR(faster, film, 0.05 * film);
 }

@@ -13,7 +13,7 @@ Settings without_inertia() {
 
 double total_force(const StepRecord& record) {
   double sum = 0.0;
-  for (const ContactRecord& contact : record.contacts) sum += contact.figures["force"];
+  for (const ContactRecord& contact : record.contacts) sum += contact.quantities["force"];
   return sum;
 }
 

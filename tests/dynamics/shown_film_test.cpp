@@ -5,19 +5,19 @@
 namespace gearfilm {
 namespace {
 
-/// The figures of a step come from its state; what a film shows must be the film of that state to the bit.
+/// The quantities of a step come from its state; what a film shows must be the film of that state to the bit.
 void expect_shown_films(const CaseInput& problem, double mesh_periods, int least_halvings = 0) {
   RecordedMarch march(problem);
   ContactFilm fresh(march.discretisation(), problem.scales, {});
   std::vector<double> pressure(march.grid().local_size());
   int halvings = 0;
-  march.on_step = [&](const StepRecord& record, const std::vector<LiveContact>& contacts) {
+  march.on_step = [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
     halvings += record.halvings;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       SCOPED_TRACE("T = " + std::to_string(record.T) + ", contact " + std::to_string(contacts[k].number));
       const ContactFilm& film = *contacts[k].film;
       film.total_pressure().store(pressure);
-      EXPECT_EQ(integral(march.grid(), pressure), record.contacts[k].figures["force"]);
+      EXPECT_EQ(integral(march.grid(), pressure), record.contacts[k].quantities["force"]);
       move_surfaces(fresh, march.mesh().contact(contacts[k].number, record.T).conditions);
       fresh.evaluate(pressure, record.motion.H0());
       int differ = 0;

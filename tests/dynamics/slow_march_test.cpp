@@ -34,7 +34,7 @@ TEST(SlowMarch, the_periodic_state_returns_after_one_mesh_period) {
   report_work(march, MPI_Wtime() - start);
   const MarchStatistics statistics = statistics_of(march);
   ASSERT_EQ(statistics.periods().size(), 1U);
-  const PeriodFigures& period = statistics.periods().front();
+  const PeriodQuantities& period = statistics.periods().front();
   const Scales& scales = march.problem().scales;
   expect_reference(reference, "H0_after_leaving", march.motion().H0());
   expect_reference(reference, "V0_after_leaving", march.motion().V0());

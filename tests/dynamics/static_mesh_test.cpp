@@ -48,7 +48,7 @@ TEST_P(StaticMeshOf, agrees_with_the_reference) {
   const double te = tolerances.at("te");
   const double relieved_te =
       expected.at("relief").is_null() ? te : tolerances.at("te_peak_to_peak_with_relief").get<double>();
-  const StaticMesh found = turn_slowly(mesh, mesh.scales.static_force, 400);
+  const StaticMesh found = quasi_static_cycle(mesh, mesh.scales.static_force, 400);
   expect("te_mean_um", micrometre * found.mean, te);
   expect("te_peak_to_peak_um", micrometre * found.peak_to_peak, relieved_te);
   expect("te_pitch_um", -micrometre * found.at_pitch.H0, te);
@@ -57,7 +57,7 @@ TEST_P(StaticMeshOf, agrees_with_the_reference) {
   EXPECT_NEAR(micrometre * found.entry_penetration.value(), expected.at("penetration_met_at_entry_um").get<double>(),
               0.02);
   for (const char* ratio : {"0.25", "1.5"}) {
-    const StaticMesh loaded = turn_slowly(mesh, std::stod(ratio) * mesh.scales.static_force, 100);
+    const StaticMesh loaded = quasi_static_cycle(mesh, std::stod(ratio) * mesh.scales.static_force, 100);
     const double swing = expected.at("te_peak_to_peak_um_by_load_ratio").at(ratio);
     EXPECT_NEAR(micrometre * loaded.peak_to_peak / swing, 1.0, relieved_te) << ratio;
   }
@@ -89,7 +89,7 @@ TEST(StaticMesh, loss_by_a_constant_coefficient_of_friction) {
                                                       {"pinion.torque", "200"},
                                                       {"pinion.speed_rpm", "1500"}});
   const MeshModel mesh = mesh_after_leaving(problem);
-  const StaticMesh turned = turn_slowly(mesh, mesh.scales.static_force, 2000);
+  const StaticMesh turned = quasi_static_cycle(mesh, mesh.scales.static_force, 2000);
   const double friction = 0.0449;
   double energy = 0.0;
   for (std::size_t n = 1; n < turned.positions.size(); ++n) {
@@ -116,8 +116,8 @@ TEST(StaticMesh, a_common_gap_shifts_h0_alone) {
   std::string errors;
   for (int tooth = 0; tooth < 28; ++tooth) errors += " -3e-5";
   const CaseInput ground = table3_case(with(with(bending(), just_after_leaving), {{"pinion.pitch_errors", errors}}));
-  const StaticMesh before = turn_slowly(mesh_of(perfect), perfect.scales.static_force, 50);
-  const StaticMesh after = turn_slowly(mesh_of(ground), ground.scales.static_force, 50);
+  const StaticMesh before = quasi_static_cycle(mesh_of(perfect), perfect.scales.static_force, 50);
+  const StaticMesh after = quasi_static_cycle(mesh_of(ground), ground.scales.static_force, 50);
   const double gap = 3e-5 / perfect.scales.thickness;
   ASSERT_EQ(before.positions.size(), after.positions.size());
   for (std::size_t n = 0; n < before.positions.size(); ++n) {
@@ -158,11 +158,11 @@ std::array<double, 2> marched(const CaseInput& problem, double stiffness_si, int
   std::array<double, 2> largest{};
   DryMarch march(
       mesh, mesh.path.mesh_period() / 200.0,
-      [&](const StepRecord& record, const std::vector<LiveContact>&) {
+      [&](const StepRecord& record, const std::vector<ActiveContact>&) {
         if (record.T < begin) return;
         double sum = 0.0;
         for (const ContactRecord& contact : record.contacts) {
-          const double F = film_figures(contact.figures).pressure_integral;
+          const double F = film_quantities(contact.quantities).pressure_integral;
           sum += F;
           largest[1] = std::max(largest[1], F / mesh.scales.static_force);
         }

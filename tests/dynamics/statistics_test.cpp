@@ -1,4 +1,4 @@
-// The figures of a march, from records made up by hand: mesh period 1, static force 10.
+// The quantities of a march, from records made up by hand: mesh period 1, static force 10.
 #include <gtest/gtest.h>
 
 #include "dynamics/march_statistics.hpp"
@@ -9,14 +9,14 @@ namespace {
 constexpr double mesh_period = 1.0;
 constexpr double static_force = 10.0;
 
-/// A contact whose figures all differ.
+/// A contact whose quantities all differ.
 ContactRecord contact(int number, double position, double force, double film = 1.0) {
-  ContactFigures figures;
-  figures["force"] = force;
-  figures["h_central"] = film;
-  figures["h_min"] = 0.9 * film;
-  figures["p_max"] = 0.1 * force;
-  return {number, position, figures};
+  ContactQuantities quantities;
+  quantities["force"] = force;
+  quantities["h_central"] = film;
+  quantities["h_min"] = 0.9 * film;
+  quantities["p_max"] = 0.1 * force;
+  return {number, position, quantities};
 }
 
 StepRecord step(double T, double dT, const std::vector<ContactRecord>& contacts, const Motion& motion = {}) {
@@ -31,7 +31,7 @@ StepRecord step(double T, double dT, const std::vector<ContactRecord>& contacts,
   return record;
 }
 
-MarchStatistics statistics_of(const std::vector<StepRecord>& records, const Given& given = {}) {
+MarchStatistics statistics_of(const std::vector<StepRecord>& records, const AvailableModels& given = {}) {
   MarchStatistics statistics(mesh_period, static_force);
   for (const StepRecord& record : records) statistics.add(record, given);
   return statistics;
@@ -56,7 +56,7 @@ TEST(MarchStatistics, work_is_summed_over_the_steps_of_a_period) {
   const MarchStatistics statistics =
       statistics_of({step(0.0, 0.0, {contact(0, 0.0, 10.0)}), step(0.5, 0.5, {contact(0, 0.0, 10.0)}),
                      step(1.0, 0.5, {contact(0, 0.0, 5.0), contact(1, 0.0, 5.0)})});
-  const PeriodFigures& period = statistics.periods().at(0);
+  const PeriodQuantities& period = statistics.periods().at(0);
   EXPECT_EQ(period["contact_steps"], 3);
   EXPECT_EQ(period["newton_iterations"], 4);
   EXPECT_EQ(period["krylov_iterations"], 10);
@@ -69,13 +69,13 @@ TEST(MarchStatistics, extremes_are_kept_by_contact_and_of_the_sum) {
                      step(0.5, 0.25, {contact(0, 0.1, 7.0, 2.0), contact(1, -0.5, 4.0, 5.0)}),
                      step(0.75, 0.25, {contact(0, 0.2, 2.0, 4.0), contact(1, -0.4, 3.0, 6.0)}),
                      step(1.25, 0.5, {contact(1, 0.0, 6.0, 7.0)})});
-  const PeriodFigures& first = statistics.periods().at(0);
+  const PeriodQuantities& first = statistics.periods().at(0);
   EXPECT_DOUBLE_EQ(first["force_ratio_max"].value(), 8.0);
   EXPECT_DOUBLE_EQ(first["total_force_ratio_max"].value(), 11.0);
   EXPECT_DOUBLE_EQ(first["total_force_ratio_min"].value(), 5.0);
   EXPECT_DOUBLE_EQ(first["p_max"].value(), 0.8);
   EXPECT_DOUBLE_EQ(first["h_min"].value(), 1.8);
-  const PeriodFigures& second = statistics.periods().at(1);
+  const PeriodQuantities& second = statistics.periods().at(1);
   EXPECT_DOUBLE_EQ(second["total_force_ratio_max"].value(), 6.0);
   EXPECT_DOUBLE_EQ(second["total_force_ratio_min"].value(), 6.0);
   EXPECT_DOUBLE_EQ(second["h_min"].value(), 6.3);
@@ -157,8 +157,8 @@ TEST(MarchStatistics, contact_is_lost_below_a_fiftieth_of_the_static_force) {
 TEST(MarchStatistics, a_dry_march_has_no_films) {
   const MarchStatistics statistics = statistics_of(
       {step(0.0, 0.0, {contact(0, 0.0, 10.0)}), step(0.5, 0.5, {contact(0, 0.1, 5.0), contact(1, -0.9, 5.0)})},
-      Given{.film = false});
-  const PeriodFigures& period = statistics.periods().at(0);
+      AvailableModels{.film = false});
+  const PeriodQuantities& period = statistics.periods().at(0);
   EXPECT_FALSE(period["h_min"]);
   EXPECT_FALSE(period["pitch_h_central"]);
   EXPECT_FALSE(period["entry_h_central"]);

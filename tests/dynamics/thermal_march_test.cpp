@@ -1,8 +1,8 @@
 // Films that feel their heat, along a march.
 #include <gtest/gtest.h>
 
-#include "traction/coupled_film.hpp"
 #include "pair_case.hpp"
+#include "traction/coupled_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -22,8 +22,8 @@ Settings heated_march(const char* dT) {
   return settings;
 }
 
-const ContactFigures& last_figures(const RecordedMarch& march) {
-  return march.records().back().contacts.front().figures;
+const ContactQuantities& last_quantities(const RecordedMarch& march) {
+  return march.records().back().contacts.front().quantities;
 }
 
 // Conditions change little in the time that oil takes through the contact.
@@ -33,22 +33,22 @@ TEST(ThermalMarch, keeps_to_stationary_films_and_hardly_depends_on_the_step) {
     each->start();
     each->run(0.28 * each->path().mesh_period());
   }
-  const ContactFigures &coarse = last_figures(march), &fine = last_figures(finer);
+  const ContactQuantities &coarse = last_quantities(march), &fine = last_quantities(finer);
   EXPECT_NEAR(coarse["h_central"], fine["h_central"], 2e-3 * fine["h_central"]);
   EXPECT_NEAR(coarse["h_min"], fine["h_min"], 0.02 * fine["h_min"]);
   EXPECT_NEAR(coarse["friction_coefficient"], fine["friction_coefficient"], 2e-3 * fine["friction_coefficient"]);
 
-  const LiveContact& live = march.march().contacts().front();
+  const ActiveContact& live = march.march().contacts().front();
   const MeshedContact contact = march.mesh().contact(live.number, march.march().T());
   ContactFilm film(march.discretisation(), march.mesh().scales, {});
   move_surfaces(film, contact.conditions);
-  const LoadCondition load = LoadCondition::force(last_figures(march)["force"]);
+  const LoadCondition load = LoadCondition::force(last_quantities(march)["force"]);
   const CoupledFilm still = solve_coupled(film, load, {}, *march.mesh().traction, solve_stationary(film, load, {}));
-  EXPECT_NEAR(last_figures(march)["h_central"], still.film.figures.central_film,
-              0.02 * still.film.figures.central_film);
-  EXPECT_NEAR(last_figures(march)["friction_coefficient"], still.traction.figures.coefficient,
-              0.02 * still.traction.figures.coefficient);
-  EXPECT_LT(std::abs(last_figures(march)["heat_balance"]), 1e-8);
+  EXPECT_NEAR(last_quantities(march)["h_central"], still.film.quantities.central_film,
+              0.02 * still.film.quantities.central_film);
+  EXPECT_NEAR(last_quantities(march)["friction_coefficient"], still.traction.quantities.coefficient,
+              0.02 * still.traction.quantities.coefficient);
+  EXPECT_LT(std::abs(last_quantities(march)["heat_balance"]), 1e-8);
 }
 
 TEST(ThermalMarch, goes_on_from_its_state_to_the_bit) {
@@ -72,8 +72,8 @@ TEST(ThermalMarch, a_contact_enters_with_its_own_heat) {
   march.run(1.3 * march.path().mesh_period());
   for (const StepRecord& record : march.records()) {
     for (const ContactRecord& contact : record.contacts) {
-      EXPECT_GE(contact.figures["film_temperature_max"], 363.1);
-      EXPECT_LT(contact.figures["film_temperature_max"], 900.0) << contact.number << " " << record.T;
+      EXPECT_GE(contact.quantities["film_temperature_max"], 363.1);
+      EXPECT_LT(contact.quantities["film_temperature_max"], 900.0) << contact.number << " " << record.T;
     }
   }
 }

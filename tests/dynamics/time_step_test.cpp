@@ -13,7 +13,7 @@ EndOfMarch march_of(const Settings& settings, const std::string& dT, double T_en
   RecordedMarch march(table3_case(with(settings, {{"time.dt", dT}, {"time.newton_tolerance", "1e-10"}})));
   march.start();
   march.run(T_end);
-  return {march.motion().H0(), march.motion().V0(), march.records().back().contacts.front().figures["h_central"]};
+  return {march.motion().H0(), march.motion().V0(), march.records().back().contacts.front().quantities["h_central"]};
 }
 
 // Levels with half the rows do not solve time steps of long cells while a contact enters, however short they are.

@@ -13,7 +13,7 @@ std::vector<StepRecord> records_with(Edge lower, const Settings& settings, doubl
   std::vector<StepRecord> records;
   MeshMarch march =
       make_march(problem, discretise(grid, problem), mesh_of(problem),
-                 [&](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); });
+                 [&](const StepRecord& record, const std::vector<ActiveContact>&) { records.push_back(record); });
   march.start(problem.march.start_motion);
   march.run(mesh_periods * march.mesh().path.mesh_period());
   return records;
@@ -32,7 +32,7 @@ void expect_same_march(const Settings& settings, double mesh_periods, std::size_
     EXPECT_NEAR(all[n].motion.H0(), half[n].motion.H0(), tolerance * std::abs(half[n].motion.H0()));
     EXPECT_NEAR(all[n].motion.V0(), half[n].motion.V0(), tolerance * std::abs(half[n].motion.V0()) + 1e-8);
     for (std::size_t k = 0; k < half[n].contacts.size(); ++k) {
-      const ContactFigures &computed = all[n].contacts[k].figures, &expected = half[n].contacts[k].figures;
+      const ContactQuantities &computed = all[n].contacts[k].quantities, &expected = half[n].contacts[k].quantities;
       EXPECT_NEAR(computed["force"], expected["force"], tolerance * expected["force"]);
       EXPECT_NEAR(computed["h_central"], expected["h_central"], tolerance * expected["h_central"]);
       EXPECT_NEAR(computed["h_min"], expected["h_min"], tolerance * expected["h_min"]);

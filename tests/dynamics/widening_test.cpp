@@ -15,10 +15,10 @@ protected:
     return {
         {"grid.nx", "65"}, {"grid.ny", ny}, {"time.dt", "0.05"}, {"grid.y_half", y_half}, {"pinion.speed_rpm", "8000"}};
   }
-  std::unique_ptr<MeshMarch> march_with(const CaseInput& problem, MarchKeeper* keeper = nullptr) {
+  std::unique_ptr<MeshMarch> march_with(const CaseInput& problem, RunStore* store = nullptr) {
     auto march = std::make_unique<MeshMarch>(make_march(
         problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
-        [this](const StepRecord& record, const std::vector<LiveContact>&) { records.push_back(record); }, keeper));
+        [this](const StepRecord& record, const std::vector<ActiveContact>&) { records.push_back(record); }, store));
     march->start(problem.march.start_motion);
     return march;
   }
@@ -87,7 +87,7 @@ TEST_F(Widening, is_gone_through_again_to_the_bit) {
   march->run(T_end);
   const PairState whole = march->state();
   ASSERT_GT(memory.kept.size(), 1U);
-  for (const KeptRun& kept : memory.kept) {
+  for (const StoredRun& kept : memory.kept) {
     Memory again;
     again.known = kept;
     const auto resumed = march_with(narrow, &again);
@@ -113,7 +113,7 @@ TEST_F(Widening, is_told_of_before) {
     EXPECT_NE(next, shape);
     shape = next;
   };
-  MeshMarch march(films, mesh_of(narrow), options, [](const StepRecord&, const std::vector<LiveContact>&) {});
+  MeshMarch march(films, mesh_of(narrow), options, [](const StepRecord&, const std::vector<ActiveContact>&) {});
   march.start(narrow.march.start_motion);
   march.run(T_end);
   EXPECT_GT(told, 0);
@@ -158,10 +158,12 @@ TEST(Refined, films_become_those_of_the_grid) {
     fine.march().resume(T, state);
     if (adapted) fine.march().adapt_pressures();
     fine.run(soon);
-    const auto figures = [](const RecordedMarch& march) { return march.records().back().contacts.front().figures; };
+    const auto quantities = [](const RecordedMarch& march) {
+      return march.records().back().contacts.front().quantities;
+    };
     // What the grids differ by at the same H_0.
-    EXPECT_NEAR(figures(fine)["h_central"] / figures(coarse)["h_central"], 1.0, 0.12);
-    EXPECT_NEAR(figures(fine)["force"] / figures(coarse)["force"], 1.0, 0.02);
+    EXPECT_NEAR(quantities(fine)["h_central"] / quantities(coarse)["h_central"], 1.0, 0.12);
+    EXPECT_NEAR(quantities(fine)["force"] / quantities(coarse)["force"], 1.0, 0.02);
     int sum = 0;
     for (const StepRecord& record : fine.records()) sum += record.newton;
     return sum;

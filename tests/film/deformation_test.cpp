@@ -145,7 +145,7 @@ TEST_F(HertzPressure, carries_the_load) {
   // Sampled with its root at the rim: off by h^(3/2), 5e-5 of the load on this grid.
   const double load = contact.scales.static_force;
   EXPECT_DOUBLE_EQ(load, 2.0 * pi / (3.0 * contact.scales.hertz.ellipticity));
-  EXPECT_NEAR(film.figures(pressure, 0.0).pressure_integral, load, 1e-4 * load);
+  EXPECT_NEAR(film.quantities(pressure, 0.0).pressure_integral, load, 1e-4 * load);
 }
 
 }  // namespace

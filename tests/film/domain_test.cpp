@@ -1,6 +1,6 @@
 // Domain and steps that follow from the film to be expected, and the error that a film says its grid has.
-#include "film_case.hpp"
 #include "film/expected_errors.hpp"
+#include "film_case.hpp"
 #include "solver/grid_error.hpp"
 
 namespace gearfilm {
@@ -74,8 +74,8 @@ TEST_P(ErrorsOfGrids, hold_the_film_of_an_infinitely_fine_grid) {
   const auto of_coarse = grid_errors(coarse.film, load, {}, coarse.result);
   const auto of_fine = grid_errors(fine.film, load, {}, fine.result);
   ASSERT_TRUE(of_coarse && of_fine);
-  for (const auto figure : {&GridErrors::central_film, &GridErrors::smallest_film}) {
-    const Estimate &first = (*of_coarse).*figure, &second = (*of_fine).*figure;
+  for (const auto quantity : {&GridErrors::central_film, &GridErrors::smallest_film}) {
+    const Estimate &first = (*of_coarse).*quantity, &second = (*of_fine).*quantity;
     report("%s: %d lines %.4f +- %.4f, extrapolated %.4f; twice as many %.4f +- %.4f, extrapolated %.4f",
            GetParam() == FilmDiscretisation::fitted ? "fitted" : "central", coarse.grid.nx(), first.value, first.error,
            *first.extrapolated, second.value, second.error, *second.extrapolated);
@@ -83,7 +83,7 @@ TEST_P(ErrorsOfGrids, hold_the_film_of_an_infinitely_fine_grid) {
     EXPECT_LE(second.error, fitted ? first.error : 0.5 * first.error);  // fitted: the least bar
     EXPECT_NEAR(*first.extrapolated, *second.extrapolated, second.error + first.error);
   }
-  EXPECT_EQ(of_coarse->central_film.value, coarse.result.figures.central_film);
+  EXPECT_EQ(of_coarse->central_film.value, coarse.result.quantities.central_film);
 }
 
 INSTANTIATE_TEST_SUITE_P(both, ErrorsOfGrids, testing::Values(FilmDiscretisation::fitted, FilmDiscretisation::central),

@@ -1,12 +1,12 @@
-// Error bars: what figures on two grids say of finer ones.
+// Error bars: what quantities on two grids say of finer ones.
 #include "numerics/estimate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "film_case.hpp"
 #include "film/pressure_spike.hpp"
+#include "film_case.hpp"
 
 namespace gearfilm {
 namespace {

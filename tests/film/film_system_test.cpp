@@ -112,7 +112,7 @@ protected:
           });
         },
         this));
-    configure_newton(snes, system, NewtonOptions{.tolerance = 1e-9}, system.weight());
+    conquantity_newton(snes, system, NewtonOptions{.tolerance = 1e-9}, system.weight());
     petsc_check(SNESSolve(snes, nullptr, state));
     SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
     petsc_check(SNESGetConvergedReason(snes, &reason));
@@ -125,8 +125,8 @@ protected:
   }
 
   VectorXd film_forces() {
-    const std::vector<FilmFigures> figures = system.figures(state);
-    return Eigen::Vector2d(figures[0].pressure_integral, figures[1].pressure_integral);
+    const std::vector<FilmQuantities> quantities = system.quantities(state);
+    return Eigen::Vector2d(quantities[0].pressure_integral, quantities[1].pressure_integral);
   }
 
   /// The equations of two_bodies() at the present state, with rates of the scalars, written again.
@@ -259,7 +259,7 @@ OwnedVec krylov_solution(FilmSystem& system, Vec rows) {
   OwnedKSP ksp;
   petsc_check(KSPCreate(system.comm(), ksp.put()));
   petsc_check(KSPSetOperators(ksp, jacobian, jacobian));
-  configure_krylov(ksp, system, 1e-13, 300);
+  conquantity_krylov(ksp, system, 1e-13, 300);
   petsc_check(KSPSolve(ksp, rows, change));
   return change;
 }

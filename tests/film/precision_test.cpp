@@ -36,7 +36,7 @@ public:
           });
         },
         this));
-    configure_newton(snes_, *this, NewtonOptions{}, system_.weight());
+    conquantity_newton(snes_, *this, NewtonOptions{}, system_.weight());
   }
 
   bool solve(const FilmSolution& guess) {

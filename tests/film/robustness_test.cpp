@@ -22,14 +22,14 @@ TEST_P(SlowRobustness, stationary_film_converges_from_nothing) {
   const double start = MPI_Wtime();
   try {
     const SolvedFilm solved(PETSC_COMM_WORLD, film_case, 129, ny);
-    const auto& [solution, figures, counts, by_grid, before] = solved.result;
-    report("%6.0f %4.0f  %4.2f    129 x %-3d  %10.6f %10.6f  %6d  %6d  %21.2f", M, L, D, ny, figures.central_film,
-           figures.smallest_film, counts.newton, counts.krylov, MPI_Wtime() - start);
+    const auto& [solution, quantities, counts, by_grid, before] = solved.result;
+    report("%6.0f %4.0f  %4.2f    129 x %-3d  %10.6f %10.6f  %6d  %6d  %21.2f", M, L, D, ny, quantities.central_film,
+           quantities.smallest_film, counts.newton, counts.krylov, MPI_Wtime() - start);
     const double force = film_case.scales.static_force;
-    EXPECT_NEAR(figures.pressure_integral, force, 1e-6 * force);
-    EXPECT_TRUE(figures.finite);
+    EXPECT_NEAR(quantities.pressure_integral, force, 1e-6 * force);
+    EXPECT_TRUE(quantities.finite);
     if (M < 2400.0) {
-      EXPECT_GT(figures.smallest_film, 0.0);
+      EXPECT_GT(quantities.smallest_film, 0.0);
     }
   } catch (const SolveError& error) {
     ADD_FAILURE() << "M = " << M << ", L = " << L << ", D = " << D << ": " << error.what();

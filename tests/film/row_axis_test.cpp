@@ -86,8 +86,8 @@ TEST(WholeDomain, stationary_film_on_all_rows_is_that_on_half_of_them) {
     expect_whole_is_half(all.grid, whole_of(all.grid, all.film.thickness()), half.grid,
                          whole_of(half.grid, half.film.thickness()), 1e-6);
     EXPECT_NEAR(all.result.solution.H0, half.result.solution.H0, 1e-6);
-    EXPECT_NEAR(all.result.figures.central_film, half.result.figures.central_film, 1e-6);
-    EXPECT_NEAR(all.result.figures.smallest_film, half.result.figures.smallest_film, 1e-6);
+    EXPECT_NEAR(all.result.quantities.central_film, half.result.quantities.central_film, 1e-6);
+    EXPECT_NEAR(all.result.quantities.smallest_film, half.result.quantities.smallest_film, 1e-6);
     report("%d x %d: %d and %d Newton iterations", nx, ny, all.result.counts.newton, half.result.counts.newton);
   }
 }

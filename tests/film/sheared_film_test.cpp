@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "placed_film.hpp"
 #include "traction/coupled_film.hpp"
 #include "traction/sheared_flow.hpp"
-#include "placed_film.hpp"
 
 namespace gearfilm {
 namespace {
@@ -21,7 +21,7 @@ struct ShearedFilm : PlacedFilm {
   ShearedFilm(double xi, int nx, int ny, const TractionModel& model)
       : PlacedFilm(xi, 1.0, nx, ny), coupled(solve_coupled(*film, load, SolverOptions{}, model, result)) {}
 
-  double factor() const { return coupled.film.figures.central_film / result.figures.central_film; }
+  double factor() const { return coupled.film.quantities.central_film / result.quantities.central_film; }
 
   CoupledFilm coupled;
 };

@@ -35,7 +35,7 @@ FilmCase table2_equivalent() {
 /// What holds for any stationary film.
 void expect_sound(const SolvedFilm& solved) {
   const double force = solved.film.scales().static_force;
-  EXPECT_NEAR(solved.result.figures.pressure_integral, force, 1e-6 * force);
+  EXPECT_NEAR(solved.result.quantities.pressure_integral, force, 1e-6 * force);
 }
 
 /// Solves on the grid of a row of tests/reference/table3.json and compares what the row holds.
@@ -44,12 +44,14 @@ void expect_row(const FilmCase& film_case, const nlohmann::json& row) {
   options.newton.tolerance = 1e-10;  // what symmetry and balance are then good to is far below what is asked
   const SolvedFilm solved(PETSC_COMM_WORLD, film_case, row.at("nx"), row.at("ny"), options, Edge::symmetry,
                           FilmDiscretisation::central);
-  const FilmFigures& figures = solved.result.figures;
+  const FilmQuantities& quantities = solved.result.quantities;
   const double metres = film_case.scales.thickness;
   const std::pair<const char*, double> values[] = {
-      {"H_central", figures.central_film},       {"H_min", figures.smallest_film},
-      {"H0", solved.result.solution.H0},         {"h_central", metres * figures.central_film},
-      {"h_min", metres * figures.smallest_film},
+      {"H_central", quantities.central_film},
+      {"H_min", quantities.smallest_film},
+      {"H0", solved.result.solution.H0},
+      {"h_central", metres * quantities.central_film},
+      {"h_min", metres * quantities.smallest_film},
   };
   for (const auto& [name, computed] : values) {
     if (!row.contains(name)) continue;
@@ -83,13 +85,13 @@ TEST(Stationary, fitted_films_are_near_their_limits_on_few_nodes) {
   const FilmCase pitch = table3_pitch();
   for (const int nx : {33, 65}) {
     const SolvedFilm solved(PETSC_COMM_WORLD, pitch, nx, 65);
-    EXPECT_NEAR(pitch.scales.thickness * solved.result.figures.central_film, 2.475e-6, 5e-3 * 2.475e-6) << nx;
+    EXPECT_NEAR(pitch.scales.thickness * solved.result.quantities.central_film, 2.475e-6, 5e-3 * 2.475e-6) << nx;
   }
   const FilmCase slender = moes_contact(1e5, 6.0, 0.001);
   const SolvedFilm fine(PETSC_COMM_WORLD, slender, 513, 97);
   const auto errors = [&](FilmDiscretisation by) {
     const SolvedFilm coarse(PETSC_COMM_WORLD, slender, 129, 33, {}, Edge::symmetry, by);
-    const FilmFigures &found = coarse.result.figures, &limit = fine.result.figures;
+    const FilmQuantities &found = coarse.result.quantities, &limit = fine.result.quantities;
     const std::array<double, 2> of = {found.central_film / limit.central_film - 1.0,
                                       found.smallest_film / limit.smallest_film - 1.0};
     report("%s: %.2f %% central, %.2f %% smallest", by == FilmDiscretisation::fitted ? "fitted" : "central",
@@ -106,7 +108,7 @@ TEST(Stationary, fitted_films_are_near_their_limits_on_few_nodes) {
 void expect_second_order(const FilmCase& film_case, const std::string& name) {
   std::vector<double> films;
   for (const auto& [nx, ny] : {std::pair{65, 33}, {129, 65}, {257, 129}}) {
-    films.push_back(SolvedFilm(PETSC_COMM_WORLD, film_case, nx, ny).result.figures.central_film);
+    films.push_back(SolvedFilm(PETSC_COMM_WORLD, film_case, nx, ny).result.quantities.central_film);
   }
   const double observed = std::log2((films[1] - films[0]) / (films[2] - films[1]));
   report("%s: H_central %.6f %.6f %.6f, order %.3f", name.c_str(), films[0], films[1], films[2], observed);
@@ -164,7 +166,7 @@ TEST(Stationary, films_where_contacts_enter_are_found_at_any_displacement) {
   move_surfaces(film, {.relative_radius = 0.838367, .entrainment = 0.948058});
   for (double H0 = -2.0; H0 < -1.6; H0 += 0.05) {
     const auto found = solve_stationary(film, LoadCondition::displacement(H0), SolverOptions{});
-    EXPECT_GT(found.figures.smallest_film, 0.0) << "H0 = " << H0;
+    EXPECT_GT(found.quantities.smallest_film, 0.0) << "H0 = " << H0;
     EXPECT_LT(found.counts.residual, SolverOptions{}.newton.tolerance) << "H0 = " << H0;
   }
 }
@@ -223,12 +225,12 @@ TEST(Stationary, film_at_another_place_does_not_depend_on_the_reference_of_the_s
 
   // Two solutions to a residual of 1e-8.
   constexpr double tolerance = 1e-6;
-  const double h = own.thickness * own_result.figures.central_film,
-               h_min = own.thickness * own_result.figures.smallest_film;
-  EXPECT_NEAR(pitch.scales.thickness * result.figures.central_film, h, tolerance * h);
-  EXPECT_NEAR(pitch.scales.thickness * result.figures.smallest_film, h_min, tolerance * h_min);
-  const double p = own.pressure * own_result.figures.largest_pressure;
-  EXPECT_NEAR(pitch.scales.pressure * result.figures.largest_pressure, p, tolerance * p);
+  const double h = own.thickness * own_result.quantities.central_film,
+               h_min = own.thickness * own_result.quantities.smallest_film;
+  EXPECT_NEAR(pitch.scales.thickness * result.quantities.central_film, h, tolerance * h);
+  EXPECT_NEAR(pitch.scales.thickness * result.quantities.smallest_film, h_min, tolerance * h_min);
+  const double p = own.pressure * own_result.quantities.largest_pressure;
+  EXPECT_NEAR(pitch.scales.pressure * result.quantities.largest_pressure, p, tolerance * p);
   // H_0 falls by the offset that is added to the gap.
   EXPECT_NEAR(pitch.scales.thickness * (result.solution.H0 + offset), own.thickness * own_result.solution.H0,
               tolerance * h);
@@ -246,9 +248,9 @@ protected:
     constexpr double tolerance = 1e-6;
     const auto& expected = under_force.result;
     EXPECT_NEAR(result.solution.H0, expected.solution.H0, tolerance);
-    EXPECT_NEAR(result.figures.pressure_integral, force, tolerance * force);
-    EXPECT_NEAR(result.figures.smallest_film, expected.figures.smallest_film,
-                tolerance * expected.figures.smallest_film);
+    EXPECT_NEAR(result.quantities.pressure_integral, force, tolerance * force);
+    EXPECT_NEAR(result.quantities.smallest_film, expected.quantities.smallest_film,
+                tolerance * expected.quantities.smallest_film);
   }
 };
 
@@ -280,8 +282,8 @@ TEST_F(StationaryLoad, film_does_not_depend_on_limited_changes) {
 TEST_F(StationaryLoad, separated_bodies_carry_next_to_nothing) {
   const auto apart = LoadCondition::displacement(5.0 * pitch.scales.approach);
   const auto result = solve_stationary(film, apart, SolverOptions{});
-  EXPECT_GT(result.figures.pressure_integral, 1e-9 * force);
-  EXPECT_LT(result.figures.pressure_integral, 1e-3 * force);
+  EXPECT_GT(result.quantities.pressure_integral, 1e-9 * force);
+  EXPECT_LT(result.quantities.pressure_integral, 1e-3 * force);
 }
 
 }  // namespace

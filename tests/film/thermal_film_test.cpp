@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "friction_reference.hpp"
-#include "traction/coupled_film.hpp"
 #include "placed_film.hpp"
+#include "traction/coupled_film.hpp"
 #include "traction/film_flow.hpp"
 
 namespace gearfilm {
@@ -98,7 +98,7 @@ struct HotFilm : PlacedFilm {
       : PlacedFilm(xi, 1.0, nx, ny, domain, lower, by),
         thermal(solve_coupled(*film, load, SolverOptions{}, coupled(model), result)) {}
 
-  double factor() const { return thermal.film.figures.central_film / result.figures.central_film; }
+  double factor() const { return thermal.film.quantities.central_film / result.quantities.central_film; }
 
   static constexpr Domain wide{-4.5, 1.5, 1.2};
   CoupledFilm thermal;
@@ -113,26 +113,26 @@ TEST(ThermalFilm, of_the_case_study_as_the_reference_has_it) {
     if (at.at("grid") != "257 x 65") continue;
     const double xi = at.at("xi");
     const HotFilm hot(xi, 257, 65, heated(), HotFilm::wide, Edge::symmetry, FilmDiscretisation::central);
-    const TractionFigures& figures = hot.thermal.traction.figures;
+    const TractionQuantities& quantities = hot.thermal.traction.quantities;
     const double thickness = hot.film->scales().thickness, T_0 = 363.15;
     const auto expect = [&](const char* name, double computed, const char* tolerance) {
       const double expected = at.at(name);
       EXPECT_NEAR(computed, expected, (0.01 + tolerances.at(tolerance).get<double>()) * std::abs(expected))
           << name << " at " << xi;
     };
-    expect("h_central", thickness * hot.thermal.film.figures.central_film, "h_central");
-    expect("h_min", thickness * hot.thermal.film.figures.smallest_film, "h_min");
+    expect("h_central", thickness * hot.thermal.film.quantities.central_film, "h_central");
+    expect("h_min", thickness * hot.thermal.film.quantities.smallest_film, "h_min");
     expect("thermal_factor", hot.factor(), "thermal_factor");
-    expect("power_rolling_hpx", figures.power_rolling, "power_rolling_hpx");
+    expect("power_rolling_hpx", quantities.power_rolling, "power_rolling_hpx");
     if (xi != 0.0) {
-      expect("mu", figures.coefficient, "mu");
-      expect("power_sliding", figures.power_sliding, "power_sliding");
-      expect("surface_rise_pinion", figures.surface_pinion - T_0, "surface_rise");
-      expect("surface_rise_wheel", figures.surface_wheel - T_0, "surface_rise");
-      expect("heat_pinion", figures.heat_pinion, "heat");
-      expect("heat_wheel", figures.heat_wheel, "heat");
+      expect("mu", quantities.coefficient, "mu");
+      expect("power_sliding", quantities.power_sliding, "power_sliding");
+      expect("surface_rise_pinion", quantities.surface_pinion - T_0, "surface_rise");
+      expect("surface_rise_wheel", quantities.surface_wheel - T_0, "surface_rise");
+      expect("heat_pinion", quantities.heat_pinion, "heat");
+      expect("heat_wheel", quantities.heat_wheel, "heat");
     }
-    EXPECT_LT(std::abs(figures.energy_residual), 1e-8);
+    EXPECT_LT(std::abs(quantities.energy_residual), 1e-8);
     EXPECT_LT(hot.thermal.change, 1e-3);
   }
 }
@@ -146,9 +146,9 @@ TEST(ThermalFilm, of_oil_that_heat_does_not_thin_is_isothermal) {
 
 TEST(ThermalFilm, in_pure_rolling_has_no_sliding_friction_and_warms_both_bodies_alike) {
   const HotFilm hot(0.0, 65, 33, heated(), paper_domain(2400.0));
-  EXPECT_EQ(hot.thermal.traction.figures.sliding_force, 0.0);
-  EXPECT_NEAR(hot.thermal.traction.figures.heat_pinion, hot.thermal.traction.figures.heat_wheel,
-              1e-9 * hot.thermal.traction.figures.heat_wheel);
+  EXPECT_EQ(hot.thermal.traction.quantities.sliding_force, 0.0);
+  EXPECT_NEAR(hot.thermal.traction.quantities.heat_pinion, hot.thermal.traction.quantities.heat_wheel,
+              1e-9 * hot.thermal.traction.quantities.heat_wheel);
 }
 
 // The same mass passes the middle, where it is hottest.
@@ -174,7 +174,7 @@ TEST(ThermalFilm, on_all_rows_is_that_on_half_of_them) {
   same(all.thermal.film.solution.pressure, half.thermal.film.solution.pressure);
   same(all.thermal.traction.fields.temperature_mean, half.thermal.traction.fields.temperature_mean);
   same(all.thermal.traction.fields.shear_stress, half.thermal.traction.fields.shear_stress);
-  const TractionFigures &whole = all.thermal.traction.figures, &mirrored = half.thermal.traction.figures;
+  const TractionQuantities &whole = all.thermal.traction.quantities, &mirrored = half.thermal.traction.quantities;
   EXPECT_NEAR(whole.sliding_force, mirrored.sliding_force, 1e-5 * std::abs(mirrored.sliding_force));
   EXPECT_NEAR(whole.heat_oil, mirrored.heat_oil, 1e-4 * std::abs(mirrored.heat_oil));
   EXPECT_EQ(all.thermal.turns, half.thermal.turns);

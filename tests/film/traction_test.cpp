@@ -129,41 +129,41 @@ TEST(Traction, of_the_case_study_as_the_reference_has_it) {
   for (const auto& at : friction_case::reference().at("positions")) {
     const double xi = at.at("xi"), T_0 = 363.15;
     const PlacedFilm placed = as_the_reference(xi, at.at("force").get<double>() / 11908.7);
-    const TractionFigures figures = traction(heated(), *placed.film).figures;
+    const TractionQuantities quantities = traction(heated(), *placed.film).quantities;
     const auto expect = [&](const char* name, double computed, const char* tolerance) {
       const double expected = at.at(name);
       EXPECT_NEAR(computed, expected, tolerances.at(tolerance).get<double>() * std::abs(expected))
           << name << " at " << xi;
     };
-    expect("mu", figures.coefficient, "mu");
-    expect("power_sliding", figures.power_sliding, "power_sliding");
-    expect("power_rolling_hpx", figures.power_rolling, "power_rolling_hpx");
-    expect("surface_rise_pinion", figures.surface_pinion - T_0, "surface_rise");
-    expect("surface_rise_wheel", figures.surface_wheel - T_0, "surface_rise");
-    expect("film_mean_rise", figures.film_mean - T_0, "film_rise");
-    expect("film_mid_rise", figures.film_max - T_0, "film_rise");
-    expect("heat_pinion", figures.heat_pinion, "heat");
-    expect("heat_wheel", figures.heat_wheel, "heat");
-    EXPECT_LT(std::abs(figures.energy_residual), 1e-9);
+    expect("mu", quantities.coefficient, "mu");
+    expect("power_sliding", quantities.power_sliding, "power_sliding");
+    expect("power_rolling_hpx", quantities.power_rolling, "power_rolling_hpx");
+    expect("surface_rise_pinion", quantities.surface_pinion - T_0, "surface_rise");
+    expect("surface_rise_wheel", quantities.surface_wheel - T_0, "surface_rise");
+    expect("film_mean_rise", quantities.film_mean - T_0, "film_rise");
+    expect("film_mid_rise", quantities.film_max - T_0, "film_rise");
+    expect("heat_pinion", quantities.heat_pinion, "heat");
+    expect("heat_wheel", quantities.heat_wheel, "heat");
+    EXPECT_LT(std::abs(quantities.energy_residual), 1e-9);
   }
 }
 
 // Where the limit holds everywhere; elsewhere the reference's own is no longer isothermal.
 TEST(Traction, of_an_isothermal_film) {
   const PlacedFilm placed(0.0001, 1.0);
-  const TractionFigures figures = traction({}, *placed.film).figures;
+  const TractionQuantities quantities = traction({}, *placed.film).quantities;
   for (const auto& at : friction_case::reference().at("positions")) {
     if (at.at("xi") != 0.0001) continue;
     const double expected = at.at("mu_isothermal"), power = at.at("power_isothermal");
-    EXPECT_NEAR(figures.coefficient, expected, 5e-3 * expected);
-    EXPECT_NEAR(figures.power_sliding, power, 5e-3 * power);
+    EXPECT_NEAR(quantities.coefficient, expected, 5e-3 * expected);
+    EXPECT_NEAR(quantities.power_sliding, power, 5e-3 * power);
   }
 }
 
 TEST(Traction, points_across_the_film_converge) {
   const PlacedFilm placed = as_the_reference(0.002, 1.0);
   for (const auto& [points, expected] : friction_case::reference().at("points_across").items()) {
-    EXPECT_NEAR(traction(heated(std::stoi(points)), *placed.film).figures.coefficient, expected.get<double>(),
+    EXPECT_NEAR(traction(heated(std::stoi(points)), *placed.film).quantities.coefficient, expected.get<double>(),
                 2e-3 * expected.get<double>())
         << points;
   }
@@ -173,22 +173,22 @@ TEST(Traction, pure_rolling_has_no_sliding_friction_and_warms_both_bodies_alike)
   const PlacedFilm placed(0.0, 1.0);
   for (const TractionModel& model : {TractionModel{}, heated()}) {
     const Traction found = traction(model, *placed.film);
-    EXPECT_EQ(found.figures.sliding_force, 0.0);
-    EXPECT_EQ(found.figures.coefficient, 0.0);
-    EXPECT_EQ(found.figures.power_sliding, 0.0);
-    EXPECT_NEAR(found.figures.heat_pinion, found.figures.heat_wheel, 1e-9 * found.figures.heat_wheel);
+    EXPECT_EQ(found.quantities.sliding_force, 0.0);
+    EXPECT_EQ(found.quantities.coefficient, 0.0);
+    EXPECT_EQ(found.quantities.power_sliding, 0.0);
+    EXPECT_NEAR(found.quantities.heat_pinion, found.quantities.heat_wheel, 1e-9 * found.quantities.heat_wheel);
     for (const double stress : found.fields.shear_stress) EXPECT_EQ(stress, 0.0);
   }
 }
 
 TEST(Traction, sliding_backwards_changes_signs_and_bodies_only) {
   const PlacedFilm placed(0.002, 1.0);
-  const TractionFigures one = traction(heated(), *placed.film).figures;
+  const TractionQuantities one = traction(heated(), *placed.film).quantities;
   ContactConditions backwards = placed.film->conditions();
   backwards.sliding *= -1.0;
   move_surfaces(*placed.film, backwards);
   placed.film->evaluate(placed.result.solution.pressure, placed.result.solution.H0);
-  const TractionFigures other = traction(heated(), *placed.film).figures;
+  const TractionQuantities other = traction(heated(), *placed.film).quantities;
   EXPECT_NEAR(one.sliding_force, -other.sliding_force, 1e-7 * one.sliding_force);
   EXPECT_NEAR(one.surface_pinion, other.surface_wheel, 1e-5);
   EXPECT_NEAR(one.heat_pinion, other.heat_wheel, 1e-7 * one.heat_pinion);
@@ -199,18 +199,18 @@ TEST(Traction, coulombs_law_gives_its_coefficient) {
   const PlacedFilm placed(0.002, 1.0);
   TractionModel model;
   model.law = {.kind = ShearLawKind::coulomb, .coefficient = 0.05};
-  EXPECT_NEAR(traction(model, *placed.film).figures.coefficient, 0.05, 1e-12);
+  EXPECT_NEAR(traction(model, *placed.film).quantities.coefficient, 0.05, 1e-12);
 }
 
 TEST(Traction, of_an_oil_that_does_not_thin_with_heat_or_conducts_it_well_is_isothermal) {
   const PlacedFilm placed(0.005, 0.5);
-  const double isothermal = traction({}, *placed.film).figures.coefficient;
+  const double isothermal = traction({}, *placed.film).quantities.coefficient;
   TractionModel insensitive = heated(), conducting = heated();
   insensitive.heat->oil.temperature_viscosity = 1e-3;
   conducting.heat->oil.conductivity = 1e3;
   for (HeatedBody& body : conducting.bodies) body.conductivity = 1e9;
   for (const TractionModel& model : {insensitive, conducting}) {
-    EXPECT_NEAR(traction(model, *placed.film).figures.coefficient, isothermal, 0.01 * isothermal);
+    EXPECT_NEAR(traction(model, *placed.film).quantities.coefficient, isothermal, 0.01 * isothermal);
   }
 }
 
@@ -246,7 +246,7 @@ TEST(Traction, the_power_lost_by_rolling_is_the_heat_of_the_flow_that_pressure_d
   double last = 1.0;
   for (const int nx : {65, 129, 257}) {
     const SolvedFilm solved(PETSC_COMM_WORLD, pitch, nx, 65);
-    const double rolling = traction({}, solved.film).figures.power_rolling;
+    const double rolling = traction({}, solved.film).quantities.power_rolling;
     const double error = std::abs(heat_of_flow(solved.film) / rolling - 1.0);
     report("%d lines: heat over power %.4f", nx, 1.0 - error);
     EXPECT_LT(error, 0.9 * last) << nx;

@@ -22,14 +22,14 @@ protected:
     const HertzContact dry = dry_contact(pitch.scales, film.conditions(), force_ratio * pitch.scales.static_force);
     std::vector<double> pressure(grid.local_size());
     hertz_pressure(grid, pitch.scales, dry, pressure);
-    const FilmFigures figures = film.figures(pressure, gap - dry.approach / pitch.scales.thickness);
-    return solve_error_of([&] { check_validity(film, figures, where); });
+    const FilmQuantities quantities = film.quantities(pressure, gap - dry.approach / pitch.scales.thickness);
+    return solve_error_of([&] { check_validity(film, quantities, where); });
   }
 };
 
 TEST_F(Validity, accepts_a_converged_film) {
   const SolvedFilm solved(PETSC_COMM_WORLD, table3_pitch(), 65, 33);
-  EXPECT_NO_THROW(check_validity(solved.film, solved.result.figures, where));
+  EXPECT_NO_THROW(check_validity(solved.film, solved.result.quantities, where));
 }
 
 TEST_F(Validity, accepts_a_contact_without_load) {
@@ -37,7 +37,7 @@ TEST_F(Validity, accepts_a_contact_without_load) {
   const Grid grid(PETSC_COMM_WORLD, pitch.shape(65, 33));
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   const std::vector<double> pressure(grid.local_size(), 0.0);
-  EXPECT_NO_THROW(check_validity(film, film.figures(pressure, 1.0), where));
+  EXPECT_NO_THROW(check_validity(film, film.quantities(pressure, 1.0), where));
 }
 
 // Under twice the load the ellipse grows by 2^(1/3) = 1.26.
@@ -86,7 +86,7 @@ TEST_F(Validity, refuses_a_film_that_is_not_a_number) {
   ContactFilm film(discretise(grid, pitch.scales), pitch.scales, MultigridOptions{});
   std::vector<double> pressure(grid.local_size(), 0.0);
   if (grid.rank() == grid.processes() - 1) pressure[grid.local_size() / 2] = std::nan("");
-  const std::string message = solve_error_of([&] { check_validity(film, film.figures(pressure, 1.0), where); });
+  const std::string message = solve_error_of([&] { check_validity(film, film.quantities(pressure, 1.0), where); });
   EXPECT_TRUE(message.starts_with(where)) << message;
   expect_mentions(message, "not finite");
 }

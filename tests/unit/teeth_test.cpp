@@ -6,9 +6,9 @@
 
 #include <numbers>
 
-#include "gearfilm/error.hpp"
 #include "gear/involute.hpp"
 #include "gear/iso_stiffness.hpp"
+#include "gearfilm/error.hpp"
 #include "teeth_reference.hpp"
 
 namespace gearfilm {
@@ -206,7 +206,8 @@ TEST(Teeth, that_cannot_be_are_refused) {
   expect_refused([&] { teeth_with({}, {}, {.teeth = weber, .factor = 0.05}); }, "body_coupling");
 }
 
-// From the pinion's tooth one comes to a back flank, from the wheel's to the same, but for the backlash between them.
+// From the pinion's tooth one comes to a reverse flank, from the wheel's to the same, but for the backlash between
+// them.
 TEST(BackFlanks, are_where_both_gears_teeth_end) {
   SpurGearPair pair = table3_pair();
   const LineOfAction line(pair);

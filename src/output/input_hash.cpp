@@ -1,4 +1,4 @@
-#include "output/run_identity.hpp"
+#include "output/input_hash.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Guesses that know what those of the mesh period before missed: fewer iterations to the same states.
-#include "dynamics/guess_memory.hpp"
+#include "dynamics/periodic_predictor.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -18,15 +18,15 @@ TEST(Guesses, that_remember_a_mesh_period_save_iterations_and_change_nothing) {
   const auto march_with = [&](Memory& memory) {
     auto march = std::make_unique<MeshMarch>(make_march(
         problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
-        [&](const StepRecord& record, const std::vector<LiveContact>&) { newton += static_cast<int>(record.newton); },
+        [&](const StepRecord& record, const std::vector<ActiveContact>&) { newton += static_cast<int>(record.newton); },
         &memory));
     march->start(problem.march.start_motion);
     march->run(2.0 * mesh_period);
     return march->state();
   };
   march_with(first);
-  KeptRun after_one =
-      *std::ranges::find_if(first.kept, [&](const KeptRun& kept) { return kept.T > 0.99 * mesh_period; });
+  StoredRun after_one =
+      *std::ranges::find_if(first.kept, [&](const StoredRun& kept) { return kept.T > 0.99 * mesh_period; });
   ASSERT_NEAR(after_one.T, mesh_period, 1e-6);
 
   std::vector<int> iterations;
@@ -78,14 +78,14 @@ TEST(Guesses, are_what_they_were_after_being_kept) {
   Memory memory;
   MeshMarch march = make_march(
       problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
-      [](const StepRecord&, const std::vector<LiveContact>&) {}, &memory);
+      [](const StepRecord&, const std::vector<ActiveContact>&) {}, &memory);
   march.start(problem.march.start_motion);
   march.run(0.5);
   ASSERT_FALSE(memory.kept.empty());
   const std::vector<double>& values = memory.kept.back().memory;
   EXPECT_GT(values.size(), 100U);
   MeshMarch other = make_march(problem, discretise(PETSC_COMM_WORLD, problem), mesh_of(problem),
-                               [](const StepRecord&, const std::vector<LiveContact>&) {});
+                               [](const StepRecord&, const std::vector<ActiveContact>&) {});
   const std::vector<double> nothing = other.memory();
   other.remember(values);
   const std::vector<double> again = other.memory();

@@ -15,39 +15,39 @@
 #include <map>
 #include <vector>
 
+#include "dynamics/binary_stream.hpp"
 #include "dynamics/lubricated_pair.hpp"
-#include "dynamics/value_list.hpp"
 
 namespace gearfilm {
 
-class GuessMemory {
+class PeriodicPredictor {
 public:
-  GuessMemory() = default;
+  PeriodicPredictor() = default;
   /// Back from a list, to its end.
-  explicit GuessMemory(ValueReader values);
+  explicit PeriodicPredictor(ValueReader values);
   /// All that is remembered on this process, for whoever keeps it, at the end of a list.
   void append_to(std::vector<double>& values) const;
 
-  /// Corrects the stepper's own guess of the state at T. Collective, as is learn().
+  /// Corrects the stepper's own guess of the state at T. Collective, as is record().
   void correct(const LubricatedPair& pair, Vec guess, double T);
   /// A state at T was solved for, after one at T0.
-  void learn(const LubricatedPair& pair, Vec solved, double T0, double T);
+  void record(const LubricatedPair& pair, Vec solved, double T0, double T);
 
 private:
   /// The pressures of all contacts as multiples of a unit.
-  struct Miss {
-    double learnt = 0.0;  ///< mesh periods marched until then
+  struct PredictorError {
+    double recorded_at = 0.0;  ///< mesh periods marched until then
     Motion motion;
     double unit = 0.0;
     std::vector<std::int16_t> pressures;
   };
 
   /// That of as many contacts at this place a mesh period ago; null where there is none.
-  const Miss* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;
+  const PredictorError* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;
 
-  GridShape shape_{};           ///< of the grid of all that is remembered
-  std::map<int, Miss> misses_;  ///< by the place in the mesh period
-  double marched_ = 0.0;        ///< mesh periods
+  GridShape shape_{};                     ///< of the grid of all that is remembered
+  std::map<int, PredictorError> errors_;  ///< by the place in the mesh period
+  double marched_ = 0.0;                  ///< mesh periods
   bool trusted_ = false;
   double guessed_at_ = 0.0;  ///< T of the last guess
   Motion guessed_motion_;

@@ -1,4 +1,4 @@
-#include "bench/yardstick.hpp"
+#include "bench/convolution_time.hpp"
 
 #include "bench/stopwatch.hpp"
 #include "elasticity/fftw.hpp"

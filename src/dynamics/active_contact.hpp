@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-struct LiveContact {
+struct ActiveContact {
   int number = 0;                                         ///< of the tooth pair, counted from the leading one at T = 0
   ContactFilm* film = nullptr;                            ///< at its present state; null in the dry model
   ContactFields fields{};                                 ///< as the last segment left them
@@ -17,22 +17,22 @@ struct LiveContact {
 
 /// A contact that begins with a stationary film, which `found` is; with the film and its processes in equilibrium
 /// `found` is the common one. Collective. Throws SolveError.
-LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
-                          const SolverOptions& options, StationaryResult& found);
+ActiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
+                            const SolverOptions& options, StationaryResult& found);
 
 /// A contact that goes on with these fields, the states of its processes among them.
-LiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields);
+ActiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields);
 
 /// Takes the states of its processes from the contact's fields.
-void restore_processes(LiveContact& contact);
+void restore_processes(ActiveContact& contact);
 
 /// Puts the states of its processes among the contact's fields, and goes on with what is kept there, to the bit.
-void save_processes(LiveContact& contact);
+void save_processes(ActiveContact& contact);
 
 /// Friction and temperatures of a contact's film at its present state: of the process that knows them, else of the film
 /// alone. Collective.
-std::shared_ptr<const Traction> traction_of(const TractionModel& model, const LiveContact& contact);
+std::shared_ptr<const Traction> traction_of(const TractionModel& model, const ActiveContact& contact);
 
-std::vector<int> numbers_of(const std::vector<LiveContact>& contacts);
+std::vector<int> numbers_of(const std::vector<ActiveContact>& contacts);
 
 }  // namespace gearfilm

@@ -1,5 +1,5 @@
 // Files that reach the disk beside what goes on: what cannot is said by the one who waits for it, once.
-#include "output/disk_flush.hpp"
+#include "output/async_fsync.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

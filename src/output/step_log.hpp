@@ -1,7 +1,7 @@
 // The steps of a march, to the bit, in a file that only grows.
 //
 // One step: the number of its contacts, T, dT, H_0, V_0, Newton and Krylov iterations, seconds; then for each contact
-// its number, xi [m] and its figures. All doubles. The first process reads and writes.
+// its number, xi [m] and its quantities. All doubles. The first process reads and writes.
 #pragma once
 
 #include <cstdint>

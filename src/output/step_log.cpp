@@ -1,8 +1,8 @@
-#include "output/record_journal.hpp"
+#include "output/step_log.hpp"
 
 #include <fstream>
 
-#include "dynamics/value_list.hpp"
+#include "dynamics/binary_stream.hpp"
 #include "gearfilm/error.hpp"
 #include "output/checksum.hpp"
 #include "output/output_directory.hpp"
@@ -20,7 +20,7 @@ void pack(const StepRecord& record, std::vector<double>& values) {
                  static_cast<double>(record.halvings), record.wall_seconds});
   for (const ContactRecord& contact : record.contacts) {
     values.insert(values.end(), {static_cast<double>(contact.number), contact.position});
-    values.insert(values.end(), contact.figures.values.begin(), contact.figures.values.end());
+    values.insert(values.end(), contact.quantities.values.begin(), contact.quantities.values.end());
   }
 }
 
@@ -38,7 +38,7 @@ StepRecord unpack(ValueReader& values) {
   for (ContactRecord& contact : record.contacts) {
     contact.number = values.whole();
     contact.position = values.value();
-    for (double& figure : contact.figures.values) figure = values.value();
+    for (double& quantity : contact.quantities.values) quantity = values.value();
   }
   return record;
 }

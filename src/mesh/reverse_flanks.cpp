@@ -1,11 +1,11 @@
-#include "mesh/back_flanks.hpp"
+#include "mesh/reverse_flanks.hpp"
 
 #include <cmath>
 
 namespace gearfilm {
 
-BackForce back_force(const MeshModel& mesh, double H0, double T) {
-  BackForce sum;
+ReverseForce reverse_flank_force(const MeshModel& mesh, double H0, double T) {
+  ReverseForce sum;
   if (!mesh.teeth.backlash() || mesh.load) return sum;
   for (const double xi : mesh.teeth.back_positions(mesh.path.position(0, T))) {
     const double approach = H0 - (*mesh.teeth.backlash() + mesh.teeth.removed(xi)) / mesh.scales.thickness;

@@ -1,4 +1,4 @@
-#include "dynamics/value_list.hpp"
+#include "dynamics/binary_stream.hpp"
 
 namespace gearfilm {
 

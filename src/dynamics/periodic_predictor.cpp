@@ -1,4 +1,4 @@
-#include "dynamics/guess_memory.hpp"
+#include "dynamics/periodic_predictor.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,11 +32,11 @@ std::size_t values_for(std::size_t integers) {
 
 }  // namespace
 
-GuessMemory::GuessMemory(ValueReader values)
+PeriodicPredictor::PeriodicPredictor(ValueReader values)
     : shape_(values.shape()), marched_(values.value()), trusted_(values.value() > 0.0) {
   while (!values.at_end()) {
-    Miss& miss = misses_[static_cast<int>(values.value())];
-    miss.learnt = values.value();
+    PredictorError& miss = errors_[static_cast<int>(values.value())];
+    miss.recorded_at = values.value();
     miss.motion = values.motion();
     miss.unit = values.value();
     miss.pressures.resize(values.count());
@@ -45,17 +45,17 @@ GuessMemory::GuessMemory(ValueReader values)
   }
 }
 
-void GuessMemory::append_to(std::vector<double>& values) const {
+void PeriodicPredictor::append_to(std::vector<double>& values) const {
   append(values, shape_);
   // All at once: a list that grows takes up to three times as much while it does.
   std::size_t more = 2;
-  for (const auto& [place, miss] : misses_)
+  for (const auto& [place, miss] : errors_)
     more += 5 + 2 * static_cast<std::size_t>(miss.motion.freedoms()) + values_for(miss.pressures.size());
   values.reserve(values.size() + more);
   values.insert(values.end(), {marched_, trusted_ ? 1.0 : 0.0});
-  for (const auto& [place, miss] : misses_) {
+  for (const auto& [place, miss] : errors_) {
     const std::size_t count = miss.pressures.size();
-    values.insert(values.end(), {static_cast<double>(place), miss.learnt});
+    values.insert(values.end(), {static_cast<double>(place), miss.recorded_at});
     append(values, miss.motion);
     values.insert(values.end(), {miss.unit, static_cast<double>(count)});
     const std::size_t begin = values.size();
@@ -64,14 +64,15 @@ void GuessMemory::append_to(std::vector<double>& values) const {
   }
 }
 
-const GuessMemory::Miss* GuessMemory::last_time(const MeshModel& mesh, double T, std::size_t pressures) const {
-  const auto found = misses_.find(place_of(mesh, T));
-  return found != misses_.end() && found->second.pressures.size() == pressures ? &found->second : nullptr;
+const PeriodicPredictor::PredictorError* PeriodicPredictor::last_time(const MeshModel& mesh, double T,
+                                                                      std::size_t pressures) const {
+  const auto found = errors_.find(place_of(mesh, T));
+  return found != errors_.end() && found->second.pressures.size() == pressures ? &found->second : nullptr;
 }
 
-void GuessMemory::correct(const LubricatedPair& pair, Vec guess, double T) {
+void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T) {
   const GridShape& shape = pair.system().grid().shape();
-  if (shape != shape_) misses_.clear();
+  if (shape != shape_) errors_.clear();
   shape_ = shape;
   guessed_at_ = T;
   guessed_motion_ = pair.motion(guess);
@@ -80,7 +81,7 @@ void GuessMemory::correct(const LubricatedPair& pair, Vec guess, double T) {
     const std::span<const double> pressures = pressures_of(pair, values);
     guessed_.assign(pressures.begin(), pressures.end());
   }
-  const Miss* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
+  const PredictorError* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
   if (!miss) return;
   {
     const VecWriting values(guess);
@@ -90,7 +91,7 @@ void GuessMemory::correct(const LubricatedPair& pair, Vec guess, double T) {
   pair.set_motion(guess, {guessed_motion_.H0() + miss->motion.H0(), guessed_motion_.V0() + miss->motion.V0()});
 }
 
-void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, double T) {
+void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0, double T) {
   const MeshModel& mesh = pair.mesh();
   marched_ += mesh.path.mesh_periods(T) - mesh.path.mesh_periods(T0);
   if (guessed_.empty() || guessed_at_ != T) return;
@@ -101,7 +102,7 @@ void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, doubl
 
   const auto square = [](double value) { return value * value; };
   std::array<double, 2> squares = {0.0, 0.0};
-  const Miss* before = last_time(mesh, T, missed.size());
+  const PredictorError* before = last_time(mesh, T, missed.size());
   if (before) {
     squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
                std::transform_reduce(missed.begin(), missed.end(), before->pressures.begin(), 0.0, std::plus(),
@@ -110,16 +111,16 @@ void GuessMemory::learn(const LubricatedPair& pair, Vec solved, double T0, doubl
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
   trusted_ = squares[1] < helpful * squares[0];
 
-  std::erase_if(misses_, [&](const auto& entry) { return entry.second.learnt < marched_ - oldest; });
+  std::erase_if(errors_, [&](const auto& entry) { return entry.second.recorded_at < marched_ - oldest; });
   const Grid& grid = pair.system().grid();
   const double bytes = 2.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
-  if (!before && static_cast<double>(misses_.size() + 1) * bytes > most_bytes) return;
+  if (!before && static_cast<double>(errors_.size() + 1) * bytes > most_bytes) return;
   // One unit for all processes: any number of them makes the same guesses.
   double most = std::transform_reduce(
       missed.begin(), missed.end(), 0.0, [](double a, double b) { return std::max(a, b); },
       [](double value) { return std::abs(value); });
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, pair.system().comm());
-  Miss& miss = misses_[place_of(mesh, T)];
+  PredictorError& miss = errors_[place_of(mesh, T)];
   miss = {marched_, difference(pair.motion(solved), guessed_motion_), most > 0.0 ? most / largest : 1.0,
           std::move(miss.pressures)};
   miss.pressures.resize(missed.size());

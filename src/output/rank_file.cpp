@@ -1,4 +1,4 @@
-#include "output/own_file.hpp"
+#include "output/rank_file.hpp"
 
 #include <fstream>
 #include <string>

@@ -1,12 +1,12 @@
-#include "dynamics/live_contact.hpp"
+#include "dynamics/active_contact.hpp"
 
 #include <algorithm>
 
 namespace gearfilm {
 
-LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
-                          const SolverOptions& options, StationaryResult& found) {
-  LiveContact contact{number, film, {}, film_processes(mesh)};
+ActiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
+                            const SolverOptions& options, StationaryResult& found) {
+  ActiveContact contact{number, film, {}, film_processes(mesh)};
   for (const auto& process : contact.processes) process->begin(*film, load, options, found);
   const std::vector<double>& pressure = found.solution.pressure;
   contact.fields.emplace(field::pressure.name, pressure);
@@ -15,31 +15,31 @@ LiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, 
   return contact;
 }
 
-LiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields) {
-  LiveContact contact{number, film, std::move(fields), film_processes(mesh)};
+ActiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields) {
+  ActiveContact contact{number, film, std::move(fields), film_processes(mesh)};
   restore_processes(contact);
   return contact;
 }
 
-void restore_processes(LiveContact& contact) {
+void restore_processes(ActiveContact& contact) {
   for (const auto& process : contact.processes) process->restore(*contact.film, contact.fields);
 }
 
-void save_processes(LiveContact& contact) {
+void save_processes(ActiveContact& contact) {
   for (const auto& process : contact.processes) process->save(contact.film->grid(), contact.fields);
   restore_processes(contact);
 }
 
-std::shared_ptr<const Traction> traction_of(const TractionModel& model, const LiveContact& contact) {
+std::shared_ptr<const Traction> traction_of(const TractionModel& model, const ActiveContact& contact) {
   for (const auto& process : contact.processes) {
     if (auto known = process->traction(*contact.film)) return known;
   }
   return std::make_shared<Traction>(traction(model, *contact.film));
 }
 
-std::vector<int> numbers_of(const std::vector<LiveContact>& contacts) {
+std::vector<int> numbers_of(const std::vector<ActiveContact>& contacts) {
   std::vector<int> numbers(contacts.size());
-  std::ranges::transform(contacts, numbers.begin(), &LiveContact::number);
+  std::ranges::transform(contacts, numbers.begin(), &ActiveContact::number);
   return numbers;
 }
 

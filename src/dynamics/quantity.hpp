@@ -1,8 +1,8 @@
-// A figure: a number that every time step, or every contact in it, gives, as one record.
+// A quantity: a number that every time step, or every contact in it, gives, as one record.
 //
-// The records stand in contact_figures.hpp and step_figures.hpp. Columns of the history, their units, the journal, the
-// figures of mesh periods, summaries, the columns of a sweep and docs/results.md follow from them. Values are
-// dimensionless, those of friction and heat SI; the unit of a record leads to SI.
+// The records stand in contact_quantities.hpp and step_quantities.hpp. Columns of the history, their units, the
+// journal, the quantities of mesh periods, summaries, the columns of a sweep and docs/results.md follow from them.
+// Values are dimensionless, those of friction and heat SI; the unit of a record leads to SI.
 #pragma once
 
 #include <array>
@@ -40,63 +40,64 @@ inline constexpr Unit velocity{
     "m/s", [](const Scales& scales, double value) { return scales.operation.entrainment_velocity * value; }};
 }  // namespace units
 
-/// What a mesh period keeps of a figure. at_pitch: at the step nearest xi = 0; at_entry: at the first step after the
+/// What a mesh period keeps of a quantity. at_pitch: at the step nearest xi = 0; at_entry: at the first step after the
 /// last entry; mean: in time, of the sum over contacts.
 enum class Reduction { largest, smallest, sum, steps, last, at_pitch, at_entry, mean };
 
-/// Where the figure of a mesh period is shown besides: nowhere, in the summary of a march over all its periods, in the
-/// table of a sweep, or both.
-enum class Shown { period, march, sweep, everywhere };
+/// Where the quantity of a mesh period is shown besides: nowhere, in the summary of a march over all its periods, in
+/// the table of a sweep, or both.
+enum class ShownIn { period, march, sweep, everywhere };
 
-/// A figure of a mesh period.
+/// A quantity of a mesh period.
 struct Reduced {
   std::string_view name{};  ///< key of summaries, column of a sweep
   Reduction reduction = Reduction::largest;
   Unit unit = units::number;
   std::string_view meaning{};
-  Shown shown = Shown::period;
+  ShownIn shown = ShownIn::period;
 
-  bool of_march() const { return shown == Shown::march || shown == Shown::everywhere; }
-  bool of_sweep() const { return shown == Shown::sweep || shown == Shown::everywhere; }
+  bool of_march() const { return shown == ShownIn::march || shown == ShownIn::everywhere; }
+  bool of_sweep() const { return shown == ShownIn::sweep || shown == ShownIn::everywhere; }
 };
 
-/// What there must be for a figure to have a value.
-enum class Needs { nothing, film, friction, heat, roughness };
+/// What there must be for a quantity to have a value.
+enum class RequiredModel { nothing, film, friction, heat, roughness };
 
 /// What there is: a film, friction on it, heat in it, roughness of the flanks.
-struct Given {
+struct AvailableModels {
   bool film = true;
   bool friction = false;
   bool heat = false;
   bool roughness = false;
 
-  constexpr bool has(Needs needs) const {
-    const bool given[] = {true, true, friction, heat, roughness};  // in the order of Needs
-    return needs == Needs::nothing || (film && given[static_cast<std::size_t>(needs)]);
+  constexpr bool has(RequiredModel needs) const {
+    const bool given[] = {true, true, friction, heat, roughness};  // in the order of RequiredModel
+    return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };
 
 template <class Source>
-struct Figure {
+struct Quantity {
   std::string_view name{};    ///< column of the history
   std::string_view symbol{};  ///< of the theory
   Unit unit = units::number;
   double (*value)(const Source&) = nullptr;
   std::string_view meaning{};
-  Needs needs = Needs::nothing;
+  RequiredModel needs = RequiredModel::nothing;
   std::array<Reduced, 3> reduced{};  ///< those without a name are not there
 };
 
-namespace figure {
+namespace quantity {
 
 /// One record. What reduces it comes last.
 template <class Source, class... Reductions>
-constexpr Figure<Source> of(double (*value)(const Source&), std::string_view name, std::string_view symbol,
-                            const Unit& unit, std::string_view meaning, Needs needs, const Reductions&... reduced) {
+constexpr Quantity<Source> of(double (*value)(const Source&), std::string_view name, std::string_view symbol,
+                              const Unit& unit, std::string_view meaning, RequiredModel needs,
+                              const Reductions&... reduced) {
   return {name, symbol, unit, value, meaning, needs, {reduced...}};
 }
 
-}  // namespace figure
+}  // namespace quantity
 
 /// Place of a name in a table; throws where it is not there, which ends a compilation.
 template <class Table>
@@ -104,7 +105,7 @@ constexpr std::size_t place_in(const Table& table, std::string_view name) {
   for (std::size_t n = 0; n < table.size(); ++n) {
     if (table[n].name == name) return n;
   }
-  throw std::invalid_argument("no figure has this name");
+  throw std::invalid_argument("no quantity has this name");
 }
 
 }  // namespace gearfilm

@@ -16,40 +16,39 @@
 namespace gearfilm {
 
 /// What is kept of a run: its steps up to the end of a segment, and the state there.
-struct KeptRun {
+struct StoredRun {
   std::vector<StepRecord> records;
   double T = 0.0;
   PairState state;
   std::vector<double> memory;  ///< of the march, on this process
 };
 
-class MarchKeeper {
+class RunStore {
 public:
-  virtual ~MarchKeeper() = default;
+  virtual ~RunStore() = default;
   /// A run begins with this motion at T. Collective, as are the others.
-  virtual std::optional<KeptRun> begin_run(double T, const Motion& motion) = 0;
+  virtual std::optional<StoredRun> begin_run(double T, const Motion& motion) = 0;
   /// A step of the run, or its state after an entering or leaving.
   virtual void record(const StepRecord& record) = 0;
   /// A segment ends at T with this state; whatever enters or leaves then is still to do so. memory: of the
   /// march, on this process.
   virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
   /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
-  virtual bool is_new(const StepRecord& record) const { return !record.recalled; }
+  virtual bool is_new(const StepRecord& record) const { return !record.replayed; }
   /// Keeps another march, which the run makes on the way on a grid of its own, under this name; null where none is
   /// kept.
-  virtual std::unique_ptr<MarchKeeper> within(const std::string& name, const Grid& grid) const;
+  virtual std::unique_ptr<RunStore> within(const std::string& name, const Grid& grid) const;
 };
 
-/// MarchKeeper::is_new and within of a keeper that may be absent: null stands for none.
-inline bool is_new(const MarchKeeper* keeper, const StepRecord& record) {
-  return keeper ? keeper->is_new(record) : !record.recalled;
+/// RunStore::is_new and within of a store that may be absent: null stands for none.
+inline bool is_new(const RunStore* store, const StepRecord& record) {
+  return store ? store->is_new(record) : !record.replayed;
 }
-inline std::unique_ptr<MarchKeeper> keeper_within(const MarchKeeper* keeper, const std::string& name,
-                                                  const Grid& grid) {
-  return keeper ? keeper->within(name, grid) : nullptr;
+inline std::unique_ptr<RunStore> store_within(const RunStore* store, const std::string& name, const Grid& grid) {
+  return store ? store->within(name, grid) : nullptr;
 }
 
-/// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a keeper.
-std::optional<KeptRun> take_over(MarchKeeper* keeper, double T, const Motion& motion, const StepObserver& observer);
+/// Begins a run: shows what is kept of it to the observer, and returns it. Nothing without a store.
+std::optional<StoredRun> resume_from(RunStore* store, double T, const Motion& motion, const StepObserver& observer);
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-#include "output/disk_flush.hpp"
+#include "output/async_fsync.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -7,6 +7,6 @@
 namespace gearfilm {
 
 /// Warns where an entering contact meets its mate at once under the static force.
-void warn_of_hard_entry(MPI_Comm comm, const MeshModel& mesh);
+void warn_of_corner_contact(MPI_Comm comm, const MeshModel& mesh);
 
 }  // namespace gearfilm

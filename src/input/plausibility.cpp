@@ -1,5 +1,5 @@
 // What is usual: steel gears of machines under mineral and synthetic oils, and the grids that resolve their films.
-#include "input/oddities.hpp"
+#include "input/plausibility.hpp"
 
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ void compare(double value, const Usual& usual, Oddities& found) {
                   (below ? usual.if_below : usual.if_above));
 }
 
-/// Given values, where they are given.
+/// AvailableModels values, where they are given.
 void compare_parameters(const ParameterValues& values, Oddities& found) {
   const auto modulus = [](const std::string& name) {
     return Usual{name,
@@ -204,7 +204,7 @@ void compare_grid(const CaseInput& problem, Oddities& found) {
 
 }  // namespace
 
-std::vector<std::string> oddities(const CaseInput& problem) {
+std::vector<std::string> plausibility_warnings(const CaseInput& problem) {
   Oddities found;
   compare_parameters(problem.parameters, found);
   compare_contact(problem.scales, found);

@@ -9,6 +9,6 @@
 namespace gearfilm {
 
 /// One line each, what, the value, and why it is odd; empty for a usual case.
-std::vector<std::string> oddities(const CaseInput& problem);
+std::vector<std::string> plausibility_warnings(const CaseInput& problem);
 
 }  // namespace gearfilm

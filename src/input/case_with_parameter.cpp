@@ -1,10 +1,10 @@
-#include "input/case_at.hpp"
+#include "input/case_with_parameter.hpp"
 
 #include "input/case_setup.hpp"
 
 namespace gearfilm {
 
-CaseInput case_at(const CaseInput& problem, const std::string& parameter, double value) {
+CaseInput case_with_parameter(const CaseInput& problem, const std::string& parameter, double value) {
   ParameterValues values = problem.parameters;
   values.set(parameter, format_value(value), "value of what is varied");
   // Films go from point to point: all are on the grid that the case has by itself.
@@ -21,7 +21,8 @@ CaseInput case_at(const CaseInput& problem, const std::string& parameter, double
 }
 
 CaseInput case_of_sweep(const CaseInput& problem, double value) {
-  return problem.sweep.kind == SweepKind::basins ? problem : case_at(problem, problem.sweep.parameter, value);
+  return problem.sweep.kind == SweepKind::basins ? problem
+                                                 : case_with_parameter(problem, problem.sweep.parameter, value);
 }
 
 ProblemAt problems_of_sweep(const CaseInput& problem) {

@@ -1,11 +1,11 @@
-#include "app/hard_entry.hpp"
+#include "app/corner_contact.hpp"
 
 #include "mesh/static_mesh.hpp"
 #include "output/screen.hpp"
 
 namespace gearfilm {
 
-void warn_of_hard_entry(MPI_Comm comm, const MeshModel& mesh) {
+void warn_of_corner_contact(MPI_Comm comm, const MeshModel& mesh) {
   const std::optional<double> met = entry_penetration(mesh, mesh.scales.static_force);
   if (met.value_or(0.0) <= 0.0) return;
   warn(comm, std::setprecision(3), "an entering tooth meets its mate with a penetration of ",

@@ -1,0 +1,43 @@
+#include "dynamics/contact_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+
+double hertz_pressure_of(const QuantityInputs& at) {
+  if (!(at.film.pressure_integral > 0.0)) return 0.0;
+  return dry_contact(at.scales, at.contact.conditions, at.film.pressure_integral).pressure / at.scales.pressure;
+}
+
+AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
+                                 const std::optional<double>& roughness) {
+  return {.film = lubricated,
+          .friction = traction.has_value(),
+          .heat = traction && traction->heat,
+          .roughness = roughness.has_value()};
+}
+
+double film_ratio(const QuantityInputs& at) {
+  return at.roughness ? at.scales.thickness * at.film.smallest_film / *at.roughness : 0.0;
+}
+
+ContactQuantities quantities_of(const QuantityInputs& at) {
+  ContactQuantities quantities;
+  for (std::size_t n = 0; n < contact_quantities.size(); ++n) quantities.values[n] = contact_quantities[n].value(at);
+  return quantities;
+}
+
+FilmQuantities film_quantities(const ContactQuantities& quantities) {
+  FilmQuantities film;
+  film.pressure_integral = quantities["force"];
+  film.central_film = quantities["h_central"];
+  film.smallest_film = quantities["h_min"];
+  film.central_pressure = quantities["p_central"];
+  film.largest_pressure = quantities["p_max"];
+  film.spike_pressure = quantities["p_spike"];
+  film.finite = std::ranges::all_of(quantities.values, [](double value) { return std::isfinite(value); });
+  return film;
+}
+
+}  // namespace gearfilm

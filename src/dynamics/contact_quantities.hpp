@@ -1,0 +1,169 @@
+// The table of a contact's quantities, one record each: a new quantity is a new record (quantity.hpp).
+#pragma once
+
+#include <optional>
+
+#include "dynamics/quantity.hpp"
+#include "film/contact_film.hpp"
+#include "mesh/mesh_model.hpp"
+#include "traction/traction.hpp"
+
+namespace gearfilm {
+
+/// What a contact's quantities are computed from: one contact at one time.
+struct QuantityInputs {
+  const Scales& scales;
+  MeshedContact contact;
+  FilmQuantities film;  ///< of a dry contact: its pressure integral and pressures only
+  TractionQuantities traction{};
+  std::optional<double> roughness{};  ///< of both flanks together [m]
+};
+
+/// Which quantities there are.
+AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
+                                 const std::optional<double>& roughness);
+inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
+  return available_models(lubricated, mesh.traction, mesh.roughness);
+}
+
+/// h_min/Rq; zero without roughness.
+double film_ratio(const QuantityInputs& at);
+/// Largest pressure of the dry contact under the same force; zero without force.
+double hertz_pressure_of(const QuantityInputs& at);
+
+namespace quantity {
+
+/// A quantity that is a member of FilmQuantities: one contact, dimensionless.
+template <double FilmQuantities::*value, class... Rest>
+constexpr Quantity<QuantityInputs> of_film(const Rest&... rest) {
+  return of<QuantityInputs>([](const QuantityInputs& at) { return at.film.*value; }, rest...);
+}
+
+/// A quantity that is a member of TractionQuantities: friction and heat of one contact, in SI.
+template <double TractionQuantities::*value, class... Rest>
+constexpr Quantity<QuantityInputs> of_traction(const Rest&... rest) {
+  return of<QuantityInputs>([](const QuantityInputs& at) { return at.traction.*value; }, rest...);
+}
+
+}  // namespace quantity
+
+inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs>>(
+    {quantity::of_film<&FilmQuantities::pressure_integral>(
+         "force", "w", units::newton, "force on the contact", RequiredModel::nothing,
+         Reduced{"force_ratio_max", Reduction::largest, units::static_force,
+                 "largest force on one contact over the static force", ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::largest_pressure>(
+         "p_max", "p", units::pascal, "largest pressure", RequiredModel::nothing,
+         Reduced{"p_max", Reduction::largest, units::pascal, "largest pressure", ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::central_pressure>("p_central", "p", units::pascal, "pressure at x = y = 0",
+                                                          RequiredModel::film),
+     quantity::of_film<&FilmQuantities::spike_pressure>(
+         "p_spike", "p", units::pascal,
+         "height of the outlet's spike, where pressure rises once more behind its fall; zero where it does not",
+         RequiredModel::film,
+         Reduced{"p_spike_max", Reduction::largest, units::pascal, "largest height of the outlet's spike"}),
+     quantity::of_film<&FilmQuantities::central_film>(
+         "h_central", "h", units::metre, "film thickness at x = y = 0", RequiredModel::film,
+         Reduced{"pitch_h_central", Reduction::at_pitch, units::metre,
+                 "central film at the step nearest to the pitch point"},
+         Reduced{"entry_h_central", Reduction::at_entry, units::metre,
+                 "central film at the first step after a contact entered"}),
+     quantity::of_film<&FilmQuantities::smallest_film>(
+         "h_min", "h", units::metre, "smallest film thickness", RequiredModel::film,
+         Reduced{"h_min", Reduction::smallest, units::metre, "smallest film thickness", ShownIn::everywhere},
+         Reduced{"pitch_h_min", Reduction::at_pitch, units::metre,
+                 "smallest film at the step nearest to the pitch point"},
+         Reduced{"entry_h_min", Reduction::at_entry, units::metre,
+                 "smallest film at the first step after a contact entered"}),
+     quantity::of<QuantityInputs>(hertz_pressure_of, "p_hertz", "p_h", units::pascal,
+                                  "Hertz pressure under the present force, zero without force", RequiredModel::nothing,
+                                  Reduced{"p_hertz_max", Reduction::largest, units::pascal,
+                                          "largest Hertz pressure under the present force", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(
+         [](const QuantityInputs& at) { return at.contact.conditions.sliding; }, "sliding_velocity", "u_1 - u_2",
+         units::velocity,
+         "surface velocity of the pinion less that of the wheel: negative before the pitch point, positive "
+         "behind it",
+         RequiredModel::nothing,
+         Reduced{"sliding_velocity_max", Reduction::largest, units::velocity,
+                 "largest sliding velocity, of a contact behind the pitch point", ShownIn::everywhere},
+         Reduced{"sliding_velocity_min", Reduction::smallest, units::velocity,
+                 "smallest sliding velocity, negative where a contact is before the pitch point", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(film_ratio, "lambda", "h_min/Rq", units::number,
+                                  "smallest film over the roughness of both flanks together", RequiredModel::roughness,
+                                  Reduced{"lambda_min", Reduction::smallest, units::number,
+                                          "smallest film over the roughness", ShownIn::everywhere}),
+     quantity::of_traction<&TractionQuantities::sliding_force>(
+         "friction_force", "F_s", units::si_newton, "force of sliding friction, with the sign of the sliding velocity",
+         RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::rolling_force>("rolling_force", "F_r", units::si_newton,
+                                                               "force of rolling friction on either flank",
+                                                               RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::coefficient>("friction_coefficient", "mu", units::number,
+                                                             "friction_force over the force on the contact",
+                                                             RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::power_sliding>("power_sliding", "u_s F_s", units::watt,
+                                                               "power lost by sliding", RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::power_rolling>("power_rolling", "2 u_m F_r", units::watt,
+                                                               "power lost by rolling: of the oil that pressure drives",
+                                                               RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::flash>(
+         "flash_temperature", "T_f", units::kelvin,
+         "largest rise of the surfaces if both were equally warm and took all heat of sliding",
+         RequiredModel::friction),
+     quantity::of_traction<&TractionQuantities::surface_pinion>(
+         "surface_temperature_pinion", "T_1", units::kelvin, "largest temperature of the pinion's flank",
+         RequiredModel::heat,
+         Reduced{"surface_temperature_pinion_max", Reduction::largest, units::kelvin,
+                 "largest temperature of the pinion's flank", ShownIn::everywhere}),
+     quantity::of_traction<&TractionQuantities::surface_wheel>(
+         "surface_temperature_wheel", "T_2", units::kelvin, "largest temperature of the wheel's flank",
+         RequiredModel::heat,
+         Reduced{"surface_temperature_wheel_max", Reduction::largest, units::kelvin,
+                 "largest temperature of the wheel's flank", ShownIn::everywhere}),
+     quantity::of_traction<&TractionQuantities::film_max>(
+         "film_temperature_max", "T", units::kelvin, "largest temperature in the film", RequiredModel::heat,
+         Reduced{"film_temperature_max", Reduction::largest, units::kelvin, "largest temperature in the film",
+                 ShownIn::everywhere}),
+     quantity::of_traction<&TractionQuantities::film_mean>(
+         "film_temperature_mean_max", "T", units::kelvin,
+         "largest temperature of the film, each place's mean across it", RequiredModel::heat),
+     quantity::of_traction<&TractionQuantities::heat_pinion>("heat_pinion", "", units::watt,
+                                                             "heat from the film into the pinion", RequiredModel::heat),
+     quantity::of_traction<&TractionQuantities::heat_wheel>("heat_wheel", "", units::watt,
+                                                            "heat from the film into the wheel", RequiredModel::heat),
+     quantity::of_traction<&TractionQuantities::heat_oil>("heat_oil", "", units::watt, "heat that the oil takes away",
+                                                          RequiredModel::heat),
+     quantity::of_traction<&TractionQuantities::unconverged_fraction>(
+         "temperatures_missed", "", units::number,
+         "part of the loaded nodes where temperatures across the film did not settle: bands of shear "
+         "as narrow as the points are apart",
+         RequiredModel::heat,
+         Reduced{"temperatures_missed_max", Reduction::largest, units::number,
+                 "largest part of a contact's loaded nodes where temperatures across the film did not settle",
+                 ShownIn::march}),
+     quantity::of_traction<&TractionQuantities::energy_residual>(
+         "heat_balance", "", units::number, "heat that is made in the film and goes nowhere, over all that is made",
+         RequiredModel::heat)});
+
+/// A quantity by its name: one that does not exist ends the compilation.
+struct ContactQuantityName {
+  consteval ContactQuantityName(const char* name) : place(place_in(contact_quantities, name)) {}
+  std::size_t place;
+};
+
+/// Values of all quantities of one contact, dimensionless, in the order of the table.
+struct ContactQuantities {
+  std::array<double, contact_quantities.size()> values{};
+
+  double& operator[](ContactQuantityName name) { return values[name.place]; }
+  double operator[](ContactQuantityName name) const { return values[name.place]; }
+};
+
+/// All of them; those that nothing was given for are zero.
+ContactQuantities quantities_of(const QuantityInputs& at);
+
+/// What the film itself gave, out of the quantities.
+FilmQuantities film_quantities(const ContactQuantities& quantities);
+
+}  // namespace gearfilm
