@@ -33,10 +33,10 @@ class Box(NamedTuple):
         return self.x + right * self.width, self.y + up * self.height
 
 
-def chart(height):
-    """A figure, and axes over all of it."""
+def chart(height, bottom=0):
+    """A figure, and axes over all of it, from a height on."""
     figure = new_figure(height / 100)
-    return figure, bare_axes(figure, [0, 0, 1, 1], ((0, 800), (0, height)))
+    return figure, bare_axes(figure, [0, 0, 1, 1], ((0, 800), (bottom, bottom + height)))
 
 
 def draw_box(axes, box):

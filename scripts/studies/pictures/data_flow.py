@@ -17,9 +17,10 @@ NUMERICS = Box(545, 614, 270, 84, "model", "numerics", "grid, transforms, tolera
                "parallel, numerics, grid")
 FILMS = Box(235, 465, 270, 84, "solve", "films of all contacts", "Reynolds, cavitation,\nelastic deformation",
             "film, elasticity")
-BODIES = Box(550, 465, 220, 84, "solve", "body equations", "motion of the gears,\nteeth that bend", "solver, elasticity")
-STEPS = Box(265, 333, 330, 84, "solve", "time steps", "TS (BDF2) → SNES (Newton)\n→ KSP (FGMRES) → PC (PCMG, a film)",
-            "dynamics, solver, film")
+BODIES = Box(550, 465, 220, 84, "solve", "body equations", "motion of the gears,\nteeth that bend",
+             "solver, elasticity")
+STEPS = Box(265, 333, 330, 84, "solve", "time steps",
+            "TS (BDF2) → SNES (Newton)\n→ KSP (FGMRES) → PC (PCMG, a film)", "dynamics, solver, film")
 HEAT = Box(570, 333, 180, 84, "solve", "heat and friction", "of a film, after\neach step", "traction")
 MARCH = Box(265, 236, 330, 68, "solve", "march", "time integration; contacts enter and leave", "dynamics")
 ORBITS = Box(265, 142, 330, 68, "solve", "periodic states, branches", "multipliers, modes, spectra", "orbits")

@@ -37,7 +37,7 @@ class Gear(NamedTuple):
         return self.centre + polar(numpy.tile(radius, turns.size), numpy.add.outer(turns, angle).ravel())
 
     def _tooth(self, begin):
-        """Radii and angles around one pitch: flank, tip, back, root; `begin` is where the involute leaves its circle."""
+        """Radii and angles around one pitch: flank, tip, back, root; the involute leaves its circle at `begin`."""
         low = self.root + FILLET * 2 * numpy.pi * self.base / self.teeth
         radius = numpy.linspace(low, self.tip, POINTS)
         roll = numpy.sqrt(numpy.maximum((radius / self.base) ** 2 - 1, 0))

@@ -2,6 +2,7 @@
 import numpy
 from matplotlib import pyplot
 from matplotlib.cm import ScalarMappable
+from matplotlib.collections import Collection
 from matplotlib.colors import BoundaryNorm
 from PIL import Image
 
@@ -82,8 +83,8 @@ class MeshCycle:
         for n, (name, title, top) in enumerate((("pressure", "pressure [GPa]", PRESSURE_TOP),
                                                 ("thickness", "film [µm]", FILM_TOP))):
             axes = self.figure.add_axes([0.555 + 0.235 * n, 0.105, 0.175, 0.285])
-            self.curves[name] = [axes.plot([], [], color=tone, linewidth=2 - 0.3 * k, linestyle=("-", (0, (5, 1)))[k])[0]
-                                 for k, tone in enumerate(TONES)]
+            self.curves[name] = [axes.plot([], [], color=tone, linewidth=width, linestyle=style)[0]
+                                 for tone, width, style in zip(TONES, (2, 1.7), ("-", (0, (5, 1))))]
             axes.set_xlim(*reach)
             axes.set_ylim(0, top)
             axes.set_xticks([-1, -0.5, 0, 0.5], ["-1", "", "0", ""])
@@ -113,7 +114,7 @@ class MeshCycle:
         axes, filled = self.maps[n]
         axes.set_facecolor(THICK if film else "white")
         if filled is not None:
-            for part in filled.collections:
+            for part in [filled] if isinstance(filled, Collection) else filled.collections:
                 part.remove()
         self.maps[n][1] = None
         self.map_titles[n].set_text(f"contact {NAMES[n]}" + ("" if film else ": not in mesh"))

@@ -80,7 +80,7 @@ def draw_vibration(figure, pair, films):
     for order, colour in enumerate((GREEN, PURPLE)):
         time, _, own = pair.force[order]
         force.plot(now, numpy.interp(now, time / pair.period, own), marker="o", color=colour, zorder=5)
-    label(force, (1.37, pair.static_force), "static force", (0, 7))
+    label(force, (1.37, pair.static_force), "static", (0, 7))
     force.set_ylim(0, 20)
     force.set_ylabel("force on each\ntooth [kN]", fontsize=SMALL, labelpad=2)
     force.set_xlabel("time [mesh periods]", fontsize=SMALL, labelpad=2)

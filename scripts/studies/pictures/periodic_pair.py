@@ -18,8 +18,6 @@ class PeriodicPair:
         run = gearfilm.open(place) if (place / "summary.json").exists() else gearfilm.run(
             case, "periodic", place, **OPTIONS)
         self.gears = gear_pair(info)
-        self.pitch = 1e3 * info["base_pitch"]
-        self.half_axes = 1e3 * info["a"], 1e3 * info["b"]
         self.speed_rpm = run.parameters["pinion.speed_rpm"].value
         self.period = 1e3 * run.summary["mesh_period"]  # [ms]
         films = [film for film in run.films() if numpy.isfinite(film.time)]
@@ -37,9 +35,6 @@ class PeriodicPair:
             own = rows[rows["contact"] == film.contact]
             time = 1e3 * (own["t"] - steps["t"][-1]) + self.period
             self.force[order] = time, 1e3 * own["xi"], 1e-3 * own["force"]
-
-    def largest(self, name):
-        return max(getattr(film, name).max() for moment in self.moments for film in moment)
 
     def at_moment(self, films):
         """Time of these films from the beginning of the cycle [ms]."""

@@ -7,7 +7,6 @@ from gearfilm.drawing.canvas import COLOURS, DARK
 WIDTH = 8           # inches: 800 pixels at 100 an inch, at which no print is below SMALL
 SMALL, NORMAL, LARGE = 9, 10, 12  # points
 TINT = 0.16         # opacity of bodies
-ON_WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 1.2, "alpha": 0.85}
 
 
 def new_figure(height):
@@ -28,7 +27,8 @@ def bare_axes(figure, box, limits=None):
 def arrow(axes, start, end, xycoords="data", **style):
     """A straight or bent arrow that touches both points."""
     axes.annotate("", end, start, xycoords=xycoords, textcoords=xycoords, annotation_clip=False, arrowprops={
-        "arrowstyle": "-|>", "color": DARK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 12, **style})
+        "arrowstyle": "-|>", "color": DARK, "linewidth": 1.2, "mutation_scale": 12, "shrinkA": 0, "shrinkB": 0,
+        **style})
 
 
 def label(axes, point, text, shift=(0, 0), **style):
