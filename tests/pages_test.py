@@ -65,10 +65,10 @@ class Pages(unittest.TestCase):
                 self.assertEqual(broken_links(page), [])
 
     def test_formulas_and_figures_are_shown(self):
-        theory = read(PAGES / f"{label('docs/theory.md')}.html")
-        self.assertGreater(theory.count('class="formulaDsp"'), 20)
-        self.assertNotIn("$$", theory)
-        self.assertIn('src="fig04_contact.png"', theory)
+        model = read(PAGES / f"{label('docs/model.md')}.html")
+        self.assertGreater(model.count('class="formulaDsp"'), 20)
+        self.assertNotIn("$$", model)
+        self.assertIn('src="fig04_contact.png"', model)
 
 
 class Sources(unittest.TestCase):

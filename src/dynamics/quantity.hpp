@@ -79,7 +79,7 @@ struct AvailableModels {
 template <class Source>
 struct Quantity {
   std::string_view name{};    ///< column of the history
-  std::string_view symbol{};  ///< of the theory
+  std::string_view symbol{};  ///< as in docs/symbols.md
   Unit unit = units::number;
   double (*value)(const Source&) = nullptr;
   std::string_view meaning{};

@@ -21,7 +21,7 @@ enum class Column { none, real, whole };
 template <class Result>
 struct Member {
   std::string_view name;    ///< key of the summary, and of a column
-  std::string_view symbol;  ///< of the theory, or empty
+  std::string_view symbol;  ///< as in docs/symbols.md, or empty
   std::string_view unit;    ///< "-" for pure numbers; empty for what is no number
   std::string_view meaning;
   Summary (*value)(const Result&);  ///< in SI; null: not known; absent(): the result has none

@@ -1,4 +1,5 @@
-"""The discrete equations of a film as docs/theory.md has them, written again in numpy for fields of results.h5.
+"""The discrete equations of a film as docs/model.md and docs/discretisation.md have them, written again in numpy for
+fields of results.h5.
 
 Dimensionless throughout; fields are those of the whole domain, [x, y].
 """

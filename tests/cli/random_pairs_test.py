@@ -60,7 +60,7 @@ def derivative_weights(T):
 
 
 def fitted_motion(w, T, weights):
-    """alpha, beta, f and c of docs/theory.md, section 7."""
+    """alpha, beta, f and c of docs/numerics.md, fitted frequency."""
     if w == 0:
         return 0.0, 1.0, 1.0, 0.0
     derivative = weights @ numpy.exp(1j * w * (T - T[-1]))
