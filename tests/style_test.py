@@ -19,6 +19,7 @@ MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor
 DOCUMENTS = [*(SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
              *sorted((SOURCE / "docs").rglob("*.md"))]
+GUIDE = sorted((SOURCE / "docs/guide").glob("*.md"))
 
 
 def read(path):
@@ -130,7 +131,7 @@ class Documents(unittest.TestCase):
 
     def test_symbols_have_keys_and_names_that_exist(self):
         keys = set(re.findall(r"^\| `(\S+)`", output_of("parameters"), re.MULTILINE))
-        named = output_of("figures") + read(SOURCE / "docs/user-guide.md")
+        named = "".join([output_of("figures"), *map(read, GUIDE)])
         names = set(re.findall(r"`(\w+)`", named)) | names_of_info()
         rows = [line.split("|") for line in read(SOURCE / "docs/symbols.md").splitlines() if line.startswith("| $")]
         self.assertGreater(len(rows), 50)
@@ -138,6 +139,15 @@ class Documents(unittest.TestCase):
             self.assertEqual(len(cells), 7, cells)
             self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[4])), keys, cells[1])
             self.assertLessEqual(set(re.findall(r"`([^`]+)`", cells[5])), names, cells[1])
+
+    def test_the_guide_lists_its_pages_and_explains_their_terms(self):
+        contents = read(SOURCE / "docs/guide/README.md")
+        pages = [path for path in GUIDE if path.name != "README.md"]
+        self.assertGreater(len(pages), 10)
+        for path in pages:
+            self.assertIn(f"]({path.name})", contents)
+        explained = [path for path in pages if "](../terms.md#" in read(path)]
+        self.assertGreater(len(explained), 10)
 
     def test_commands_and_options_of_the_documents_exist(self):
         text = output_of("-help")
@@ -163,7 +173,7 @@ class Release(unittest.TestCase):
                                         ("CHANGELOG.md", r"^## (\S+)", version),
                                         ("docs/examples/CMakeLists.txt", r"^find_package\(gearfilm (\S+) ", minor),
                                         ("docs/examples/README.md", r"`find_package\(gearfilm (\S+)\)`", minor),
-                                        ("docs/user-guide.md", r"^find_package\(gearfilm (\S+) ", minor)):
+                                        ("docs/guide/library.md", r"^find_package\(gearfilm (\S+) ", minor)):
             found = re.search(pattern, read(SOURCE / name), re.MULTILINE)
             self.assertEqual(found and found[1], expected, name)
 

@@ -1,4 +1,4 @@
-// The ways in which a command ends early, each with its exit status (docs/user-guide.md), and how messages are worded.
+// The ways in which a command ends early, each with its exit status (docs/guide/running.md), and how messages are worded.
 #pragma once
 
 #include <iomanip>

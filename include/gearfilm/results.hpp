@@ -11,7 +11,7 @@
 
 namespace gearfilm {
 
-/// The results of one computation under the names that summary.json has (docs/results.md, docs/user-guide.md).
+/// The results of one computation under the names that summary.json has (docs/results.md, docs/guide/results.md).
 class Results {
 public:
   Results();

@@ -8,7 +8,7 @@ from program import INPUT, SOURCE, ProgramTest
 from shortened import SHORT, shortened
 
 CASES = sorted(INPUT.glob("*.yaml"))
-DOCUMENTS = [SOURCE / "docs/user-guide.md", SOURCE / "docs/gallery.md"]
+DOCUMENTS = [SOURCE / "docs/guide/README.md", SOURCE / "docs/gallery.md"]
 
 LARGEST_IMAGE = 150_000  # bytes
 
@@ -57,12 +57,13 @@ class Examples(ProgramTest):
                     words = command_in(path.read_text(encoding="utf-8"), path.name)
                     self.assertTrue(f"gearfilm {shlex.join(words)}" in text, shlex.join(words))
 
-    def test_gallery_has_a_figure_of_every_case_and_the_script_that_draws_it(self):
+    def test_gallery_has_a_figure_of_every_case_and_the_command_that_draws_it(self):
         text = DOCUMENTS[1].read_text(encoding="utf-8")
         for path in CASES:
             with self.subTest(case=path.name):
-                script = re.search(rf"^    (scripts/plot_\w+\.py) output/{path.stem}$", text, re.MULTILINE)
-                self.assertTrue(script and (SOURCE / script[1]).exists())
+                plot = re.search(rf"^    PYTHONPATH=scripts python3 -m gearfilm plot (\w+) output/{path.stem}$", text,
+                                 re.MULTILINE)
+                self.assertTrue(plot and (SOURCE / f"scripts/gearfilm/drawing/{plot[1]}.py").exists())
                 image = f"figures/gallery_{path.stem}.png"
                 self.assertTrue(f"]({image})" in text)
                 self.assertLess((SOURCE / "docs" / image).stat().st_size, LARGEST_IMAGE)

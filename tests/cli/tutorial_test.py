@@ -1,4 +1,5 @@
 """Every command of docs/tutorial.md runs, on the case that it has the reader write. Environment as for cli_test.py."""
+import os
 import re
 import shlex
 import subprocess
@@ -9,7 +10,7 @@ from program import SOURCE, ProgramTest
 from shortened import SHORT, shortened
 
 TEXT = (SOURCE / "docs/tutorial.md").read_text(encoding="utf-8")
-PLOTS = re.findall(r"^    (scripts/plot_\w+\.py) (\S+)$", TEXT, re.MULTILINE)
+PLOTS = re.findall(r"^    python3 -m gearfilm plot (\w+) (\S+)$", TEXT, re.MULTILINE)
 
 
 def folder_of(words):
@@ -38,10 +39,11 @@ class Tutorial(ProgramTest):
                 self.assertEqual(run.status, 0, run)
                 self.assertTrue((self.folder / folder_of(words) / "summary.json").exists())
         self.assertGreater(len(PLOTS), 5)
-        for script, folder in PLOTS:
-            with self.subTest(script=script, folder=folder):
-                done = subprocess.run([sys.executable, "-B", SOURCE / script, folder], cwd=self.folder, timeout=120,
-                                      capture_output=True, text=True, check=False)
+        package = os.environ | {"PYTHONPATH": str(SOURCE / "scripts")}
+        for kind, folder in PLOTS:
+            with self.subTest(kind=kind, folder=folder):
+                done = subprocess.run([sys.executable, "-B", "-m", "gearfilm", "plot", kind, folder], cwd=self.folder,
+                                      env=package, timeout=120, capture_output=True, text=True, check=False)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
