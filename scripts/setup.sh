@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 preset=${1:-release}
 targets=("${@:2}")
 
-scripts/install.sh g++ cmake ninja-build pkg-config openmpi-bin libopenmpi-dev petsc-dev slepc-dev \
+scripts/support/install.sh g++ cmake ninja-build pkg-config openmpi-bin libopenmpi-dev petsc-dev slepc-dev \
   libhdf5-openmpi-dev libfftw3-dev libyaml-cpp-dev nlohmann-json3-dev libeigen3-dev libgtest-dev libgmock-dev python3 python3-numpy python3-h5py \
   python3-matplotlib
 

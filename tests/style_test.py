@@ -176,10 +176,10 @@ class Release(unittest.TestCase):
 
 
 class Links(unittest.TestCase):
-    """scripts/check_links.py, of the documents and of a folder with one broken link."""
+    """scripts/checks/check_links.py, of the documents and of a folder with one broken link."""
 
     def check(self, folder):
-        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/check_links.py", folder], capture_output=True,
+        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/checks/check_links.py", folder], capture_output=True,
                               text=True, check=False, timeout=60)
 
     def check_page(self, text):

@@ -1,4 +1,4 @@
-"""scripts/own_pairs.py: twelve pairs of as many industries beside hand formulas; environment as for cli_test.py."""
+"""scripts/studies/industries: twelve pairs of as many industries beside hand formulas; environment as for cli_test.py."""
 import json
 import pathlib
 import sys
@@ -10,9 +10,9 @@ from script import run_script
 
 SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-from industries import formulas as hand  # noqa: E402
-from industries.cases import PAIRS, commands, parameters  # noqa: E402
-from industries.dry_motion import repeated  # noqa: E402
+from studies.industries import formulas as hand  # noqa: E402
+from studies.industries.cases import PAIRS, commands, parameters  # noqa: E402
+from studies.industries.dry_motion import repeated  # noqa: E402
 
 # Both solve closed formulas or the ratio of an ellipse to round-off.
 EXACT = 1e-10
