@@ -32,8 +32,8 @@ class Industries(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = pathlib.Path(scratch.name)
-        cls.done = run_script(SCRIPTS / "own_pairs.py", cls.folder, "--commands", "info", "static", "bending", "dry",
-                              "--time-limit", 60)
+        cls.done = run_script(SCRIPTS / "studies/industries/run", cls.folder, "--commands", "info", "static", "bending",
+                              "dry", "--time-limit", 60)
 
     def summary(self, pair, name):
         became = json.loads((self.folder / pair.name / f"{name}.json").read_text(encoding="utf-8"))

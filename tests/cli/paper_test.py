@@ -56,7 +56,7 @@ class PaperTest(ProgramTest):
     def assert_refused(self, run, *words):
         self.assertEqual(run.returncode, 1, run)
         self.assertEqual(run.stderr.count("\n"), 1, run)
-        self.assertTrue(run.stderr.startswith("figures: "), run)
+        self.assertTrue(run.stderr.startswith("paper: "), run)
         for word in words:
             self.assertIn(word, run.stderr)
 
