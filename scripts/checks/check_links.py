@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Links between the Markdown files: every file that is linked is there, and every heading.
 
-    scripts/checks/check_links.py [FOLDER]      the source folder by default; build, output and hidden folders are left out
+    scripts/checks/check_links.py [FOLDER]      the source folder by default
 
-Prints one line a broken link; exit status 1 where there is one. Links to other hosts are not followed.
+Build, output and hidden folders are left out. Prints one line a broken link; exit status 1 where there is one. Links to other hosts are not followed.
 """
 import argparse
 import collections

@@ -97,7 +97,7 @@ def draw(runs):
 
 def command(parser, words):
     """Writes compare.png and .pdf into the folder of the first run, or as the words say."""
-    parser.add_argument("runs", type=run_named, nargs="+", metavar="LABEL=FOLDER", help="a name and the folder of a run")
+    parser.add_argument("runs", type=run_named, nargs="+", metavar="LABEL=FOLDER", help="name and folder of a run")
     add_output(parser, "compare")
     parser.add_argument("--into", type=pathlib.Path, metavar="FOLDER", help="of the figure; that of the first run")
     arguments = parser.parse_args(words)

@@ -1,7 +1,7 @@
 """How large a domain and how fine a grid the stationary film of a bare contact needs: laws in M, L, D.
 
-They are fitted to 42 contacts, M = 20..3e5, L = 4..30, D = 5e-4..1, which the study converged_contacts computes with them.
-Those of grids are for films of the fitted discretisation (docs/discretisation.md), and are those of
+They are fitted to 42 contacts, M = 20..3e5, L = 4..30, D = 5e-4..1, which the study converged_contacts
+computes with them. Those of grids are for films of the fitted discretisation (docs/discretisation.md), and are those of
 src/film/expected_errors.cpp. Lengths along the entrainment are in half-axes a, those across in half-axes b.
 H = h_c R_x/a^2 is that of the formula of Nijenbanning, Venner and Moes, l = H^(2/3) the length over which pressure
 rises in the inlet. Errors are relative.

@@ -3,7 +3,7 @@ import json
 import pathlib
 from typing import Callable, NamedTuple
 
-from studies.common.plotting import PlotError, pyplot, read_summary, save
+from studies.common.plotting import pyplot, read_summary, save
 from studies.common.runs import SOURCE, RunError, gearfilm
 from studies.paper import films, models, motion, printed
 from studies.paper.contact_drawing import draw_contact

@@ -21,7 +21,7 @@ from studies.paper import printed  # noqa: E402
 
 
 class Row(NamedTuple):
-    """One quantity: its key in a summary ("list.0.name" for nested ones), its value in the paper, and how both are printed."""
+    """A quantity: its key in a summary ("list.0.name" for nested ones), its value in the paper, how both are printed."""
     label: str
     key: str
     paper: float
