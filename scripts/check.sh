@@ -3,7 +3,7 @@
 #   scripts/check.sh
 set -euo pipefail
 cd "$(dirname "$0")"
-./tidy.sh
+checks/tidy.sh
 ./pages.sh
-./sanitize.sh
-./memcheck.sh
+checks/sanitize.sh
+checks/memcheck.sh

@@ -2,7 +2,7 @@
 # Builds gearfilm where needed and computes the case study of Barbieri, Lubrecht, Pellicano 2013: the stationary film
 # at the pitch point, the first two mesh periods from there, their figures, and a table beside the paper's values.
 #   scripts/demo.sh [FOLDER]              results go to FOLDER; output/demo by default
-# PYTHON names the Python with h5py and matplotlib; by default one that has them (scripts/python.sh).
+# PYTHON names the Python with h5py and matplotlib; by default one that has them (scripts/support/python.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=${1:-output/demo}
@@ -16,7 +16,11 @@ processes=$((cores < 2 ? cores : 2))
 run() {
   local command=$1
   shift
-  scripts/mpiexec.sh "$processes" "$gearfilm" "$command" "$case_file" -output_dir "$folder/$command" "$@"
+  scripts/support/mpiexec.sh "$processes" "$gearfilm" "$command" "$case_file" -output_dir "$folder/$command" "$@"
+}
+
+python() {
+  PYTHONPATH=scripts scripts/support/python.sh "$@"
 }
 
 scripts/setup.sh release gearfilm
@@ -29,9 +33,9 @@ wide=(-grid_nx 145 -grid_ny 81 -grid_x_min -2.25 -grid_x_max 1.5 -grid_y_half 1.
 echo "demo: gearfilm info, steady and transient on $case_file, $processes process(es)"
 run info >/dev/null
 run steady "${paper[@]}"
-scripts/python.sh scripts/plot_film.py "$folder/steady"
+python -m gearfilm plot film "$folder/steady"
 run transient "${paper[@]}" "${wide[@]}" -time_dt 0.026 -mesh_periods 2
-scripts/python.sh scripts/plot_march.py "$folder/transient"
+python -m gearfilm plot march "$folder/transient"
 
 echo
-scripts/python.sh scripts/report.py "$folder"
+python scripts/studies/paper/report.py "$folder"

@@ -4,17 +4,17 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/release}
-command -v doxygen >/dev/null || scripts/install.sh doxygen
+command -v doxygen >/dev/null || scripts/support/install.sh doxygen
 [ -f "$build/CMakeCache.txt" ] || cmake --preset release >/dev/null
 
 python=${PYTHON:-/usr/bin/python3}
-"$python" -B scripts/check_links.py
+"$python" -B scripts/checks/check_links.py
 # The headers that are installed, and nothing else, are public.
 rm -rf build/pages
 cmake --install "$build" --prefix "$PWD/build/pages/headers" --component headers >/dev/null
 headers=build/pages/headers/include
 documents=build/pages/documents
-"$python" -B scripts/page_sources.py "$documents"
+"$python" -B scripts/checks/page_sources.py "$documents"
 version=$(sed -n 's/^project(gearfilm VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 {
   cat docs/Doxyfile

@@ -14,7 +14,7 @@ import urllib.parse
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 BUILD = os.environ.get("GEARFILM_BUILD", str(SOURCE / "build/release"))
 PAGES = SOURCE / "build/pages/html"
-sys.path.insert(0, str(SOURCE / "scripts"))
+sys.path.insert(0, str(SOURCE / "scripts/checks"))
 from page_sources import label, page_source, site_pages  # noqa: E402
 
 

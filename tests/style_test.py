@@ -29,7 +29,8 @@ def read(path):
 def sources(*suffixes):
     folders = ("include", "src", "tests", "scripts", "docs")
     return sorted(path for folder in folders for path in (SOURCE / folder).rglob("*")
-                  if path.suffix in suffixes and "__pycache__" not in path.parts)
+                  if (path.suffix in suffixes or path.name == "run" and ".py" in suffixes)
+                  and "__pycache__" not in path.parts)
 
 
 def relative(path):
@@ -116,6 +117,26 @@ class Files(unittest.TestCase):
             self.assertTrue(os.access(path, os.X_OK), f"{relative(path)} is not executable")
 
 
+class Studies(unittest.TestCase):
+    def test_every_study_has_one_command_and_says_what_it_shows(self):
+        folders = [path for path in sorted((SOURCE / "scripts/studies").iterdir())
+                   if path.is_dir() and path.name not in ("common", "__pycache__")]
+        self.assertGreater(len(folders), 10)
+        listed = read(SOURCE / "scripts/studies/README.md")
+        for folder in folders:
+            with self.subTest(study=folder.name):
+                self.assertTrue(os.access(folder / "run", os.X_OK))
+                text = read(folder / "README.md")
+                self.assertRegex(text, r"(?m)(^    scripts/studies/\w+/|`)run\b")
+                self.assertLess(len(text.splitlines()), 25)
+                self.assertIn(f"]({folder.name}/README.md)", listed)
+                self.assertIn(f"scripts/studies/{folder.name}/run", read(folder / "run"))
+
+    def test_the_top_of_scripts_has_doors_alone(self):
+        files = {path.name for path in (SOURCE / "scripts").iterdir() if path.is_file() and not path.is_symlink()}
+        self.assertEqual(files, {"README.md", "pyproject.toml", "setup.sh", "demo.sh", "test.sh", "check.sh", "pages.sh"})
+
+
 class Documents(unittest.TestCase):
     def test_parameter_page_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/parameters.md"), output_of("parameters"),
@@ -186,10 +207,10 @@ class Release(unittest.TestCase):
 
 
 class Links(unittest.TestCase):
-    """scripts/check_links.py, of the documents and of a folder with one broken link."""
+    """scripts/checks/check_links.py, of the documents and of a folder with one broken link."""
 
     def check(self, folder):
-        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/check_links.py", folder], capture_output=True,
+        return subprocess.run([sys.executable, "-B", SOURCE / "scripts/checks/check_links.py", folder], capture_output=True,
                               text=True, check=False, timeout=60)
 
     def check_page(self, text):

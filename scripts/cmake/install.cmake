@@ -42,13 +42,10 @@ list(JOIN GEARFILM_HDF5_LIBRARIES " " GEARFILM_HDF5_LIBS)
 configure_file(${PROJECT_SOURCE_DIR}/scripts/cmake/gearfilm.pc.in ${PROJECT_BINARY_DIR}/gearfilm.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gearfilm.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# The Python package of the results, and the scripts that draw its figures.
+# The Python package of the results, which draws their figures too.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/gearfilm DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts
-        FILES_MATCHING PATTERN "*.py")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts
-        FILES_MATCHING PATTERN "plot*.py" PATTERN "animate_march.py" PATTERN "pyproject.toml" PATTERN "paper" EXCLUDE
-        PATTERN "refinement" EXCLUDE PATTERN "studies" EXCLUDE PATTERN "cmake" EXCLUDE PATTERN "packaging" EXCLUDE
-        PATTERN "gearfilm" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "renamed.py" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/scripts/pyproject.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/gearfilm/scripts)
 
 # The manual page and the completion are made of what the program says of itself, where it runs: not when built for another
 # machine, and not where MPI starts nowhere but in jobs.

@@ -4,6 +4,7 @@ It imports none of them, so that a line can be said before any is missed.
 """
 import importlib.util
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -40,11 +41,16 @@ def require(packages, program):
     sys.exit(f"{program}: {sys.executable} has no {', '.join(lacking)}; pip install {' '.join(lacking)}, {remedy}")
 
 
-def go_on_with(packages, program):
-    """Begins a script again with a Python that has them, where this one lacks one and there is such."""
+def go_on_with(packages, program, module=None):
+    """Begins a script, or a module, again with a Python that has them, where this one lacks one and there is such."""
     if not missing(packages):
         return
     other = other_python(packages)
     if other is None:
         require(packages, program)
-    os.execv(other, [other, *(["-B"] if sys.dont_write_bytecode else []), *sys.argv])
+    words = [other, *(["-B"] if sys.dont_write_bytecode else [])]
+    if module is None:
+        os.execv(other, [*words, *sys.argv])
+    here = str(pathlib.Path(__file__).resolve().parents[1])     # the other Python may not know of this package
+    path = os.pathsep.join(filter(None, (here, os.environ.get("PYTHONPATH"))))
+    os.execve(other, [*words, "-m", module, *sys.argv[1:]], {**os.environ, "PYTHONPATH": path})

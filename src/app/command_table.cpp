@@ -33,7 +33,7 @@ std::string constants_markdown() {
       "# Tuned constants\n\nThis page is the output of `gearfilm constants`.\n\n"
       "Constants of the algorithms that were chosen by measurement. The option `-NAME` gives one another value; such "
       "values\nare written into the results. No result may hang on them by more than its error bar: "
-      "`scripts/studies/scan_constants.py`\ntries half and twice of each. Lengths and times without unit are "
+      "`scripts/studies/scan_constants/run`\ntries half and twice of each. Lengths and times without unit are "
       "dimensionless.\n\n| Name | Default | Kind | Meaning |\n|---|---|---|---|\n";
   for (const auto& [name, constant] : sorted)
     text += worded("| `", name, "` | ", constant->by_default(), constant->whole() ? " | count | " : " | number | ",

@@ -2,7 +2,7 @@
 // they follow), from the film that is to be expected.
 //
 // With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the law was fitted to 42 computed contacts, M =
-// 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/film_laws.py):
+// 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/studies/film_laws):
 //   what a contact lacks of its central film if the inlet is x long, in units of a, beyond the Hertz ellipse
 //     0.328 L^0.285 H^1.15 / (x^2 (1 + 0.707 kappa x))
 #pragma once

@@ -1,7 +1,7 @@
 // Constants of algorithms that were chosen by measurement.
 //
 // Each has a name, under which -NAME in PETSc's options gives it another value, and a meaning (docs/constants.md).
-// Results must not hang on them by more than their error bars: scripts/studies/scan_constants.py tries half and twice
+// Results must not hang on them by more than their error bars: scripts/studies/scan_constants tries half and twice
 // of each.
 #pragma once
 

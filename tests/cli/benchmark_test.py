@@ -17,7 +17,7 @@ class Comparison(ProgramTest):
                                              encoding="utf-8")
 
     def compare(self, before, after):
-        command = [sys.executable, "-B", str(SOURCE / "scripts/compare_benchmarks.py"), str(self.folder / before),
+        command = [sys.executable, "-B", str(SOURCE / "scripts/studies/speed/compare.py"), str(self.folder / before),
                    str(self.folder / after)]
         return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
 

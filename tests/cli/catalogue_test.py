@@ -1,4 +1,4 @@
-"""scripts/catalogue.py, the oils it takes and scripts/film_laws.py: pairs, their independence, domains and grids.
+"""The catalogue of pairs, its oils and the laws of scripts/studies/film_laws: pairs, their independence, domains and grids.
 
 Environment as for cli_test.py.
 """
@@ -13,11 +13,10 @@ import h5py
 from program import SOURCE
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-import catalogue  # noqa: E402
-import catalogue_runs  # noqa: E402
-import film_laws  # noqa: E402
-import oils  # noqa: E402
-from runs import attempt  # noqa: E402
+from studies.catalogue.measured import steady_cells  # noqa: E402
+from studies.common import catalogue, oils  # noqa: E402
+from studies.common.runs import attempt  # noqa: E402
+from studies.film_laws import laws  # noqa: E402
 
 PAIRS = 3
 
@@ -61,7 +60,7 @@ class Runs(unittest.TestCase):
         for number in self.QUICK:
             with self.subTest(pair=number):
                 case, _ = catalogue.write_pair(self.folder, catalogue.SEED, number)
-                cells, word = catalogue_runs.steady_cells(case, self.folder / f"{number}", 300)
+                cells, word = steady_cells(case, self.folder / f"{number}", 300)
                 self.assertEqual(word, "inside", cells)
 
     def test_periodic_states_are_found_with_their_errors(self):
@@ -104,25 +103,25 @@ class Oils(unittest.TestCase):
 
 
 class Laws(unittest.TestCase):
-    CONTACTS = [film_laws.Groups(L, kappa, H)
+    CONTACTS = [laws.Groups(L, kappa, H)
                 for L in (4, 12, 30) for kappa in (0.01, 0.1, 1) for H in (0.001, 0.03, 1)]
 
     def test_inlet_has_the_error_it_is_for(self):
         for contact in self.CONTACTS:
-            x = film_laws.inlet(contact, 0.01)
+            x = laws.inlet(contact, 0.01)
             error = 0.328 * contact.L ** 0.285 * contact.H ** 1.15 / (x * x * (1 + 0.707 * contact.kappa * x))
             self.assertAlmostEqual(error, 0.01, places=12)
 
     def test_grids_can_be_halved_and_keep_the_aim(self):
         for contact in self.CONTACTS:
-            edges, nx, ny = film_laws.grid(contact, 0.02)
+            edges, nx, ny = laws.grid(contact, 0.02)
             self.assertEqual(((nx - 1) % 4, (ny - 1) % 4), (0, 0))
             step = (edges.x_max - edges.x_min) / (nx - 1)
             self.assertAlmostEqual(edges.x_max / (4 * step), round(edges.x_max / (4 * step)), places=9)
-            self.assertLessEqual(edges.x_min, -1 - film_laws.inlet(contact))
-            self.assertLessEqual(film_laws.central_error(contact, step), 0.020001)
-            self.assertLessEqual(film_laws.smallest_error(contact, step), 0.020001)
-            self.assertLessEqual(2 * edges.y_half / (ny - 1), film_laws.step_y(contact))
+            self.assertLessEqual(edges.x_min, -1 - laws.inlet(contact))
+            self.assertLessEqual(laws.central_error(contact, step), 0.020001)
+            self.assertLessEqual(laws.smallest_error(contact, step), 0.020001)
+            self.assertLessEqual(2 * edges.y_half / (ny - 1), laws.step_y(contact))
 
 
 if __name__ == "__main__":

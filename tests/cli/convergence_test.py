@@ -1,4 +1,4 @@
-"""scripts/convergence.py: its reduced studies against tests/reference/convergence.json, its analysis, its refusals."""
+"""scripts/studies/convergence: its reduced studies against tests/reference/convergence.json, its analysis, its refusals."""
 import json
 import math
 import os
@@ -11,9 +11,9 @@ import unittest
 from program import PROGRAM, SECONDS, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from refinement.limit import limit_of  # noqa: E402
+from studies.convergence.limit import limit_of  # noqa: E402
 
-SCRIPT = SOURCE / "scripts/convergence.py"
+SCRIPT = SOURCE / "scripts/studies/convergence/run"
 REFERENCE = json.loads((SOURCE / "tests/reference/convergence.json").read_text(encoding="utf-8"))
 STUDIES = ("steady", "time", "domain")
 RUN_MADE = "convergence: gearfilm "

@@ -10,7 +10,7 @@ import unittest
 from program import INPUT, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from catalogue import write_pair  # noqa: E402
+from studies.common.catalogue import write_pair  # noqa: E402
 
 BARBIERI = INPUT / "barbieri2013.yaml"
 HIGH_CONTACT_RATIO = INPUT / "high_contact_ratio.yaml"

@@ -9,9 +9,9 @@ from drawn import require_drawn
 from program import INPUT, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from figures import FIGURES  # noqa: E402
-from paper.line_drawing import flank_points, mesh_of  # noqa: E402
-from plotting import PlotError, pyplot, save  # noqa: E402
+from studies.common.plotting import PlotError, pyplot, save  # noqa: E402
+from studies.paper.figures import FIGURES  # noqa: E402
+from studies.paper.line_drawing import flank_points, mesh_of  # noqa: E402
 
 # Teeth, outer radii, centre distance as the case files have them.
 CASES = {"barbieri2013": ((28, 43), (46.55e-3, 69.85e-3), 111e-3),
@@ -34,7 +34,7 @@ def distance(point, line):
 
 class Drawings(ProgramTest):
     def inform(self, case):
-        """Results of `gearfilm info`, as figures.py finds them."""
+        """Results of `gearfilm info`, as scripts/studies/paper finds them."""
         self.run_well("info", INPUT / f"{case}.yaml", "-output_dir", f"{case}/info")
         return self.folder / case
 

@@ -1,4 +1,4 @@
-"""Error bars hold the figures of doubled grids, and what is said of them agrees; scripts/error_bars.py.
+"""Error bars hold the figures of doubled grids, and what is said of them agrees; scripts/studies/error_bars.
 
 Environment as for cli_test.py.
 """
@@ -10,9 +10,9 @@ import unittest
 from program import INPUT, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-import catalogue  # noqa: E402
-import error_bars  # noqa: E402
-from pairs import case_text, disc_inertia  # noqa: E402
+from studies.common import catalogue  # noqa: E402
+from studies.common.pairs import case_text, disc_inertia  # noqa: E402
+from studies.error_bars import bars as error_bars  # noqa: E402
 
 BARBIERI = INPUT / "barbieri2013.yaml"
 # Of the catalogue, seed 1: moderate spikes, and in 5, 13 and 18 some that overtake the centre on finer grids.

@@ -1,4 +1,4 @@
-"""The plot scripts from outside, on small results made up here: figures, exit statuses and messages."""
+"""The figures of `python3 -m gearfilm plot` from outside, on small results made up here: figures, exit statuses and messages."""
 import json
 import math
 import sys
@@ -8,9 +8,10 @@ import h5py
 import numpy
 
 from program import SOURCE, ProgramTest
-from script import run_script
+from script import plot, run_script
 
 sys.path.insert(0, str(SOURCE / "scripts"))
+from gearfilm.drawing import KINDS  # noqa: E402
 from gearfilm.drawing import march as march_figure  # noqa: E402
 from gearfilm.drawing.orbit import read_orbit  # noqa: E402
 from gearfilm.drawing.static import read_static, shares_of_contact  # noqa: E402
@@ -62,7 +63,7 @@ class Motion:
 
 class Figures(ProgramTest):
     def plot(self, name, *options):
-        return run_script(SOURCE / f"scripts/plot_{name}.py", self.folder, *options)
+        return plot(name, self.folder, *options)
 
     def assert_drawn(self, name, *options, figure=None):
         run = self.plot(name, *options)
@@ -78,7 +79,7 @@ class Figures(ProgramTest):
         run = self.plot(name)
         self.assertEqual((run.returncode, run.stdout), (1, ""), run)
         self.assertEqual(run.stderr.count("\n"), 1, run)
-        self.assertTrue(run.stderr.startswith(f"plot_{name}: "), run)
+        self.assertTrue(run.stderr.startswith("gearfilm: "), run)
         for word in words:
             self.assertIn(word, run.stderr)
         self.assertEqual(self.content(), before, run)
@@ -180,17 +181,39 @@ class Figures(ProgramTest):
         else:
             self.write_history(command)
 
-    def test_every_script_draws_the_results_of_its_commands_and_refuses_others(self):
+    def test_every_kind_draws_the_results_of_its_commands_and_refuses_others(self):
         for command in ("steady", "transient", "periodic", "static", "sweep", "continuation"):
             self.write_results(command)
             for name, own in COMMANDS_OF.items():
-                with self.subTest(command=command, script=name):
+                with self.subTest(command=command, kind=name):
                     if command in own:
                         self.assert_drawn(name)
                     elif name == "film" and command in ("transient", "periodic"):
                         self.assert_refused(name, "it stores no films; run it with -output_snapshot_interval")
                     else:
                         self.assert_refused(name, "results.h5 is not a result of gearfilm", own[0])
+
+    def test_wrong_words_are_answered_in_a_line(self):
+        for name, words in (("nothing", "invalid choice: 'nothing'"), ("film", "unrecognized arguments: --bad"),
+                            ("compare", "is not LABEL=FOLDER"), ("animation", "unrecognized arguments")):
+            run = self.plot(name, "--bad")
+            self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)
+            self.assertTrue(run.stderr.startswith("gearfilm: "), run)
+            self.assertIn(words, run.stderr)
+
+    def test_every_kind_has_help(self):
+        for name in KINDS:
+            run = plot(name, "--help")
+            self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+            self.assertIn(f"python3 -m gearfilm plot {name} ", run.stdout)
+            self.assertRegex(plot("--help").stdout, rf"(?m)^  {name} +[a-z]")
+
+    def test_scripts_of_earlier_versions_say_the_new_command(self):
+        for name in KINDS:
+            old = {"compare": "compare_runs", "animation": "animate_march"}.get(name, f"plot_{name}")
+            run = run_script(SOURCE / f"scripts/{old}.py", "output/a b", "--name", "c")
+            self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)
+            self.assertTrue(run.stderr.endswith(f" python3 -m gearfilm plot {name} 'output/a b' --name c\n"), run)
 
     def test_missing_results(self):
         for name, own in COMMANDS_OF.items():
@@ -212,7 +235,7 @@ class Figures(ProgramTest):
 
     def test_missing_columns(self):
         for name, dataset in (("march", "history/contacts"), ("orbit", "history/steps"), ("sweep", "sweep")):
-            with self.subTest(script=name):
+            with self.subTest(kind=name):
                 self.write_results(COMMANDS_OF[name][0])
                 with h5py.File(self.folder / "results.h5", "a") as results:
                     first_column = results[dataset][:][[results[dataset].dtype.names[0]]]
@@ -290,7 +313,7 @@ class Figures(ProgramTest):
         self.assertEqual(orbit.mesh_period, MESH_PERIOD)
 
     def compare(self, *runs):
-        return run_script(SOURCE / "scripts/compare_runs.py", *runs, "--into", self.folder)
+        return plot("compare", *runs, "--into", self.folder)
 
     def test_runs_side_by_side(self):
         for command in ("sweep", "periodic"):

@@ -1,7 +1,5 @@
 """Friction, heat and losses in what commands write, and wrong input for them."""
 import math
-import subprocess
-import sys
 import unittest
 
 import h5py
@@ -11,6 +9,7 @@ from film_equations import FilmEquations
 from films import BARBIERI, CIRCULAR, summary_in
 from program import SOURCE, ProgramTest
 from restarts import SMALL
+from script import plot
 
 HEAT = ["-friction_law", "eyring", "-thermal_model", "friction", "-lubricant_temperature_viscosity", 0.04]
 OF_FRICTION = {"friction_force", "friction_coefficient", "power_sliding", "power_rolling", "flash_temperature"}
@@ -49,8 +48,7 @@ class Friction(ProgramTest):
             self.assertEqual(across.shape, (65, 17))
             for point, name in ((0, "wheel"), (8, "mid"), (16, "pinion")):
                 numpy.testing.assert_array_equal(across[:, point], contact[f"temperature_{name}"][:, middle])
-        drawn = subprocess.run([sys.executable, "-B", SOURCE / "scripts/plot_friction.py", self.folder / "out"],
-                               capture_output=True, text=True, check=False)
+        drawn = plot("friction", self.folder / "out")
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
 
     def test_a_film_that_feels_its_shear_obeys_reynolds_equation_of_that_oil(self):
@@ -116,8 +114,7 @@ class Friction(ProgramTest):
         with h5py.File(self.folder / "out/results.h5") as file:
             self.assertLess(FIELDS, set(next(iter(file["snapshots/0000"].values()))))
         for options, status in ((["--at", "-3"], 0), (["--name", "no/folder"], 1)):
-            drawn = subprocess.run([sys.executable, "-B", SOURCE / "scripts/plot_friction.py", self.folder / "out",
-                                    *options], capture_output=True, text=True, check=False)
+            drawn = plot("friction", self.folder / "out", *options)
             self.assertEqual(drawn.returncode, status, drawn.stderr)
         self.assertTrue((self.folder / "out/friction.png").exists())
         together, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT, "-periodic_multipliers", "no",

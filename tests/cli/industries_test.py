@@ -1,4 +1,4 @@
-"""scripts/own_pairs.py: twelve pairs of as many industries beside hand formulas; environment as for cli_test.py."""
+"""scripts/studies/industries: twelve pairs of as many industries beside hand formulas; environment as for cli_test.py."""
 import json
 import pathlib
 import sys
@@ -10,9 +10,9 @@ from script import run_script
 
 SCRIPTS = SOURCE / "scripts"
 sys.path.insert(0, str(SCRIPTS))
-from industries import formulas as hand  # noqa: E402
-from industries.cases import PAIRS, commands, parameters  # noqa: E402
-from industries.dry_motion import repeated  # noqa: E402
+from studies.industries import formulas as hand  # noqa: E402
+from studies.industries.cases import PAIRS, commands, parameters  # noqa: E402
+from studies.industries.dry_motion import repeated  # noqa: E402
 
 # Both solve closed formulas or the ratio of an ellipse to round-off.
 EXACT = 1e-10
@@ -32,8 +32,8 @@ class Industries(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = pathlib.Path(scratch.name)
-        cls.done = run_script(SCRIPTS / "own_pairs.py", cls.folder, "--commands", "info", "static", "bending", "dry",
-                              "--time-limit", 60)
+        cls.done = run_script(SCRIPTS / "studies/industries/run", cls.folder, "--commands", "info", "static", "bending",
+                              "dry", "--time-limit", 60)
 
     def summary(self, pair, name):
         became = json.loads((self.folder / pair.name / f"{name}.json").read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""scripts/mpiexec.sh: which cores processes get, alone, beside another run, and where there are too few."""
+"""scripts/support/mpiexec.sh: which cores processes get, alone, beside another run, and where there are too few."""
 import fcntl
 import os
 import subprocess
@@ -6,7 +6,7 @@ import unittest
 
 from program import SECONDS, SOURCE
 
-SCRIPT = str(SOURCE / "scripts/mpiexec.sh")
+SCRIPT = str(SOURCE / "scripts/support/mpiexec.sh")
 CORE = "/sys/devices/system/cpu/cpu{}/topology/core_id"
 SHOW = ["bash", "-c", 'sed -n "s/^Cpus_allowed_list:[[:space:]]*//p" /proc/self/status']
 OPEN_MPI = any(name in subprocess.run([os.environ.get("MPIEXEC", "mpiexec"), "--version"], capture_output=True, text=True,

@@ -4,9 +4,8 @@ import unittest
 import numpy
 
 from films import BARBIERI, summary_in
-from program import SOURCE
 from restarts import stopped_after
-from script import run_script
+from script import plot
 from vibration import MARCH, SAME_ORBIT, VibrationTest, table_in
 
 DRY = ["-model", "dry"]
@@ -60,10 +59,10 @@ class DryOrbits(VibrationTest):
 
 
 class Marches(VibrationTest):
-    def draw(self, script, folder, *options):
-        done = run_script(SOURCE / f"scripts/plot_{script}.py", self.folder / folder, *options)
+    def draw(self, kind, folder, *options):
+        done = plot(kind, self.folder / folder, *options)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done)
-        self.assertTrue((self.folder / folder / f"{script}.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertTrue((self.folder / folder / f"{kind}.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_dry_marches_jump_at_both_ends_of_the_hysteresis(self):
         self.run_well("sweep", BARBIERI, *DRY, "-sweep_kind", "marches", "-sweep_from", HYSTERESIS, "-sweep_to", 11000,

@@ -65,10 +65,6 @@ class Package(ProgramTest):
         return subprocess.run([sys.executable, "-B", "-m", "gearfilm", *map(str, words)], capture_output=True,
                               text=True, timeout=SECONDS, check=False, cwd=self.folder, env=environment)
 
-    def script(self, name, *words):
-        return subprocess.run([sys.executable, "-B", str(SOURCE / "scripts" / name), *map(str, words)],
-                              capture_output=True, text=True, timeout=SECONDS, check=False, cwd=self.folder)
-
     def steady(self):
         return gearfilm.run(BARBIERI, "steady", self.folder / "steady", grid_nx=65, grid_ny=33, grid_y_half=1.4)
 
@@ -169,22 +165,22 @@ class Package(ProgramTest):
         done = self.command("plot", "orbit", "march", "--format", "pdf", "--name", "last")
         self.assertEqual((done.stdout, done.stderr), ("figure: march/last.pdf\n", ""))
         self.assertFalse((self.folder / "march/last.png").exists())
-        for kind, message in (("film", "not a result of gearfilm steady"), ("nothing", "no figure 'nothing'; there are")):
+        for kind, message in (("film", "not a result of gearfilm steady"), ("nothing", "no figure 'nothing'; there are"),
+                              ("compare", "no figure of one run")):
             with self.assertRaisesRegex(gearfilm.ResultsError, message):
                 run.draw(kind)
 
     def test_recurrence_and_animation_of_a_march(self):
         self.run_well("transient", BARBIERI, *MARCH, "-grid_y_half", 1.4, "-mesh_periods", 3, "-output_snapshot_interval",
                       0.2, "-output_dir", "march")
-        for words, name, beginning in ((("plot_poincare.py", "march"), "poincare.png", b"\x89PNG"),
-                                       (("animate_march.py", "march"), "cycle.gif", b"GIF8")):
-            done = self.script(*words)
+        for kind, name, beginning in (("poincare", "poincare.png", b"\x89PNG"), ("animation", "cycle.gif", b"GIF8")):
+            done = self.command("plot", kind, "march")
             self.assertEqual((done.returncode, done.stderr), (0, ""), done)
             self.assertTrue((self.folder / "march" / name).read_bytes().startswith(beginning))
         with Image.open(self.folder / "march/cycle.gif") as movie:
             self.assertGreater(movie.n_frames, 4)
-        done = self.script("animate_march.py", "march", "--contact", 99)
-        self.assertRegex(done.stderr, r"\Aanimate_march: .* no snapshot of contact 99; it has \[.*\n\Z")
+        done = self.command("plot", "animation", "march", "--contact", 99)
+        self.assertRegex(done.stderr, r"\Agearfilm: .* no snapshot of contact 99; it has \[.*\n\Z")
 
     @unittest.skipUnless(shutil.which("chromium"), "no chromium on this machine")
     def test_a_browser_shows_a_page(self):

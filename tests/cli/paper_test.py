@@ -11,9 +11,9 @@ import numpy
 from program import PROGRAM, SECONDS, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from paper import printed  # noqa: E402
-from paper.films import path_of_oil  # noqa: E402
-from paper.life import Life, find_delays, find_positions, read_fields, read_life, vertex  # noqa: E402
+from studies.paper import printed  # noqa: E402
+from studies.paper.films import path_of_oil  # noqa: E402
+from studies.paper.life import Life, find_delays, find_positions, read_fields, read_life, vertex  # noqa: E402
 
 MM = 1e-3
 
@@ -49,14 +49,14 @@ class Positions(unittest.TestCase):
 
 class PaperTest(ProgramTest):
     def figures(self, *options, program=PROGRAM):
-        command = [sys.executable, "-B", str(SOURCE / "scripts/figures.py"), str(self.folder), *map(str, options)]
+        command = [sys.executable, "-B", str(SOURCE / "scripts/studies/paper/run"), str(self.folder), *map(str, options)]
         return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False,
                               env={**os.environ, "GEARFILM": program, "DISPLAY": ""})
 
     def assert_refused(self, run, *words):
         self.assertEqual(run.returncode, 1, run)
         self.assertEqual(run.stderr.count("\n"), 1, run)
-        self.assertTrue(run.stderr.startswith("figures: "), run)
+        self.assertTrue(run.stderr.startswith("paper: "), run)
         for word in words:
             self.assertIn(word, run.stderr)
 

@@ -88,7 +88,7 @@ class Series(VibrationTest):
                           f"simple.SaveScreenshot({str(self.folder / 'sphere.png')!r})\n", encoding="utf-8")
         if pvpython(sphere).returncode or not (self.folder / "sphere.png").exists():
             self.skipTest("ParaView cannot draw on this machine")
-        done = pvpython(SOURCE / "scripts/paraview_film.py", self.output)
+        done = pvpython(SOURCE / "scripts/examples/paraview_film.py", self.output)
         self.assertEqual(done.returncode, 0, done)
         self.assertTrue((self.output / "film_view.png").read_bytes().startswith(b"\x89PNG"))
         again = self.folder / "again.py"

@@ -16,7 +16,7 @@ SAID_OF_CASES = re.compile(
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
-MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/mpiexec.sh")))
+MPIEXEC = shlex.split(os.environ.get("GEARFILM_MPIEXEC", str(SOURCE / "scripts/support/mpiexec.sh")))
 RESULT_FILES = {"results.h5", "results.xmf", "summary.json"}
 SECONDS = 600
 # Grids of tests are small, and all processes are to share them.

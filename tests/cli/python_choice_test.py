@@ -25,7 +25,7 @@ def call(*words, **environment):
 @unittest.skipUnless(HAS_NONE, "this Python has numpy even without site folders")
 class Lacking(ProgramTest):
     def test_the_package_says_what_is_missing_in_a_line(self):
-        for words in (["export", "folder"], ["report", "folder"], ["plot", "film", "folder"], []):
+        for words in (["export", "folder"], ["report", "folder"], []):
             done = call(*BARE, "-m", "gearfilm", *words)
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done)
             self.assertRegex(done.stderr, r"\Agearfilm: \S+ has no h5py, numpy; pip install h5py numpy, or use \S+")
@@ -47,22 +47,24 @@ class Lacking(ProgramTest):
         done = call(*BARE, "-c", "import gearfilm; gearfilm.nothing")
         self.assertIn("module 'gearfilm' has no attribute 'nothing'", done.stderr)
 
-    def test_scripts_go_on_with_a_python_that_has_them(self):
+    def test_figures_and_studies_go_on_with_a_python_that_has_them(self):
         self.run_well("steady", BARBIERI, "-grid_nx", 65, "-grid_ny", 33, "-grid_y_half", 1.4, "-output_dir", "steady")
-        done = call(*BARE, SCRIPTS / "plot_film.py", self.folder / "steady", "--format", "png", PYTHON=sys.executable)
+        done = call(*BARE, "-m", "gearfilm", "plot", "film", self.folder / "steady", "--format", "png",
+                    PYTHON=sys.executable)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, f"figure: {self.folder}/steady/film.png\n", ""))
-        done = call(*BARE, SCRIPTS / "catalogue_runs.py", "--help", PYTHON=sys.executable)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for study in ("catalogue", "film_errors"):
+            done = call(*BARE, SCRIPTS / "studies" / study / "run", "--help", PYTHON=sys.executable)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 class Shell(ProgramTest):
-    """scripts/python.sh, which shell scripts call."""
+    """scripts/support/python.sh, which shell scripts call."""
 
     def test_the_named_one_comes_first(self):
         other = self.folder / "other"
         other.write_text("#!/bin/sh\necho other \"$@\"\n", encoding="utf-8")
         other.chmod(0o755)
-        self.assertEqual(call(SCRIPTS / "python.sh", "-x", "a b", PYTHON=str(other)).stdout, "other -x a b\n")
+        self.assertEqual(call(SCRIPTS / "support/python.sh", "-x", "a b", PYTHON=str(other)).stdout, "other -x a b\n")
 
     @unittest.skipUnless(DEBIAN.exists() and call(DEBIAN, "-c", "import h5py, matplotlib").returncode == 0,
                          "no Python of Debian's with the packages")
@@ -70,7 +72,7 @@ class Shell(ProgramTest):
         lacking = self.folder / "python3"
         lacking.write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
         lacking.chmod(0o755)
-        done = call(SCRIPTS / "python.sh", "-c", "import h5py, matplotlib, sys; print(sys.executable)", PYTHON="",
+        done = call(SCRIPTS / "support/python.sh", "-c", "import h5py, matplotlib, sys; print(sys.executable)", PYTHON="",
                     PATH=f"{self.folder}:{os.environ['PATH']}")
         self.assertEqual((done.stdout, done.stderr), (f"{DEBIAN}\n", ""))
 

@@ -8,7 +8,7 @@ from film_equations import conditions
 from program import SOURCE
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from pairs import disc_inertia, logarithmic  # noqa: E402
+from studies.common.pairs import disc_inertia, logarithmic  # noqa: E402
 
 CONTACT_RATIO = (1.05, 2.2)
 # R_x at the ends of the path over that at the pitch point. It is zero where teeth meet on a base circle, and a contact

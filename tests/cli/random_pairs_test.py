@@ -19,7 +19,7 @@ from random_pairs import formula_holds, random_pair
 from vibration import table_in
 
 sys.path.insert(0, str(SOURCE / "scripts"))
-from pairs import case_text  # noqa: E402
+from studies.common.pairs import case_text  # noqa: E402
 
 PAIRS = int(os.environ.get("GEARFILM_RANDOM_PAIRS", "6"))
 SEED = os.environ.get("GEARFILM_RANDOM_SEED", "5")

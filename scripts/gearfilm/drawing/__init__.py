@@ -8,13 +8,31 @@
 """
 import importlib
 import pathlib
+from typing import NamedTuple
 
+from ..command_line import Parser
 from ..folder import ResultsError
 
-# Commands whose results are drawn, the usual one first.
-KINDS = {"film": "steady, or a march with films", "march": "transient or periodic", "orbit": "periodic or transient",
-         "poincare": "transient", "sweep": "sweep", "branch": "continuation", "static": "static",
-         "friction": "transient, periodic or steady"}
+
+class Kind(NamedTuple):
+    """One kind of figure."""
+    commands: str               # whose results are drawn
+    shows: str
+
+
+KINDS = {
+    "film": Kind("steady, or a march with films", "the film over the contact, and pressure and film along y = 0"),
+    "march": Kind("transient or periodic", "motion, forces and films over the length travelled"),
+    "orbit": Kind("periodic or transient", "phase portrait, force over the line of action, spectrum"),
+    "sweep": Kind("sweep", "response of a sweep, its marches as dots, or its basins"),
+    "branch": Kind("continuation", "branches of periodic states with their bifurcations"),
+    "poincare": Kind("transient", "motion once a mesh period"),
+    "static": Kind("static", "transmission error, load shares and mesh stiffness"),
+    "friction": Kind("transient, periodic or steady", "friction coefficient, losses and temperatures"),
+    "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
+    "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
+}
+# Commands whose results are drawn, the usual kind first.
 USUAL = {"steady": ("film",), "transient": ("march",), "periodic": ("orbit", "march", "film"), "sweep": ("sweep",),
          "continuation": ("branch",), "static": ("static",)}
 
@@ -36,18 +54,26 @@ def usual_kinds(command):
 
 def draw(folder, kind, **options):
     """A matplotlib Figure of the results in a folder."""
-    return module_of(kind).draw_folder(pathlib.Path(folder), **options)
-
-
-def command(kind, words=None, program=None):
-    """Writes a figure as the words of a command line say; a script by the words that it was called with."""
     module = module_of(kind)
-    from .canvas import command_line, write_figure  # pylint: disable=import-outside-toplevel
-    parser = command_line(module.__doc__, KINDS[kind], kind)
-    if program is not None:
-        parser.prog = f"{program} plot {kind}"
+    if not hasattr(module, "draw_folder"):
+        raise ResultsError(f"'{kind}' is no figure of one run; python3 -m gearfilm plot {kind} writes it")
+    return module.draw_folder(pathlib.Path(folder), **options)
+
+
+def command(kind, words):
+    """Writes a figure as the words of a command line say."""
+    module = module_of(kind)
+    importlib.import_module("matplotlib").use("Agg")    # files alone: no window is opened
+    canvas = importlib.import_module(".canvas", __name__)
+    meaning, _, more = module.__doc__.partition("\n")
+    parser = Parser(prog=f"python3 -m gearfilm plot {kind}", description=meaning, epilog=more.strip())
+    if hasattr(module, "command"):
+        module.command(parser, words)
+        return
+    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {KINDS[kind].commands}")
+    canvas.add_output(parser, kind)
     getattr(module, "add_options", lambda _: None)(parser)
     arguments = parser.parse_args(words)
     options = {name: value for name, value in vars(arguments).items() if name not in ("folder", "name", "format")}
-    write_figure(arguments.folder, arguments.name, lambda: module.draw_folder(arguments.folder, **options),
-                 arguments.format, program)
+    canvas.write_figure(arguments.folder, arguments.name, lambda: module.draw_folder(arguments.folder, **options),
+                        arguments.format)

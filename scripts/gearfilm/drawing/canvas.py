@@ -1,8 +1,6 @@
 """What figures have in common: the results they read, their colours, grids and legends, the written file."""
-import argparse
 import contextlib
 import json
-import pathlib
 import sys
 
 import h5py
@@ -59,8 +57,8 @@ def require_format(results, path, command):
     version = results.attrs.get("format_version")
     if version != FORMAT:
         theirs = "no format version" if version is None else f"format version {read_text(version)}"
-        raise PlotError(f"{path} has {theirs}, and this script reads version {FORMAT} alone; "
-                        f"run gearfilm {command} again, or use the scripts of the gearfilm that wrote it")
+        raise PlotError(f"{path} has {theirs}, and this package reads version {FORMAT} alone; "
+                        f"run gearfilm {command} again, or use the package of the gearfilm that wrote it")
 
 
 def read_table(results, name, columns):
@@ -122,13 +120,10 @@ def add_legend(axes, handles, labels, base=1.0):
                 ncol=min(len(entries), 5), frameon=False, fontsize=8)
 
 
-def command_line(documentation, command, name):
-    """Parser of FOLDER, --name and --format; the first line of the documentation describes it."""
-    parser = argparse.ArgumentParser(description=documentation.split("\n", 1)[0])
-    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {command}")
-    parser.add_argument("--name", default=name, help="file name of the figure, without ending")
+def add_output(parser, name):
+    """--name and --format of a figure."""
+    parser.add_argument("--name", default=name, help="file name of the figure, without ending (%(default)s)")
     parser.add_argument("--format", choices=ENDINGS, nargs="+", default=ENDINGS, help="files to write; all by default")
-    return parser
 
 
 def save(figure, paths):
@@ -141,9 +136,8 @@ def save(figure, paths):
             small.save(path, optimize=True)
 
 
-def write_figure(folder, name, draw, endings=ENDINGS, program=None):
+def write_figure(folder, name, draw, endings=ENDINGS, program="gearfilm"):
     """Writes the figure that draw() returns to the folder; exit status 1, with one line, where that cannot be done."""
-    program = program or pathlib.Path(sys.argv[0]).stem
     paths = [folder / f"{name}.{ending}" for ending in endings]
     try:
         figure = draw()

@@ -51,7 +51,7 @@ def read_marched(folder, place):
 
 def read_film(folder, place=0.0):
     path = folder / "results.h5"
-    with open_results(path, "steady, or of a march with films", "contact0 with x, y, P, H is missing") as results:
+    with open_results(path, "steady, or a march with films", "contact0 with x, y, P, H is missing") as results:
         if "history" in results:
             marched = read_marched(folder, place)
             if marched is None:

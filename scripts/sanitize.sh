@@ -1,7 +1,0 @@
-#!/usr/bin/env bash
-# Runs the short tests under the address and undefined-behaviour sanitizers, the parallel ones on 2 processes.
-#   scripts/sanitize.sh
-set -euo pipefail
-cd "$(dirname "$0")/.."
-scripts/setup.sh debug gearfilm unit_tests input_tests film_tests
-ctest --preset debug -L 'unit|film|short' -LE slow -E '_np[134]$'
