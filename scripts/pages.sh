@@ -15,6 +15,8 @@ cmake --install "$build" --prefix "$PWD/build/pages/headers" --component headers
 headers=build/pages/headers/include
 documents=build/pages/documents
 "$python" -B scripts/checks/page_sources.py "$documents"
+doxygen -l build/pages/layout.xml
+"$python" -B scripts/checks/site_menu.py build/pages/layout.xml
 version=$(sed -n 's/^project(gearfilm VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
 {
   cat docs/Doxyfile
@@ -23,6 +25,7 @@ version=$(sed -n 's/^project(gearfilm VERSION \([^ ]*\).*/\1/p' CMakeLists.txt)
   echo "USE_MDFILE_AS_MAINPAGE = $documents/README.md"
   echo "STRIP_FROM_PATH = $headers"
   echo "STRIP_FROM_INC_PATH = $headers"
+  echo "LAYOUT_FILE = build/pages/layout.xml"
   echo "OUTPUT_DIRECTORY = build/pages"
 } | doxygen -
 echo "pages: build/pages/html/index.html"
