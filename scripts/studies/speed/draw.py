@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws what kernels cost: bars of docs/performance.md from the table docs/data/speed_kernels.md.
 
-    scripts/studies/speed/draw TABLE PICTURE.png
+    scripts/studies/speed/draw.py TABLE PICTURE.png
 
 The table has a kernel a row and a grid a column, in convolution times; of its rows those in one grid of `bench` are
 drawn but for the first one (the unit) and the whole film, for the smallest and the largest grid. Exit status 1, with
