@@ -3,7 +3,7 @@
 // Errors are of second order: with steps r times as long they are r^2 times as large, so that
 //   e = (f(h) - f(r h))/(r^2 - 1)
 // is the estimate of the error and f(h) + e the extrapolated value. Two kinds of quantities converge more slowly, and
-// have bars of their own, with measured factors (docs/verification.md, section 13):
+// have bars of their own, with measured factors (docs/notes/2026-11-factors-of-error-bars.md):
 // - Smallest films, and pressures beside a spike, converge with orders of 1.3 to 2: 3 e/2.
 // - The outlet's spike (Petrusevich) is thinner than the steps of usual grids: its height grows by 3 to 13 % whenever
 //   nodes are doubled, for four doublings and more. Its bar is what two doublings add, which is not the limit: that

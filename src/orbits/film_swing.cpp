@@ -12,8 +12,8 @@ namespace gearfilm {
 namespace {
 
 // Modes of films on few lines converge erratically, since the edge of what is full moves by whole cells
-// (docs/verification.md, section 13). Their bars are what a doubling of the steps changes, and a part of the square of
-// the step across, in half-widths b, at least.
+// (docs/notes/2026-11-slow-pairs.md). Their bars are what a doubling of the steps changes, and a part of the square
+// of the step across, in half-widths b, at least.
 constexpr double of_doubling = 3.0;             // in errors of second order
 constexpr double least_of_frequency = 0.5;      // relative, of the step's square
 constexpr double least_of_damping_ratio = 8.0;  // likewise

@@ -74,8 +74,8 @@ def flooded_inlet(derived):
 def mesh_error(derived, h_x):
     """About the relative error of the central film on a grid of step h_x.
 
-    Pressure rises in the inlet over a length of H^(2/3). Half to one and a half of this is in
-    docs/verification.md, section 5.
+    Pressure rises in the inlet over a length of H^(2/3). Errors in docs/data/verify_range.md
+    are half to one and a half of this.
     """
     return h_x ** 2 / predicted_film(derived) ** (4 / 3)
 

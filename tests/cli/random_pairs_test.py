@@ -31,9 +31,9 @@ ROUND_OFF = 1e-12
 # Of the formula, fitted to computed films of Barus' law: its own error, that of the grid and that of another law.
 FORMULA = 0.15
 # Marches of 1 and 2 processes. At least twice as much as histories differ from those with a tolerance of 1e-8
-# (docs/performance.md, twelve marches).
+# (docs/notes/2026-11-newton-tolerance.md).
 SAME_H0, SAME_FORCE, SAME_FILM = 2e-5, 1e-4, 2e-4
-# H_0 at the end of a march by other time steps; measured 2e-6. Half the step changes it by 1e-4 (the same section).
+# H_0 at the end of a march by other time steps; measured 2e-6. Half the step changes it by 1e-4.
 OTHER_STEPS = 2e-4
 
 

@@ -61,7 +61,7 @@ TEST(Choice, nodes_can_be_halved) {
   }
 }
 
-// Limits of the study of docs/verification.md, section 3, on the paper's short domain.
+// Limits of the study of docs/verification.md, section 4, on the paper's short domain.
 class ErrorsOfGrids : public testing::TestWithParam<FilmDiscretisation> {};
 
 TEST_P(ErrorsOfGrids, hold_the_film_of_an_infinitely_fine_grid) {
