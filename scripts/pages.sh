@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Makes the pages of the documents and of the public headers with Doxygen, into build/pages/html; a warning is an error.
+# Before that, links, spelling, lines and tables of the documents are checked.
 #   scripts/pages.sh [BUILD]       a configured build folder, build/release by default
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build/release}
-command -v doxygen >/dev/null || scripts/support/install.sh doxygen
+command -v doxygen >/dev/null && command -v hunspell >/dev/null || scripts/support/install.sh doxygen hunspell hunspell-en-gb
 [ -f "$build/CMakeCache.txt" ] || cmake --preset release >/dev/null
 
 python=${PYTHON:-/usr/bin/python3}
 "$python" -B scripts/checks/check_links.py
+"$python" -B scripts/checks/documents.py
 # The headers that are installed, and nothing else, are public.
 rm -rf build/pages
 cmake --install "$build" --prefix "$PWD/build/pages/headers" --component headers >/dev/null

@@ -3,8 +3,8 @@
 
     scripts/checks/documents.py [--update]
 
-Spelling is that of hunspell's British dictionary and of docs/words.txt, one word a line; code, formulas, links and words with digits
-are left out. Lines of prose have at most 120 characters. Between `<!-- table NAME -->` and `<!-- end -->` stands
+Spelling is that of hunspell's British dictionary and of docs/words.txt, one word a line; code, formulas, links and
+words with digits are left out. Lines of prose have at most 120 characters. Between `<!-- table NAME -->` and `<!-- end -->` stands
 docs/data/NAME.md but for its first line, which says the version and the machine; --update writes it there. README,
 guide, model, numerics, verification, performance and limits have at most 30,000 words, tables of studies left out.
 
@@ -29,7 +29,8 @@ TABLE = re.compile(r"<!-- table ([\w-]+) -->\n(.*?)<!-- end -->\n", re.S)
 
 def pages():
     top = [SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")]
-    return [*top, *sorted(DOCUMENTS.rglob("*.md")), *sorted((SOURCE / "scripts").rglob("README.md"))]
+    found = [*top, *sorted(DOCUMENTS.rglob("*.md")), *sorted((SOURCE / "scripts").rglob("README.md"))]
+    return [page for page in found if page.parent != DOCUMENTS / "data"]
 
 
 def counted(page):
@@ -40,11 +41,10 @@ def counted(page):
 
 def plain(text):
     """Prose without code, formulas, addresses and marks: by line number."""
-    text = re.sub(r"\$\$.*?\$\$", lambda found: "\n" * found[0].count("\n"), text, flags=re.S)
-    text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
-    for number, line in prose(text):
-        line = CODE.sub(" ", line)
-        line = re.sub(r"\$[^$]*\$", " ", line)
+    numbers, lines = zip(*prose(text))
+    joined = "\n".join(CODE.sub(" ", line) for line in lines)
+    joined = re.sub(r"\$\$.*?\$\$|\$[^$]*\$|<!--.*?-->", lambda found: "\n" * found[0].count("\n"), joined, flags=re.S)
+    for number, line in zip(numbers, joined.split("\n")):
         line = re.sub(r"\]\([^)]*\)", "] ", line)
         line = re.sub(r"<[^>]*>|https?://\S+|\w*\d\w*", " ", line)
         yield number, re.sub(r"(?<=\w)['’]s\b", "", line)

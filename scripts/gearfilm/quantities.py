@@ -26,7 +26,7 @@ surface_temperature_wheel_max | K | largest temperature of the wheel's flank
 temperatures_missed_max | - | largest part of a contact's loaded nodes where temperatures across the film did not settle
 total_force_ratio_max | - | largest force on all contacts together over the static force
 total_force_ratio_min | - | smallest force on all contacts together over the static force
-back_force_ratio_max | - | largest force on back flanks over the static force
+back_force_ratio_max | - | largest force on reverse flanks over the static force
 steps | - | time steps
 contact_steps | - | time steps of contacts, each counted by itself
 newton_iterations | - | iterations of Newton's method
@@ -105,7 +105,7 @@ static_force | N | static force on the pair
 H0_after_leaving | - | H_0 just after a contact has left
 V0_after_leaving | - | V_0 just after a contact has left
 contact_lost | | whether the total force falls below 0.02 of the static force
-back_contact | | whether back flanks touch
+back_contact | | whether reverse flanks touch
 transmission_error_peak_to_peak | m | transmission error, largest less smallest
 transmission_error_rms | m | transmission error, root mean square of its deviation from the mean
 floquet_modulus | - | what a disturbance keeps over the period
@@ -117,7 +117,7 @@ mean_friction_coefficient | - | mean friction coefficient
 defect | - | change of the motion over the periodic period
 film_defect | - | largest change of any pressure over the periodic period, in units of p_h (of films that feel their heat: root mean square of a field over its largest value)
 periods_used | - | mesh periods marched to find the state
-order | - | mesh periods after which the state repeats
+order | - | mesh periods, or patterns of teeth with errors, after which its states repeat
 dT | - | time step over a/u_m
 completed | | whether the run has come to its end
 te_mean | m | transmission error, mean over the mesh period
@@ -161,26 +161,26 @@ points_failed | - | points where none was found
 points | - | points
 speed_rpm | rpm | speed of the pinion
 torque | N m | torque of the pinion
-viscosity | Pa s | viscosity of the oil
+viscosity | Pa s | viscosity at ambient pressure
 direction | | way of the sweep
 start | | where the search began
 branch | - | number of the branch
 kind | | kind of the bifurcation
 number | - | number of the branch
-end | | where the branch ends
-born_on | - | branch on which it was born
+end | | how it ends
+born_on | - | branch at whose flip it is born
 model | | model
 motion | | whether bodies have inertia (dynamic) or are in balance at every moment (quasi_static)
-repeats_every | - | mesh periods after which the motion repeats
-repeats_within | - | how far it is from repeating
-settles_on | - | mesh periods after which the motion repeats
+repeats_every | - | mesh periods after which the march repeats
+repeats_within | - | distance in (H0, V0) within which it does
+settles_on | - | mesh periods after which the motion that it comes to repeat begins again
 attractor | - | number of the motion
-share | - | part of the starts
-event | | what happens
-from | | begin
-to | | end
-distance_end | m | way along the line of action at the end
-largest_h_central | m | largest central film meanwhile
+share | - | part of the starts that lead there
+event | | entry or exit of a contact
+from | | value of the parameter where it begins
+to | | value of the parameter where it ends
+distance_end | m | way along the line of action where contact is found again
+largest_h_central | m | largest central film in between
 frequency | Hz | frequency
 """
 # What tells of the solver and its grid, not of the gears.

@@ -58,7 +58,7 @@ constexpr auto stretch_members = std::to_array<Member<Stretch>>({
     {"branch", "", "-", "number of the branch", [](const Stretch& of) -> Summary { return of.branch; }},
     {"order", "k", "-", "periods after which its states repeat", [](const Stretch& of) -> Summary { return of.order; }},
     {"from", "", "", "value of the parameter where it begins", [](const Stretch& of) -> Summary { return of.from; }},
-    {"to", "", "", "and where it ends", [](const Stretch& of) -> Summary { return of.to; }},
+    {"to", "", "", "value of the parameter where it ends", [](const Stretch& of) -> Summary { return of.to; }},
     {"stable", "", "", "whether its states are stable", [](const Stretch& of) -> Summary { return of.stable; }},
 });
 

@@ -88,7 +88,7 @@ struct LossOfPair {
 constexpr auto loss_members = std::to_array<Member<LossOfPair>>({
     {"distance", "", "m", "way along the line of action where contact is lost",
      [](const LossOfPair& of) -> Summary { return of.mesh.path.distance(of.loss.begin); }},
-    {"distance_end", "", "m", "where it is found again",
+    {"distance_end", "", "m", "way along the line of action where contact is found again",
      [](const LossOfPair& of) -> Summary { return of.mesh.path.distance(of.loss.end); }},
     {"largest_h_central", "", "m", "largest central film in between; not in the dry model",
      [](const LossOfPair& of) -> Summary {

@@ -154,7 +154,7 @@ constexpr auto attractor_members = std::to_array<Member<Attractor>>({
      [](const Attractor& of) -> Summary { return of.march ? (*of.march)["settles_on"] : Summary(); }},
     {"force_ratio_max", "", "-", "largest force on one contact over the static force",
      [](const Attractor& of) -> Summary { return of.march ? (*of.march)["force_ratio_max"] : absent(); }},
-    {"share", "", "-", "of the starts that lead there", [](const Attractor& of) -> Summary { return of.share; }},
+    {"share", "", "-", "part of the starts that lead there", [](const Attractor& of) -> Summary { return of.share; }},
     {"states_after_leaving", "", "-", "(H0, V0) just after a contact has left, once a mesh period",
      [](const Attractor& of) -> Summary { return of.march ? Summary(states_of(*of.march)) : absent(); }},
 });
