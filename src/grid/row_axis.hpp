@@ -53,7 +53,7 @@ public:
   int mirror_row() const { return mirrored() ? 0 : -1; }
   /// Whether P = 0 in this row.
   bool is_ambient(int row) const { return row == count() - 1 || (row == 0 && !mirrored()); }
-  /// Those of some rows in which P is an unknown.
+  /// Those of the given rows in which P is an unknown.
   RowRange inner(RowRange rows) const;
   /// Rows from a row to the mirror image of another one, where there is an image.
   std::optional<int> distance_to_image(int row, int source) const;
