@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 import urllib.parse
 
@@ -15,6 +16,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[1]
 BUILD = os.environ.get("GEARFILM_BUILD", str(SOURCE / "build/release"))
 PAGES = SOURCE / "build/pages/html"
 sys.path.insert(0, str(SOURCE / "scripts/checks"))
+from documents import long_lines, misspelt, table_faults  # noqa: E402
 from page_sources import label, page_source, site_pages  # noqa: E402
 
 
@@ -39,7 +41,7 @@ def broken_links(page):
     return broken
 
 
-@unittest.skipUnless(shutil.which("doxygen"), "Doxygen is not installed")
+@unittest.skipUnless(shutil.which("doxygen") and shutil.which("hunspell"), "Doxygen or hunspell is not installed")
 class Pages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -71,6 +73,32 @@ class Pages(unittest.TestCase):
         self.assertIn('src="fig04_contact.png"', model)
 
 
+@unittest.skipUnless(shutil.which("hunspell"), "hunspell is not installed")
+class Documents(unittest.TestCase):
+    """What is a fault in a page."""
+
+    def faults(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            page.write_text(f"# A page\n\n{text}\n", encoding="utf-8")
+            found = [*table_faults(page, False), *long_lines(page), *misspelt(page)]
+        return [re.sub(r"[;(].*", "", fault) for fault in found]
+
+    def test_words(self):
+        self.assertEqual(self.faults("The film of gearfilm, `no wrod`, $wrod$, 12e3 and [text](wrod.md)."), [])
+        self.assertEqual(self.faults("A wrod."), ["3: 'wrod' is no known word"])
+
+    def test_lines(self):
+        self.assertEqual(self.faults("word " * 24 + "\n| " + "word " * 40 + "|"), [])
+        self.assertEqual(self.faults("word " * 25), ["3: 125 characters"])
+
+    def test_tables(self):
+        self.assertEqual(self.faults("<!-- table no_such -->\n| a |\n<!-- end -->\n"),
+                         ["1: table no_such: there is no docs/data/no_such.md"])
+        self.assertEqual(self.faults("<!-- table film_errors -->\n| a |\n<!-- end -->\n"),
+                         ["1: table film_errors is not docs/data/film_errors.md"])
+
+
 class Sources(unittest.TestCase):
     """What becomes of a line of Markdown on its way to Doxygen."""
 
@@ -88,6 +116,10 @@ class Sources(unittest.TestCase):
         self.assertEqual(self.source("$a$ and `$b$`"), r"\f$a\f$ and `$b$`")
         self.assertEqual(self.source("$$ c $$"), r"\f[ c \f]")
         self.assertEqual(self.source("    echo $d $e"), "    echo $d $e")
+
+    def test_paragraphs_in_italics_may_begin_with_code(self):
+        self.assertEqual(self.source("*`a` is\nb.*"), "<em>`a` is")
+        self.assertEqual(self.source("*one* word"), "*one* word")
 
     def test_headings_have_labels(self):
         self.assertEqual(self.source("## Two words"), "## Two words {#page_docs_a-two-words}")

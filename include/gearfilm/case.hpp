@@ -21,31 +21,31 @@ public:
   /// Values by their keys, as written in a case file: {"pinion.teeth", "17"}.
   using Values = std::map<std::string, std::string>;
 
-  /// From values alone; keys that are not given have their defaults. Throws InputError where a key is unknown or lacks,
-  /// or a value is wrong. Collective.
+  /// Makes a case of these values; keys that are not given have their defaults. Throws InputError where a key is
+  /// unknown, a required key is missing, or a value is wrong. Collective.
   Case(MPI_Comm comm, const Values& values);
-  /// From a case file under the options of PETSc's database, as the program gearfilm reads it. Throws InputError.
+  /// Reads a case file as the program gearfilm does: options of PETSc's database override the file. Throws InputError.
   /// Collective.
   static Case read(MPI_Comm comm, const std::string& file);
   /// A copy of this case in which some keys have other values. Throws InputError. Collective.
   Case with(MPI_Comm comm, const Values& values) const;
 
   std::string name() const;
-  /// The value that a key has, given or by default, as a case file has it; empty without one.
+  /// The value of a key, given or by default, as text of a case file; empty where the key has no value.
   std::string value(const std::string& key) const;
 
-  /// Half axis of the Hertz ellipse along X at the reference contact, the pitch point of a pair [m].
+  /// Half axis of the Hertz ellipse along X at the reference contact, which is that of a pair at its pitch point [m].
   double half_axis() const;
-  /// Largest pressure of the dry contact there [Pa].
+  /// Largest pressure of the dry reference contact [Pa].
   double hertz_pressure() const;
-  /// Static force on it [N].
+  /// Static force on the reference contact [N].
   double static_force() const;
-  /// Mean velocity of the flanks there [m/s].
+  /// Mean velocity of both surfaces at the reference contact [m/s].
   double entrainment_velocity() const;
-  /// Time from one tooth to the next [s]; of a gear pair.
+  /// Mesh period of a gear pair, the time from one tooth to the next [s].
   double mesh_period() const;
 
-  /// The case as the library's own code reads it.
+  /// The case as the library's own sources use it; no part of the public interface.
   const CaseInput& input() const { return *input_; }
 
 private:

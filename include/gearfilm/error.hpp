@@ -1,4 +1,5 @@
-// The ways in which a command ends early, each with its exit status (docs/guide/running.md), and how messages are worded.
+// The ways in which a command ends early, each with its exit status (docs/guide/running.md), and how messages are
+// worded.
 #pragma once
 
 #include <iomanip>
@@ -17,7 +18,7 @@ std::string worded(const Parts&... parts) {
   return text.str();
 }
 
-/// What all of them are: a message, worded from parts.
+/// Base of all exceptions of the library: its message is made of words and numbers.
 class Worded : public std::runtime_error {
 public:
   template <class... Parts>
@@ -31,7 +32,7 @@ public:
   using Worded::Worded;
 };
 
-/// The computation has come to its end before time; what it computed until then is worth writing.
+/// Base of SolveError and Stopped: the computation ended early, and what it computed until then may be written.
 class Unfinished : public Worded {
 public:
   using Worded::Worded;
@@ -56,7 +57,7 @@ public:
   using Unfinished::Unfinished;
 };
 
-/// A run that is to go on is complete: the message says so. Exit status 0.
+/// A run that was to be continued is complete already; the message says so. Exit status 0.
 class NothingLeft : public Worded {
 public:
   using Worded::Worded;

@@ -11,13 +11,13 @@ class Oil {
 public:
   explicit Oil(Case of) : case_(std::move(of)) {}
 
-  /// eta(p) [Pa s], p [Pa].
+  /// Viscosity eta(p) [Pa s] at a pressure p [Pa].
   double viscosity(double pressure) const;
-  /// rho(p)/rho(0) [-].
+  /// Density over that at ambient pressure, rho(p)/rho(0) [-], at a pressure p [Pa].
   double density_ratio(double pressure) const;
   /// Pressure-viscosity coefficient [1/Pa]: alpha_B, or alpha* of a law that does not take it.
   double pressure_viscosity() const;
-  /// [K].
+  /// Temperature of the oil that enters the contact [K].
   double temperature() const;
 
 private:

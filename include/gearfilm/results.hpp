@@ -16,16 +16,16 @@ class Results {
 public:
   Results();
 
-  /// There is a number of that name.
+  /// Whether there is a number of that name.
   bool has(const std::string& name) const;
-  /// The number; throws std::out_of_range, with the name, where there is none.
+  /// The number of that name. Throws std::out_of_range, with the name, where there is none.
   double number(const std::string& name) const;
-  /// Adds a number, or takes the place of the one that there is.
+  /// Adds a number, or replaces the one of that name.
   void set(const std::string& name, double value);
-  /// All of them, nested ones too, as JSON text.
+  /// All results, nested ones too, as JSON text.
   std::string json() const;
 
-  /// The JSON that holds the results, inside the library.
+  /// The JSON that holds the results; no part of the public interface.
   struct Content;
   explicit Results(Content content);
   const Content& content() const { return *content_; }
@@ -41,11 +41,11 @@ public:
   int nx() const;
   int rows() const;
   double x(int i) const;                 ///< from the contact's centre [m]
-  double y(int j) const;                 ///< [m]
+  double y(int j) const;                 ///< from the contact's middle line [m]
   double pressure(int i, int j) const;   ///< [Pa]
   double thickness(int i, int j) const;  ///< [m]
 
-  /// The film and its scales, inside the library.
+  /// The film and its scales; no part of the public interface.
   struct View;
   explicit Film(std::shared_ptr<const View> view) : view_(std::move(view)) {}
   const View& view() const { return *view_; }
@@ -54,19 +54,19 @@ private:
   std::shared_ptr<const View> view_;
 };
 
-/// summary.json and results.h5 in the output folder of a case (output.dir). All calls are collective; they throw
-/// OutputError where files cannot be written, and on all processes what is thrown on one.
+/// Writes summary.json and results.h5 into the output folder of a case (output.dir). All calls are collective. They
+/// throw OutputError where files cannot be written; what one process throws, all throw.
 class ResultsFolder {
 public:
-  /// Makes the folder and removes an earlier run's results there. `command`: what computes them, written into the
-  /// files. Throws InputError where the folder holds what this library did not write.
+  /// Makes the folder and removes an earlier run's results from it. `command` is written into the files as what
+  /// computed them. Throws InputError where the folder holds files that this library did not write.
   ResultsFolder(MPI_Comm comm, const Case& of, const std::string& command);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
-  /// A field on the nodes of a film, in results.h5 as GROUP/NAME beside its coordinates; value(i, j) in the unit given.
-  /// Fields of one group are of films with the same nodes.
+  /// Writes a field on the nodes of a film to results.h5 as GROUP/NAME, beside its coordinates. value(i, j) is in the
+  /// unit given. All films of one group have the same nodes.
   void field(const std::string& group, const std::string& name, const std::string& unit, const Film& film,
              const std::function<double(int i, int j)>& value);
 
@@ -74,7 +74,7 @@ public:
     std::string name;
     std::string unit;  ///< "-" for pure numbers
   };
-  /// A table of rows with a value for each column: those that the first process gives.
+  /// Writes a table to results.h5. Each row has a value for each column; the rows of the first process are taken.
   void table(const std::string& path, const std::vector<Column>& columns, const std::vector<std::vector<double>>& rows);
 
   /// Writes summary.json and closes the files. Throws SolveError for a number that is not finite.

@@ -14,13 +14,13 @@ namespace gearfilm {
 /// One contact in a step.
 class ContactInStep {
 public:
-  int number() const;       ///< of the tooth pair, 0 for the leading one at the start
+  int number() const;       ///< number of the tooth pair: 0 for the leading one at the start, then counted on
   double position() const;  ///< xi on the line of action, from the pitch point [m]
-  /// A column of /history/contacts (docs/results.md) in SI: h_min, p_max, force, ... Throws std::out_of_range for
-  /// what this case does not have.
+  /// The value of a column of /history/contacts (docs/results.md) in SI: h_min, p_max, force, ... Throws
+  /// std::out_of_range for a column that this case does not have.
   double value(const std::string& name) const;
-  bool has_film() const;  ///< not in the dry model
-  /// Its film; valid while the observer is called.
+  bool has_film() const;  ///< false in the dry model
+  /// The film of the contact, valid only while the observer is called.
   Film film() const;
 
   struct View;
@@ -32,24 +32,24 @@ private:
 
 /// An accepted time step, or a state from which steps start: length 0.
 struct Step {
-  double time = 0.0;    ///< at its end [s]
-  double length = 0.0;  ///< [s]
+  double time = 0.0;    ///< time at the end of the step [s]
+  double length = 0.0;  ///< its length [s]
   double H0 = 0.0;      ///< rigid displacement [-]
-  double V0 = 0.0;      ///< its velocity dH0/dT [-]
+  double V0 = 0.0;      ///< velocity of the displacement, dH0/dT [-]
   std::vector<ContactInStep> contacts;
 
   /// Force on all contacts together [N].
   double total_force() const;
 };
 
-/// Called on all processes after every step, and for the states from which steps start: the first of them while a
-/// Simulation is made. What it throws it must throw on all processes.
+/// An observer is called on all processes after every step, and with every state from which steps start. It is called
+/// first while a Simulation is made. An exception must be thrown on all processes alike.
 using Observer = std::function<void(const Step&)>;
 
 class Simulation {
 public:
-  /// From stationary films, at rest or with the motion that the case starts with. Throws InputError for a case that
-  /// cannot be marched, and SolveError. Collective, as are the others.
+  /// Finds the stationary films from which the march starts, at rest or with the motion that the case gives. Throws
+  /// InputError for a case that cannot be marched, and SolveError. Collective, as are all other members.
   Simulation(MPI_Comm comm, const Case& of, Observer observer = {});
   ~Simulation();
   Simulation(const Simulation&) = delete;
@@ -59,7 +59,7 @@ public:
   void run_to(double mesh_periods);
   /// The present time [s].
   double time() const;
-  /// Those of `gearfilm transient`: quantities of every mesh period, extremes, events, losses of contact.
+  /// The results of `gearfilm transient`: quantities of every mesh period, extremes, events, losses of contact.
   Results results() const;
 
 private:

@@ -9,11 +9,12 @@ namespace gearfilm {
 
 class StationaryFilm {
 public:
-  /// Solves for the film, as accurately as the case asks for (grid.accuracy) where it does not choose the nodes. Throws
+  /// Solves for the film: on the nodes that the case gives, else as accurately as it asks for (grid.accuracy). Throws
   /// SolveError, and InputError for more processes than rows. Collective.
   StationaryFilm(MPI_Comm comm, const Case& of);
 
-  /// Those of `gearfilm steady`: h_central, h_min, p_max, force, their errors, friction where the case has it, ...
+  /// The results of `gearfilm steady`: h_central, h_min, p_max, force, their errors, friction where the case has it,
+  /// ...
   const Results& results() const;
   Film film() const;
 

@@ -64,7 +64,13 @@ def outside_code(line, change):
     return "".join([*pieces, change(line[at:])])
 
 
+def with_emphasis(text):
+    """The text with paragraphs in italics marked so that Doxygen sees it where they begin or end with code."""
+    return re.sub(r"(?<=\n\n)\*((?:`|(?=\S)[^*\n])[^*]*?)\*(?=\n\n|\n*\Z)", r"<em>\1</em>", text)
+
+
 def page_source(page, text, pages):
+    text = with_emphasis(text)
     lines = text.splitlines()
     titles = {number: (level, title, anchor) for number, level, title, anchor in headings(text)}
     display = False

@@ -1,5 +1,5 @@
-// What a continuation says of its branches on the screen: a line for each bifurcation, at the end the stretches on
-// which they are stable and those on which they are not.
+// What a continuation prints of its branches: a line for each bifurcation, and at the end the stretches on which the
+// branches are stable or unstable.
 #pragma once
 
 #include <string>

@@ -28,21 +28,21 @@ void check_continuation(const CaseInput& problem) {
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {
     problem.parameters.refuse("periodic.multipliers",
-                              "is no, but continuation tells stability and bifurcations by them; set it "
+                              "is no, but continuation needs them for stability and bifurcations; set it "
                               "to yes");
   }
   require_one_pattern(problem, "continuation");
   const ContinuationCase& given = problem.continuation;
   if (!given.from) {
     throw InputError("the case '" + problem.name +
-                     "' says nothing about its continuation; give continuation.from and continuation.to");
+                     "' has no range for its continuation; give continuation.from and continuation.to");
   }
   if (given.parameter == "lubricant.viscosity" && problem.dry()) {
     problem.parameters.refuse("model",
                               "is dry, but continuation in viscosity follows pairs on films; set it to dynamic");
   }
   if (given.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
-    throw InputError("a continuation in mass needs gear.equivalent_mass in the place of both inertias");
+    throw InputError("a continuation in mass needs gear.equivalent_mass instead of both inertias");
   }
   for (const double end : {*given.from, given.to}) (void)case_with_parameter(problem, given.parameter, end);
 }

@@ -10,7 +10,7 @@ void warn_of_corner_contact(MPI_Comm comm, const MeshModel& mesh) {
   if (met.value_or(0.0) <= 0.0) return;
   warn(comm, std::setprecision(3), "an entering tooth meets its mate with a penetration of ",
        1e6 * *met * mesh.scales.thickness, " um: real tips would touch ", 1e3 * corner_distance(mesh, *met),
-       " mm before the path of contact begins, which is not modelled; tip relief of the wheel unloads the entering");
+       " mm before the path of contact begins, which is not modelled; tip relief of the wheel reduces it");
 }
 
 }  // namespace gearfilm

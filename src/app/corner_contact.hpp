@@ -1,4 +1,4 @@
-// Teeth that meet their mates under load before the path of contact begins: what is said of them.
+// The warning about teeth that meet their mates under load before the path of contact begins.
 #pragma once
 
 #include "mesh/mesh_model.hpp"

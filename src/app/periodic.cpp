@@ -77,7 +77,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
   if (!advice.empty()) say(comm, advice.substr(1));
   if (problem.dry() || (error && error->relative <= tolerable_error(problem))) return;
   warn(comm,
-       error ? error->text() + ", the largest of all (each quantity's _error is in summary.json)"
+       error ? error->text() + ", the largest apart from a spike's (each quantity's _error is in summary.json)"
              : "the errors of the quantities are not known, since no coarser grid has this state",
        "; lower grid.accuracy, or raise grid.nx and grid.ny and lower time.dt");
 }

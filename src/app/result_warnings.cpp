@@ -35,12 +35,13 @@ void warn_of_heating(MPI_Comm comm, const CaseInput& problem, const Summary& hea
   if (!factor || *factor >= tolerable_heating) return;
   std::string assumed;
   if (!problem.thermal_oil) {
-    assumed = worded(" (with an assumed lubricant.temperature_viscosity of ", assumed_temperature_viscosity,
-                     " 1/K, since none is given)");
+    assumed = worded(", with an assumed lubricant.temperature_viscosity of ", assumed_temperature_viscosity,
+                     " 1/K, since none is given");
   }
   warn(comm, three_digits,
-       "the film is computed as if its inlet were not heated by shear; Murch and Wilson's factor for that is ", *factor,
-       assumed, ", so that it may be thinner by ", 100.0 * (1.0 - *factor), " %; -thermal_model film computes it");
+       "the film is computed as if its inlet were not heated by shear, which may make it thinner by ",
+       100.0 * (1.0 - *factor), " % (by Murch and Wilson's factor ", *factor, assumed,
+       "); thermal.model film, with friction.law and lubricant.temperature_viscosity, computes it");
 }
 
 void warn_of_validity(MPI_Comm comm, const Summary& summary) {

@@ -12,7 +12,7 @@ namespace gearfilm {
 /// How a run ends, from good to bad.
 enum class Ending { done, wrong_input, not_solved, stopped, not_written };
 
-/// What the shell is told: 0 done, 1 wrong input, 2 not solved or not written, 3 stopped.
+/// Exit status for the shell: 0 done, 1 wrong input, 2 not solved or not written, 3 stopped.
 int exit_status(Ending ending);
 
 class Session {
@@ -24,9 +24,8 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Prints the last line of a run that ends early, once. Where not all processes come here or to wait_for_end(), since
-  /// what went wrong has struck some of them alone, the others, who would wait for these for ever, are ended with that
-  /// status.
+  /// Prints the last line of a run that ends early, once. An error may strike some processes alone, and the others
+  /// would wait for these for ever: processes that come neither here nor to wait_for_end() are ended with that status.
   void end_together(const std::string& line, Ending ending) const;
 
   /// Sleeps until all processes are done, here or in end_together(), and says how: done where none has failed. Signals

@@ -86,8 +86,8 @@ void warn_of_unrest(MPI_Comm comm, const SolvedContact& solved) {
   constexpr double tolerable = 1e-3;
   if (!solved.coupled || solved.coupled->change <= tolerable) return;
   warn(comm, std::setprecision(2),
-       "the film and what heat and shear make of it did not quite settle: it goes on changing by ",
-       100.0 * solved.coupled->change, " % a turn; raise grid.nx and grid.ny");
+       "the film did not quite settle with its heat or shear thinning: it still changes by ",
+       100.0 * solved.coupled->change, " % from one turn of both to the next; raise grid.nx and grid.ny");
 }
 
 }  // namespace

@@ -117,10 +117,10 @@ void check_sweep(const CaseInput& problem) {
   require_one_pattern(problem, "sweep");
   if (problem.sweep.values.empty()) {
     throw InputError("the case '" + problem.name +
-                     "' says nothing about its sweep; give sweep.from and sweep.to, or sweep.values");
+                     "' has no range for its sweep; give sweep.from and sweep.to, or sweep.values");
   }
   if (problem.sweep.parameter == "gear.equivalent_mass" && problem.pair.inertias) {
-    throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass in the place of both inertias");
+    throw InputError("a sweep over equivalent_mass needs gear.equivalent_mass instead of both inertias");
   }
   if (problem.sweep.kind == SweepKind::basins) return;
   for (double value : problem.sweep.values) (void)case_with_parameter(problem, problem.sweep.parameter, value);

@@ -1,4 +1,4 @@
-// The time of one kernel on one grid, as `bench` tells it.
+// The time of one kernel on one grid, as `bench` reports it.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Lists of values, in which what a march remembers and its steps are kept.
+// Lists of values, written and read one after the other: what a march remembers and its steps are stored as such lists.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 // What a contact carries in time: fields under their names.
 //
-// Whoever keeps, restores, compares or shows the state of a contact does so for every name there is: a new field is one
-// name here. It stays as it is over a time step or a jump unless somebody advances it.
+// Code that keeps, restores, compares or shows the state of a contact does so for every name there is: a new field is
+// one name here. It stays as it is over a time step or a jump unless somebody advances it.
 #pragma once
 
 #include <array>

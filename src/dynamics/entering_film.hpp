@@ -17,7 +17,7 @@ public:
   /// SolveError.
   StationaryResult solve(ContactFilm& film, const LoadCondition& load, const SolverOptions& options);
 
-  /// The last one on this process, for whoever keeps it, at the end of a list.
+  /// Appends the last film on this process to a list, to be stored.
   void append_to(std::vector<double>& values) const;
   void take_from(ValueReader& values);
 

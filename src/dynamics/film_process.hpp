@@ -23,8 +23,8 @@ public:
   /// without the process, is then the common one. Collective. Throws SolveError.
   virtual void begin(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                      StationaryResult& found) = 0;
-  /// Over a time step of dT, at whose end the film is; prepares the film for the step to come. Collective. Throws
-  /// SolveError.
+  /// Advances the process over a time step of dT, at whose end the film is, and prepares the film for the next step.
+  /// Collective. Throws SolveError.
   virtual void advance(ContactFilm& film, double dT) = 0;
 
   /// Adds the state to the fields of a contact on this grid.
@@ -36,7 +36,7 @@ public:
   virtual std::shared_ptr<const Traction> traction(const ContactFilm& film) const = 0;
 };
 
-/// Those that follow each film of a pair, not begun yet.
+/// Makes the processes that follow each film of a pair; they have not begun yet.
 std::vector<std::shared_ptr<FilmProcess>> film_processes(const MeshModel& mesh);
 
 }  // namespace gearfilm

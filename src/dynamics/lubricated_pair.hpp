@@ -22,7 +22,7 @@ public:
   FilmSystem& system() { return system_; }
   const FilmSystem& system() const { return system_; }
   const MeshModel& mesh() const { return mesh_; }
-  /// Of the contacts.
+  /// Numbers of the contacts.
   const std::vector<int>& numbers() const { return numbers_; }
 
   Motion motion(Vec state) const;
@@ -61,7 +61,7 @@ public:
   void begin_friction(double T, const std::vector<ContactRecord>& contacts);
   void continue_friction(double T, const std::vector<ContactRecord>& contacts);
 
-  /// Of the film of every contact, placed at T. Collective.
+  /// Quantities of the film of every contact, placed at T. Collective.
   std::vector<FilmQuantities> film_quantities(Vec state, double T);
   /// Lets what follows the films follow them over a step of dT, at whose end film_quantities() has put them.
   /// Collective.

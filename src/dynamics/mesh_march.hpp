@@ -44,8 +44,8 @@ public:
   /// Jumps to another motion. The films follow as they would if the jump took this long, and at least a time step: oil
   /// that cannot flow away in it stays.
   void displace(const Motion& motion, double duration = 0.0);
-  /// What helps first guesses of a march over the same steps that goes on from where this one is, on this process among
-  /// as many; from nothing on where there is none.
+  /// What this process remembers for first guesses. remember() gives it to a march over the same steps that goes on
+  /// from here on as many processes; a march without it guesses as if it had just begun.
   std::vector<double> memory() const;
   void remember(std::span<const double> memory);
   /// Makes films of another grid those of this one, with the rates that they have. Throws SolveError.
@@ -57,7 +57,7 @@ public:
   const MeshModel& mesh() const { return films_.mesh(); }
   double T() const { return films_.T(); }
   const Motion& motion() const { return films_.motion(); }
-  /// Of the present films.
+  /// The discretisation of the present films.
   const SharedDiscretisation& discretisation() const { return films_.discretisation(); }
   /// Steps so far that had to be halved.
   int halved_steps() const { return halved_steps_; }

@@ -1,4 +1,4 @@
-// A march of the pair, dry or on its films, for whoever does not ask which.
+// A march of the pair, dry or on its films, behind one interface.
 #pragma once
 
 #include <variant>
@@ -28,7 +28,7 @@ public:
   double T() const {
     return std::visit([](const auto& march) { return march.T(); }, march_);
   }
-  /// Of the present films; nothing without.
+  /// Grid of the present films; nothing for a dry march.
   std::optional<GridShape> grid_shape() const {
     const auto* on_films = std::get_if<MeshMarch>(&march_);
     return on_films ? std::optional(on_films->discretisation()->grid().shape()) : std::nullopt;

@@ -29,13 +29,13 @@ GridShape grid_shape(const PairNumerics& numerics, const Scales& scales);
 /// What all films on the first grid, or on another, share. Collective.
 SharedDiscretisation discretise(MPI_Comm comm, const PairNumerics& numerics, const Scales& scales);
 SharedDiscretisation discretise(const Grid& grid, const PairNumerics& numerics, const Scales& scales);
-/// Of the first grid.
+/// Steps along X and Y of the first grid, and of time.
 Steps steps_of(const PairNumerics& numerics);
 
 /// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
 std::optional<PairNumerics> coarser(const PairNumerics& numerics);
 
-/// Steps in space and time that are longer by about the root of two; along X and in time by a ratio that is told.
+/// Numerics whose steps in space and time are longer by about the root of two; `ratio` is that along X and in time.
 struct SlightlyCoarser {
   PairNumerics numerics;
   double ratio = 1.0;

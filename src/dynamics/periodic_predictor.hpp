@@ -23,9 +23,9 @@ namespace gearfilm {
 class PeriodicPredictor {
 public:
   PeriodicPredictor() = default;
-  /// Back from a list, to its end.
+  /// Reads back what append_to() wrote, up to the end of the list.
   explicit PeriodicPredictor(ValueReader values);
-  /// All that is remembered on this process, for whoever keeps it, at the end of a list.
+  /// Appends all that is remembered on this process to a list, to be stored.
   void append_to(std::vector<double>& values) const;
 
   /// Corrects the stepper's own guess of the state at T. Collective, as is record().
@@ -42,7 +42,7 @@ private:
     std::vector<std::int16_t> pressures;
   };
 
-  /// That of as many contacts at this place a mesh period ago; null where there is none.
+  /// The error of the guess for as many contacts at this place a mesh period ago; null where there is none.
   const PredictorError* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;
 
   GridShape shape_{};                     ///< of the grid of all that is remembered

@@ -1,4 +1,4 @@
-// How a march that was stopped with its program is done again without being computed again.
+// Stored runs, by which a march that was stopped with its program goes on without computing its steps again.
 //
 // A march is a series of runs; between two runs its state may be set anew (a jump of the motion, another period of a
 // search). A run is a series of segments, between which contacts enter or leave, or the grid is widened, and the time
@@ -20,7 +20,7 @@ struct StoredRun {
   std::vector<StepRecord> records;
   double T = 0.0;
   PairState state;
-  std::vector<double> memory;  ///< of the march, on this process
+  std::vector<double> memory;  ///< what the march remembers on this process (MeshMarch::memory)
 };
 
 class RunStore {
@@ -30,8 +30,8 @@ public:
   virtual std::optional<StoredRun> begin_run(double T, const Motion& motion) = 0;
   /// A step of the run, or its state after an entering or leaving.
   virtual void record(const StepRecord& record) = 0;
-  /// A segment ends at T with this state; whatever enters or leaves then is still to do so. memory: of the
-  /// march, on this process.
+  /// Stores the state at the end of a segment, T; contacts that enter or leave then have not done so yet. memory: what
+  /// the march remembers on this process.
   virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
   /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
   virtual bool is_new(const StepRecord& record) const { return !record.replayed; }

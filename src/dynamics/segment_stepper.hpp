@@ -61,7 +61,7 @@ public:
   /// Integrates the state from T0 to T1, and returns the time that it came to: earlier than T1 after stop(). Throws
   /// SolveError where a step cannot be made.
   double run(Vec state, double T0, double T1);
-  /// Ends run() with the step that on_step is being told of.
+  /// Ends run() after the present step; called by on_step.
   void stop() { stopped_ = true; }
 
   /// d C(state)/dT at the end of run().
@@ -84,7 +84,7 @@ private:
   void conquantity_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
-  /// Of the present step; decides how it is tried next.
+  /// Sets how often the present step has failed, which decides how it is tried next.
   void set_failures(int failures);
   /// What was solved in it counts no more.
   void return_to_start_of_step();
@@ -112,7 +112,7 @@ private:
   bool stopped_ = false;
   int failures_ = 0;          ///< of the present step
   bool at_start_ = true;      ///< the next stage is the segment's first
-  double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc tells it with the Jacobian only
+  double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc gives it with the Jacobian only
   double step_ = 0.0;         ///< nominal step of the segment
   double begin_ = 0.0;        ///< T of the segment
   double last_time_ = 0.0;

@@ -13,23 +13,39 @@ double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) 
 
 }  // namespace
 
-double love_kernel(double x, double y, double h_x, double h_y) {
+double love_kernel(double x, double h_x, const Strip& strip) {
   const double x_low = x - 0.5 * h_x, x_high = x + 0.5 * h_x;
-  const double y_low = y - 0.5 * h_y, y_high = y + 0.5 * h_y;
-  return love_corner(x_high, y_high) - love_corner(x_low, y_high) - love_corner(x_high, y_low) +
-         love_corner(x_low, y_low);
+  return love_corner(x_high, strip.upper) - love_corner(x_low, strip.upper) - love_corner(x_high, strip.lower) +
+         love_corner(x_low, strip.lower);
+}
+
+double love_kernel(double x, double y, double h_x, double h_y) {
+  return love_kernel(x, h_x, {y - 0.5 * h_y, y + 0.5 * h_y});
 }
 
 // The kernel is evaluated in double: differences of nearly equal corners.
 template <class Real>
 Deformation<Real>::Deformation(const Grid& grid, double C_h)
-    : C_h_(C_h), h_x_(grid.h_x()), h_y_(grid.h_y()), spectra_(grid) {
+    : C_h_(C_h), h_x_(grid.h_x()), rows_(grid.row_axis()), spectra_(grid) {
   const Influence kernel = [this](int i, int j) { return coefficient(i, j); };
-  if (DenseYConvolution<Real>::serve(spectra_.waves(), grid.rows())) {
+  if (!rows_.has_equal_steps()) {
+    const RowInfluence of_rows = [this](int i, int row, int source) { return coefficient(i, row, source); };
+    across_ = std::make_unique<DenseYConvolution<Real>>(grid, of_rows, spectra_);
+  } else if (DenseYConvolution<Real>::serve(spectra_.waves(), grid.rows())) {
     across_ = std::make_unique<DenseYConvolution<Real>>(grid, kernel, spectra_);
   } else {
     across_ = std::make_unique<FftYConvolution<Real>>(grid, kernel, spectra_);
   }
+}
+
+// A row of symmetry counts half where it is transformed, and meets its own image.
+template <class Real>
+double Deformation<Real>::coefficient(int i, int row, int source) const {
+  const Strip strip = rows_.strip(source);
+  const double y = rows_.y(row);
+  double sum = love_kernel(i * h_x_, h_x_, {strip.lower - y, strip.upper - y});
+  if (rows_.mirrored()) sum += love_kernel(i * h_x_, h_x_, {-strip.upper - y, -strip.lower - y});
+  return C_h_ * sum;
 }
 
 template <class Real>

@@ -3,15 +3,17 @@
 //   (K P)(X, Y) = C_h Int Int P(X', Y') / sqrt((X-X')^2 + (Y-Y')^2) dX' dY',
 //
 // with P constant on the cell around each node (Love 1929, doi 10.1098/rsta.1929.0009): exact for that pressure,
-// and a discrete convolution, done as a zero-padded Fourier transform in O(N log N). P = 0 on the boundary: what a
-// field has there is not read, so that 2^n + 1 nodes need transforms of length 2^(n+1).
+// and in x, between equal rows in y too, a discrete convolution, done as a zero-padded Fourier transform in O(N log N).
+// P = 0 on the boundary: what a field has there is not read, so that 2^n + 1 nodes need transforms of length 2^(n+1).
 //
 // Where rows are mirrored in Y = 0 (row_axis.hpp), with q the values of P at Y >= 0, those at Y = 0 halved, row j of
 // the deformation is
 //   sum_l ( K(j-l) + K(j+l) ) q(l) .
 //
-// Rows are transformed in x (x_spectra.hpp; local, the grid is cut in y). In y few rows are summed over
-// (dense_y_convolution.hpp), many are transformed too (fft_y_convolution.hpp).
+// Rows at unequal distances have cells that reach half-way to their neighbours, and so a kernel for each pair of rows.
+//
+// Rows are transformed in x (x_spectra.hpp; local, the grid is cut in y). In y few or unequal rows are summed over
+// (dense_y_convolution.hpp), many equal ones are transformed too (fft_y_convolution.hpp).
 #pragma once
 
 #include "elasticity/y_convolution.hpp"
@@ -20,6 +22,8 @@ namespace gearfilm {
 
 /// Deformation at distance (x, y) from the centre of a cell h_x by h_y under unit pressure, without C_h.
 double love_kernel(double x, double y, double h_x, double h_y);
+/// The same of a cell that need not have its centre at the node's row: strip is relative to the place.
+double love_kernel(double x, double h_x, const Strip& strip);
 
 /// The operator K on one grid. All processes of the grid call it together.
 template <class Real>
@@ -31,13 +35,18 @@ public:
   void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
 
   double elastic_coefficient() const { return C_h_; }
-  /// K between nodes that are i lines and j rows apart.
-  double coefficient(int i, int j) const { return C_h_ * love_kernel(i * h_x_, j * h_y_, h_x_, h_y_); }
+  /// K between nodes that are i lines and j equal rows apart.
+  double coefficient(int i, int j) const {
+    const double h_y = rows_.equal_step();
+    return C_h_ * love_kernel(i * h_x_, j * h_y, h_x_, h_y);
+  }
+  /// Deformation at a row, i lines away from unit pressure on the cell of a source row and on its mirror image.
+  double coefficient(int i, int row, int source) const;
 
 private:
   double C_h_;
   double h_x_;
-  double h_y_;
+  RowAxis rows_;
   // Work space of apply() within.
   mutable XSpectra<Real> spectra_;
   std::unique_ptr<YConvolution<Real>> across_;

@@ -14,7 +14,6 @@ constexpr int most_spectra = 10000;  // wave numbers of all rows, each of which 
 constexpr int piece_bytes = 12288;   // messages that wait in memory that is shared until they are received
 constexpr int tag = 1;
 constexpr int few = 24, many = 40;  // rows that are summed side by side: they fill vectors, and their sums registers
-static_assert(most_rows <= many);
 
 /// sums += matrix times rows.
 template <int width, class Real>
@@ -48,19 +47,32 @@ int DenseYConvolution<Real>::pieces(int waves, int rows) {
 }
 
 template <class Real>
-DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra)
+DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const XSpectra<Real>& spectra)
     : comm_(grid.comm()),
       rank_(grid.rank()),
       waves_(spectra.waves()),
       sources_(grid.row_axis().inner({0, grid.rows()}).end),
       width_(grid.y_count() <= few ? few : many),
+      blocks_((grid.y_count() + width_ - 1) / width_),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       pieces_(pieces(waves_, (grid.rows() + grid.processes() - 1) / grid.processes())),
-      matrix_(static_cast<std::size_t>(waves_) * sources_ * width_),
+      matrix_(static_cast<std::size_t>(waves_) * blocks_ * sources_ * width_),
       spectra_(static_cast<std::size_t>(waves_) * grid.rows()),
-      sums_(static_cast<std::size_t>(waves_) * 2 * width_),
+      sums_(static_cast<std::size_t>(waves_) * sums_size()),
       result_(grid.y_count()) {
+  std::fill_n(matrix_.data(), static_cast<std::size_t>(waves_) * blocks_ * sources_ * width_, Real(0));
+}
+
+template <class Real>
+DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra)
+    : DenseYConvolution(grid, spectra) {
   fill_matrix(grid.row_axis(), kernel, spectra);
+}
+
+template <class Real>
+DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const RowInfluence& kernel, XSpectra<Real>& spectra)
+    : DenseYConvolution(grid, spectra) {
+  fill_matrix(kernel, spectra);
 }
 
 template <class Real>
@@ -78,13 +90,25 @@ void DenseYConvolution<Real>::fill_matrix(const RowAxis& rows, const Influence& 
       for (int j = 0; j < own && first + j < distances; ++j) transform(k, first + j) = scale * result_[j].real();
     }
   }
-  Real* entry = matrix_.data();
   for (int k = 0; k < waves_; ++k) {
-    for (int l = 0; l < sources_; ++l, entry += width_) {
+    for (int l = 0; l < sources_; ++l) {
       for (int j = 0; j < own; ++j) {
-        entry[j] = transform(k, std::abs(begin + j - l));
-        if (const auto distance = rows.distance_to_image(begin + j, l)) entry[j] += transform(k, *distance);
+        entry(k, l, j) = transform(k, std::abs(begin + j - l));
+        if (const auto distance = rows.distance_to_image(begin + j, l)) entry(k, l, j) += transform(k, *distance);
       }
+    }
+  }
+}
+
+template <class Real>
+void DenseYConvolution<Real>::fill_matrix(const RowInfluence& kernel, XSpectra<Real>& spectra) {
+  const int begin = y_ranges_[rank_];
+  const Real scale = Real(1.0 / spectra.length());
+  for (int l = 0; l < sources_; ++l) {
+    spectra.transform_even([&](int i, int j) { return kernel(i, begin + j, l); });
+    for (int k = 0; k < waves_; ++k) {
+      spectra.separate(k, result_.data());
+      for (int j = 0; j < spectra.own_rows(); ++j) entry(k, l, j) = scale * result_[j].real();
     }
   }
 }
@@ -92,17 +116,22 @@ void DenseYConvolution<Real>::fill_matrix(const RowAxis& rows, const Influence& 
 template <class Real>
 void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real* sums) const {
   const int first = y_ranges_[process], count = std::min(rows_of(process), sources_ - first);
-  const Real* matrix = matrix_.data() + (static_cast<std::size_t>(k) * sources_ + first) * width_;
-  if (width_ == few) {
-    add_rows<few>(matrix, rows, count, sums);
-  } else {
-    add_rows<many>(matrix, rows, count, sums);
+  for (int block = 0; block < blocks_; ++block, sums += 2 * width_) {
+    const Real* matrix = matrix_.data() + ((static_cast<std::size_t>(k) * blocks_ + block) * sources_ + first) * width_;
+    if (width_ == few) {
+      add_rows<few>(matrix, rows, count, sums);
+    } else {
+      add_rows<many>(matrix, rows, count, sums);
+    }
   }
 }
 
 template <class Real>
 void DenseYConvolution<Real>::combine(int k, const Real* sums, XSpectra<Real>& spectra) {
-  for (std::size_t j = 0; j < result_.size(); ++j) result_[j] = {sums[j], sums[width_ + j]};
+  for (int j = 0; j < static_cast<int>(result_.size()); ++j) {
+    const Real* block = sums + j / width_ * 2 * width_;
+    result_[j] = {block[j % width_], block[width_ + j % width_]};
+  }
   spectra.combine(k, result_.data());
 }
 
@@ -111,7 +140,7 @@ void DenseYConvolution<Real>::apply_alone(XSpectra<Real>& spectra) {
   for (int k = 0; k < waves_; ++k) {
     Complex* rows = spectrum(0, 0);
     spectra.separate(k, rows);
-    std::fill_n(sums_.data(), 2 * width_, Real(0));
+    std::fill_n(sums_.data(), sums_size(), Real(0));
     add(k, 0, rows, sums_.data());
     combine(k, sums_.data(), spectra);
   }
@@ -143,7 +172,7 @@ void DenseYConvolution<Real>::apply(XSpectra<Real>& spectra) {
                 &sent_.emplace_back());
     });
   }
-  std::fill_n(sums_.data(), static_cast<std::size_t>(waves_) * 2 * width_, Real(0));
+  std::fill_n(sums_.data(), static_cast<std::size_t>(waves_) * sums_size(), Real(0));
   for (int k = 0; k < waves_; ++k) add(k, rank_, spectrum(rank_, k), sums_at(k));
   for (int piece = 0; piece < pieces_; ++piece) {
     MPI_Waitall(processes() - 1, received_.data() + piece * (processes() - 1), MPI_STATUSES_IGNORE);

@@ -1,9 +1,11 @@
-// Few rows: the convolution in y as sums over rows, wave number by wave number in x.
+// Few rows, or rows at unequal distances: the convolution in y as sums over rows, wave number by wave number in x.
 //
-// K is even, and so its transforms in x are real: with q the stored rows (deformation.hpp)
-//   D(j) = sum_l G(j, l) q(l) ,  G(j, l) = K(j-l) + K(j+l)     the second term where rows are mirrored in the first one
+// K is even in x, and so its transforms in x are real: with q the stored rows (deformation.hpp)
+//   D(j) = sum_l G(j, l) q(l)
+//   equal rows:   G(j, l) = K(j-l) + K(j+l)     the second term where rows are mirrored in the first one
+//   unequal rows: G(j, l) = K_jl, the transform of the deformation at row j by the cell of row l, and by its image
 // is a product of a real matrix and a complex vector, without padding. Transforms in y cost less only where there are
-// many rows.
+// many equal rows.
 //
 // Each process sums for its own rows and needs those of all others. They travel once, in pieces of a few wave numbers,
 // while the process sums over its own: transforms in y need two transpositions, and all that wait for both.
@@ -21,14 +23,23 @@ public:
   /// Messages in which the spectra of rows travel to another process.
   static int pieces(int waves, int rows);
 
-  /// The spectra are work space here, for the kernel's.
+  /// Of equal rows. The spectra are work space here, for the kernel's.
   DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra);
+  /// Of any rows: transforms the influence of every row on every other one.
+  DenseYConvolution(const Grid& grid, const RowInfluence& kernel, XSpectra<Real>& spectra);
 
   void apply(XSpectra<Real>& spectra) override;
 
 private:
   using Complex = std::complex<Real>;
+  DenseYConvolution(const Grid& grid, const XSpectra<Real>& spectra);
   void fill_matrix(const RowAxis& rows, const Influence& kernel, XSpectra<Real>& spectra);
+  void fill_matrix(const RowInfluence& kernel, XSpectra<Real>& spectra);
+  /// What a source row adds to an own row at a wave number.
+  Real& entry(int k, int source, int own) {
+    return matrix_[((static_cast<std::size_t>(k) * blocks_ + own / width_) * sources_ + source) * width_ +
+                   own % width_];
+  }
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;
   /// Sums as the complex values of rows.
@@ -42,18 +53,20 @@ private:
     return spectra_.data() + static_cast<std::size_t>(waves_) * y_ranges_[process] +
            static_cast<std::size_t>(k) * rows_of(process);
   }
-  Real* sums_at(int k) { return sums_.data() + static_cast<std::size_t>(k) * 2 * width_; }
+  int sums_size() const { return blocks_ * 2 * width_; }  ///< at a wave number
+  Real* sums_at(int k) { return sums_.data() + static_cast<std::size_t>(k) * sums_size(); }
 
   MPI_Comm comm_;
   int rank_;
   int waves_;
   int sources_;  ///< rows that may deform: all but the last, where P = 0
-  int width_;    ///< own rows, and some more to fill vectors
+  int width_;    ///< own rows that are summed side by side, and some more to fill vectors
+  int blocks_;   ///< of so many rows
   std::vector<int> y_ranges_;
   int pieces_;
-  fftw::Buffer<Real> matrix_;      ///< [wave number][source][own row], with the inverse's factor
+  fftw::Buffer<Real> matrix_;      ///< [wave number][block][source][own row of it], with the inverse's factor
   fftw::Buffer<Complex> spectra_;  ///< [process][wave number][row]
-  fftw::Buffer<Real> sums_;        ///< [wave number][real, imaginary][own row]
+  fftw::Buffer<Real> sums_;        ///< [wave number][block][real, imaginary][own row of it]
   std::vector<Complex> result_;    ///< of the own rows at a wave number
   std::vector<MPI_Request> received_, sent_;
 };

@@ -18,7 +18,7 @@ public:
   explicit XSpectra(const Grid& grid);
 
   int own_rows() const { return own_rows_; }
-  /// Of the padded lines; a transform and its inverse multiply by it.
+  /// Length of the padded lines; a transform and its inverse together multiply by it.
   int length() const { return length_; }
   /// Wave numbers 0, 1, ... of real rows.
   int waves() const { return length_ / 2 + 1; }
@@ -26,7 +26,7 @@ public:
   /// A row of symmetry counts half, for it coincides with its mirror image. What the field has at the boundary, where
   /// it is to be zero, is not read.
   void transform(const Field<Real>& field);
-  /// Of rows that are even in x: value(i, j) at a distance of i lines in the own row j.
+  /// Transforms rows that are even in x, given by value(i, j) at a distance of i lines in the own row j.
   template <class Value>
   void transform_even(Value value) {
     clear();

@@ -9,6 +9,8 @@ namespace gearfilm {
 
 /// K between nodes that are i lines and j rows apart.
 using Influence = std::function<double(int i, int j)>;
+/// Deformation at a row, i lines away, under unit pressure on the cell of a source row; its mirror image included.
+using RowInfluence = std::function<double(int i, int row, int source)>;
 
 template <class Real>
 class YConvolution {

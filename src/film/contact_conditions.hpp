@@ -14,7 +14,7 @@ struct NearestPoint {
   double X = 0.0;
   double drop = 0.0;                        ///< of the gap, from X = 0 [-]
   std::optional<double> relative_radius{};  ///< of the parabola there, R_x/R_x*; absent: as without
-  /// Of R_x of that parabola to that of the involutes, either way, at most.
+  /// Largest ratio, either way, of R_x of that parabola to R_x of the involutes.
   static constexpr double widest_ratio = 10.0;
 
   bool operator==(const NearestPoint&) const = default;
@@ -35,7 +35,7 @@ struct ContactConditions {
   bool operator==(const ContactConditions&) const = default;
 };
 
-/// Of conditions with a local profile, to the tenth of the Hertz half-axis.
+/// Finds the nearest point of conditions with a local profile, to a tenth of the Hertz half-axis.
 NearestPoint nearest_point(const Scales& scales, const ContactConditions& conditions);
 
 /// The reference contact's solids with the radius R_x of the moment.

@@ -3,9 +3,9 @@
 //   H = H_0 + E + K P                   film thickness (24), E of contact_surfaces.hpp, K of deformation.hpp
 //   G(P, H_0; d(rho H)/dT) = min(d P, R)        Reynolds' equation with cavitation, reynolds.hpp
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
-// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Whatever
-// depends on a state is told it, and the version of its pressures where they have one (state_version.hpp): the film of
-// the version and H_0 that it shows is not computed again.
+// them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Calls
+// that depend on a state take it, and the version of its pressures where they have one (state_version.hpp). The film
+// that it shows already, of the same version and H_0, is not computed again.
 #pragma once
 
 #include <memory>

@@ -2,7 +2,7 @@
 //
 // Laws of r_x = h_x/l and r_y = h_y/l, l = H^(2/3) the length over which pressure rises in the inlet (grid/domain.hpp);
 // h_x in units of the half-axis a, h_y of b; H = h_c R_x/a^2 by the film formula, L of Moes, kappa = a/b. Fitted to 42
-// computed contacts, M = 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv).
+// computed contacts, M = 20 to 3e5, L = 4 to 27, D = 5e-4 to 1 (docs/data/converged_contacts.csv).
 // Fitted discretisation; bounds, since errors change their sign with the step:
 //   central film   0.12 r_x^4 + 0.25 h_x^2 + 0.12 kappa^(1/2) h_y^2
 //   smallest film  0.012 L^0.9/(1 + 0.66 kappa) r_x^2 + 0.4 kappa^4/(kappa^4 + 0.16^4) r_y^2

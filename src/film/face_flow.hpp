@@ -48,7 +48,7 @@ struct FaceWeights {
   double w, node_0, node_1;
 };
 
-/// Of node j of line `a` and node m of line `b`, with H_f and its weights.
+/// Conductance of the face between node j of line `a` and node m of line `b`, from H_f and its weights.
 [[gnu::always_inline]] inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m,
                                                                  double film, const FaceWeights& weights) {
   const double h = film > 0.0 ? film : 0.0, rho = 0.5 * (a.rho[j] + b.rho[m]), square = h * h, cube = h * square;

@@ -9,7 +9,7 @@ namespace gearfilm {
 /// double, so that single costs no digit of a solution; where it would cost convergence double is taken.
 enum class Precision { single_precision, double_precision };
 
-/// Of the preconditioner of one contact's film.
+/// Options of the preconditioner of one contact's film.
 struct MultigridOptions {
   int levels = 0;            ///< 0 = chosen by the grid; 1 = the smoother alone
   bool keep_rows = true;     ///< where cells are long: levels are coarser along X alone
@@ -18,7 +18,7 @@ struct MultigridOptions {
   Precision precision = Precision::single_precision;
 };
 
-/// Of a stationary film.
+/// Options of the solver of a stationary film.
 struct SolverOptions {
   NewtonOptions newton;
   MultigridOptions multigrid;

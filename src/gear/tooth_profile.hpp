@@ -28,9 +28,9 @@ struct ToothLoad {
 
 class ToothProfile {
 public:
-  /// Of a gear of the pair, with the profile shift x. Where the rack undercuts the tooth, the fillet ends where it cuts
-  /// the involute. Throws InputError, naming the gear, where rack and root radius do not go together, or nothing of the
-  /// involute is left.
+  /// The profile of a gear of the pair with the profile shift x. Where the rack undercuts the tooth, the fillet ends
+  /// where it cuts the involute. Throws InputError, naming the gear, where rack and root radius do not go together, or
+  /// nothing of the involute is left.
   ToothProfile(const SpurGear& gear, const SpurGearPair& pair, double profile_shift, std::string name);
 
   double base_radius() const { return base_radius_; }          ///< R_b [m]

@@ -2,7 +2,7 @@
 // they follow), from the film that is to be expected.
 //
 // With H = h_c R_x/a^2 of the film formula, L of Moes and kappa = a/b the law was fitted to 42 computed contacts, M =
-// 20 to 3e5, L = 4 to 30, D = 6e-4 to 1 (docs/data/converged_contacts.csv, scripts/studies/film_laws):
+// 20 to 3e5, L = 4 to 27, D = 5e-4 to 1 (docs/data/converged_contacts.csv, scripts/studies/film_laws):
 //   what a contact lacks of its central film if the inlet is x long, in units of a, beyond the Hertz ellipse
 //     0.328 L^0.285 H^1.15 / (x^2 (1 + 0.707 kappa x))
 #pragma once
@@ -22,7 +22,7 @@ struct Domain {
 /// Source: Table 1 of doi 10.1016/j.triboint.2013.01.017.
 constexpr Domain paper_domain(double M) { return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1}; }
 
-/// Of the reference contact, by the formula of Nijenbanning, Venner and Moes.
+/// The film to be expected in the reference contact, by the formula of Nijenbanning, Venner and Moes.
 struct ExpectedFilm {
   explicit ExpectedFilm(const Scales& scales);
 
@@ -34,7 +34,7 @@ struct ExpectedFilm {
 /// H^(2/3), the length over which pressure rises in the inlet, in units of a.
 double inlet_rise(const ExpectedFilm& expected);
 
-/// Between the Hertz ellipse and the inlet edge [a], with which 0.3 % of the central film are lacking.
+/// Distance between the Hertz ellipse and the inlet edge [a] with which 0.3 % of the central film are lacking.
 double flooded_inlet(const ExpectedFilm& expected);
 
 /// Half the width [b] with which the sides change the forces of a moving contact by less than 0.03 %: pressure reaches

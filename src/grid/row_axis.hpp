@@ -20,6 +20,12 @@ struct RowRange {
   int count() const { return end > begin ? end - begin : 0; }
 };
 
+/// A strip of the plane along X.
+struct Strip {
+  double lower = 0.0;  ///< Y of its edges [a]
+  double upper = 0.0;
+};
+
 class RowAxis {
 public:
   RowAxis() = default;
@@ -38,6 +44,7 @@ public:
   bool mirrored() const { return lower_ == Edge::symmetry; }
   /// From a row to the next, for -1 <= row < count: beyond an edge as before it.
   double step(int row) const;
+  bool has_equal_steps() const { return equal_step_.has_value(); }
   /// The one distance between equal rows. Throws std::logic_error where they are not equal.
   double equal_step() const;
   bool operator==(const RowAxis&) const = default;
@@ -46,12 +53,14 @@ public:
   int mirror_row() const { return mirrored() ? 0 : -1; }
   /// Whether P = 0 in this row.
   bool is_ambient(int row) const { return row == count() - 1 || (row == 0 && !mirrored()); }
-  /// Those of some rows in which P is an unknown.
+  /// Those of the given rows in which P is an unknown.
   RowRange inner(RowRange rows) const;
   /// Rows from a row to the mirror image of another one, where there is an image.
   std::optional<int> distance_to_image(int row, int source) const;
   /// Width of the strips [a] for which a row stands in an integral over the whole domain, its mirror image included.
   double weight(int row) const;
+  /// The strip around a row that reaches half-way to its neighbours, beyond an edge as far as before it.
+  Strip strip(int row) const { return {y_[row] - 0.5 * step(row - 1), y_[row] + 0.5 * step(row)}; }
   /// The row nearest Y = 0.
   int central() const;
   /// From Y = 0 to the nearer ambient edge.

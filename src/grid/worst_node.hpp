@@ -14,7 +14,7 @@ struct WorstNode {
   double value = 0.0;  ///< of the field there; NaN where it is not a number
 };
 
-/// Of a compact field. Collective.
+/// The worst node of a compact field. Collective.
 WorstNode worst_node(const Grid& grid, std::span<const double> field);
 
 /// "residual 0.012 at X = 0.98, Y = 0.1".

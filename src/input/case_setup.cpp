@@ -23,7 +23,7 @@ void require_tooth_force(const CaseInput& problem, const std::string& what) {
   if (!problem.pair.line || problem.parameters.text(name) == "point") return;
   throw InputError(std::setprecision(4), problem.parameters.origin(name), ": '", name,
                    "' is line_equivalent, with which the contact carries ", problem.scales.operation.load,
-                   " N in the place of the tooth's ", problem.pair.tooth_force, " N, but ", what,
+                   " N instead of the tooth's ", problem.pair.tooth_force, " N, but ", what,
                    " needs the whole force; set it to point");
 }
 

@@ -20,8 +20,9 @@ SharedDiscretisation discretise(const Grid& grid, const CaseInput& problem);
 int contacts_at_a_time(const CaseInput& problem);
 /// Points across films that feel their heat; 0 where they do not.
 int heated_points(const CaseInput& problem);
-/// What is told of a grid that is widened: throws SolveError where so many contacts on it, with so many points across
-/// films that feel their heat, do not fit into memory; the second one also prints a line. Collective.
+/// Observers that are called when a grid is widened. Both throw SolveError where so many contacts on the new grid, with
+/// so many points across films that feel their heat, do not fit into memory; the second one also prints a line.
+/// Collective.
 WideningObserver widening_check(int contacts, int points);
 WideningObserver widening_notice(const Scales& scales, int contacts, int points);
 /// Throws InputError unless the case is a gear pair with inertia.

@@ -52,7 +52,7 @@ bool shears_in_film(const ParameterValues& values, const ShearLaw& law) {
   if (!values.yes("friction.in_film")) return false;
   if (law.kind == ShearLawKind::coulomb) {
     values.refuse("friction.in_film",
-                  "is yes, but Coulomb friction knows no viscosity; use friction.law eyring or "
+                  "is yes, but Coulomb friction does not depend on the viscosity; use friction.law eyring or "
                   "carreau, or friction.in_film no");
   }
   return law.kind != ShearLawKind::newtonian;
@@ -76,11 +76,13 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   const bool heated = values.text("thermal.model") != "none";
   if (values.text("friction.law") == "none") {
     if (values.yes("friction.in_film")) {
-      values.refuse("friction.in_film", "is yes, but 'friction.law' is none; give the law by which the oil shears");
+      values.refuse("friction.in_film",
+                    "is yes, but 'friction.law' is none; choose the shear law of the oil, such as eyring");
     }
     if (!heated) return {};
-    values.refuse("thermal.model", "is " + values.text("thermal.model") +
-                                       ", but 'friction.law' is none; give the law that makes the heat");
+    values.refuse("thermal.model",
+                  "is " + values.text("thermal.model") +
+                      ", but 'friction.law' is none; choose the shear law that the heat follows from, such as eyring");
   }
   check_sliding(values);
   TractionModel model;

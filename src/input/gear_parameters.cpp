@@ -47,13 +47,13 @@ Records one_gear_records(const std::string& subscript) {
                          "material removed at both ends of a profile that is crowned, none in its middle")),
       optional("none", word("profile_file",
                             "measured profile: radius of curvature of the flank [m] and material removed [m], one "
-                            "point a line; # begins a remark; named in a case file it is sought beside it")),
+                            "point a line; # begins a comment; a name in a case file is relative to that file")),
       optional("none", word("pitch_errors",
                             "list of cumulative pitch errors along the line of action [m], one a tooth, positive where "
                             "the flank stands proud")),
       optional("none", word("pitch_errors_file",
-                            "the same in a file, separated by blanks, commas or lines; # begins a remark; named in a "
-                            "case file it is sought beside it")),
+                            "the same in a file, separated by blanks, commas or lines; # begins a comment; a name in a "
+                            "case file is relative to that file")),
   };
 }
 
@@ -87,16 +87,17 @@ Records gear_records() {
            "Velex and Duverger; from gear.compliance_file"),
        optional("none", word("compliance_file",
                              "position on the line of action [m] and compliance of a pair of teeth [m/N], one point a "
-                             "line; named in a case file it is sought beside it")),
-       preset(1.0, number("compliance_factor", "", "-", left_open(0, 100), "on the computed teeth and foundations")),
+                             "line; a name in a case file is relative to that file")),
+       preset(1.0, number("compliance_factor", "", "-", left_open(0, 100),
+                          "factor on the compliance of computed teeth and foundations")),
        preset(0.0, number("mesh_compliance", "c_s", "m/N", closed(0, 1e-3),
-                          "of shafts and bearings along the line of action, on the sum of the forces")),
+                          "compliance of shafts and bearings along the line of action, under the sum of the forces")),
        choice("profile_local", {"offset", "field"},
               "flanks act on films as one gap at the contact's place, or as a shape along the contact too"),
        choice("body_coupling", {"yes", "no"}, "teeth bent by their neighbours' forces, where bores are given"),
        optional("reverse flanks never touch",
                 number("backlash", "j_n", "m", closed(0, 0.1),
-                       "normal backlash along the line of action: by so much the teeth are thinner, and beyond it "
+                       "normal backlash along the line of action: the teeth are thinner by it, and beyond it "
                        "their reverse flanks touch, dry"))});
 }
 

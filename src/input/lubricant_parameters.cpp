@@ -95,12 +95,12 @@ Records thermal_oil_records() {
                                                           "k = k_0 (1 + c_1 p/(1 + c_2 p)) (an assumption)")),
           preset(standard.conductivity_pressure_2,
                  number("conductivity_pressure_2", "c_2", "1/Pa", closed(0, 1e-8), "see c_1 (an assumption)")),
-          preset(standard.density,
-                 number("density", "rho_0", "kg/m^3", closed(100, 10000), "at ambient pressure (an assumption)")),
+          preset(standard.density, number("density", "rho_0", "kg/m^3", closed(100, 10000),
+                                          "density at ambient pressure (an assumption)")),
           preset(standard.heat_capacity,
                  number("heat_capacity", "c", "J/(kg K)", closed(100, 10000), "specific heat (an assumption)")),
           preset(standard.expansion, number("expansion", "beta_rho", "1/K", closed(0, 0.01),
-                                            "-d ln rho/dT, which films feel that feel their heat"))};
+                                            "-d ln rho/dT, which acts on films with thermal.model film"))};
 }
 
 }  // namespace

@@ -153,8 +153,8 @@ void require_known_options(const std::vector<std::string>& arguments) {
     if (!typed.contains(name) && !typed.contains(std::string("-").append(name))) continue;
     if (begins_with_any(option.name, chosen_by_program)) {
       throw InputError("command line: '" + as_typed(option) +
-                       "' cannot be given: marches rest on their own time scheme; "
-                       "delete it (time.tolerance has their steps controlled)");
+                       "' cannot be given: marches use their own time scheme; "
+                       "delete it (time.tolerance controls their steps)");
     }
     const bool with_equals = option.name.find('=') != std::string::npos;
     if (!with_equals && (is_petsc_option(option.name) || is_parameter_option(option.name))) continue;

@@ -60,7 +60,7 @@ Records grid_records() {
                   "). They move outwards where a contact needs it"),
        preset(0.02, number("accuracy", "", "-", closed(1e-4, 0.2),
                            "relative error of the central and the smallest film that nx and ny are chosen for, where "
-                           "they are not given; given with them, the error that is known and not warned of")),
+                           "they are not given; where they are, the error above which a warning says so")),
        optional("by grid.accuracy",
                 whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
        optional("by grid.accuracy",
@@ -75,9 +75,9 @@ Records grid_records() {
 Records film_records() {
   return section("film", Scope::any,
                  {choice("discretisation", {"fitted", "central"},
-                         "how flows between nodes follow from them: fitted to oil whose viscosity changes by factors "
-                         "from one to the next, or central, as in the paper, which needs three to four times as many "
-                         "nodes along either direction")});
+                         "how the flow between two nodes is computed: fitted to oil whose viscosity changes by factors "
+                         "from one node to the next, or central, as in the paper, which needs three to four times the "
+                         "nodes along x and twice those along y")});
 }
 
 Records steady_records() {
@@ -91,7 +91,7 @@ Records steady_records() {
 Records static_records() {
   return section("static", Scope::gear_pair,
                  {preset("0.25, 0.5, 0.75, 1, 1.25", word("load_ratios", "loads over the static force, a list")),
-                  preset(400, whole("positions", "", closed(40, 100000), "of the gears in a mesh period"))});
+                  preset(400, whole("positions", "", closed(40, 100000), "positions of the gears in a mesh period"))});
 }
 
 Records march_records() {
@@ -104,8 +104,8 @@ Records march_records() {
        choice("motion", {"dynamic", "quasi_static"},
               "of the model dynamic, for `transient` and `periodic`: bodies have inertia, or are in balance with the "
               "forces of all contacts at every moment, which leaves out the swing after each entering contact; "
-              "`periodic` takes them to be so where the pair would swing more than 40 times in a mesh period and "
-              "nothing is said"),
+              "`periodic` chooses the latter where the pair would swing more than 40 times in a mesh period and "
+              "no key needs the inertia"),
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),
@@ -122,13 +122,12 @@ Records ramp_records() {
 }
 
 Records run_records() {
-  return section("", Scope::gear_pair,
-                 {flag("restart", "go on where a run of the same case in the same folder stopped"),
-                  optional("none", number("time_limit", "", "s", left_open(0, 1e9),
-                                          "wall-clock time after which a march or search stops, to be continued")),
-                  flag("keep_checkpoint",
-                       "keep what a run can go on from when it is complete too: for a march that is "
-                       "to go on beyond its end")});
+  return section(
+      "", Scope::gear_pair,
+      {flag("restart", "go on where a run of the same case in the same folder stopped"),
+       optional("none", number("time_limit", "", "s", left_open(0, 1e9),
+                               "wall-clock time after which a march or search stops, to be continued")),
+       flag("keep_checkpoint", "keep the checkpoint of a complete run, so that a march can go on beyond its end")});
 }
 
 Records load_sharing_records() {
@@ -141,8 +140,8 @@ Records load_sharing_records() {
        preset(1.0 / 3.0, number("at_end", "", "-", closed(1e-3, 10), "trapezoid: where a contact enters or leaves")),
        preset(2.0 / 3.0, number("at_inner_edge", "", "-", closed(1e-3, 10), "trapezoid: where it becomes alone")),
        optional("none", word("file",
-                             "table: position [m] and share, one point a line; # begins a remark; named in a case file "
-                             "it is sought beside it")),
+                             "table: position [m] and share, one point a line; # begins a comment; a name in a case "
+                             "file is relative to that file")),
        preset(0.025, number("jump_time", "", "-", closed(1e-6, 1),
                             "time that a jump of the share takes, in units of a/u_m as time.dt")),
        preset(10, whole("jump_refinement", "", closed(1, 10000), "least number of time steps in it"))});
@@ -152,8 +151,8 @@ Records start_records() {
   return section(
       "start", Scope::gear_pair,
       {choice("place", {"pitch", "after_leaving", "position"},
-              "where the leading contact starts: at the pitch point, where it is when its elder has just left, or at "
-              "start.position"),
+              "where the leading contact starts: at the pitch point, where it is when the one ahead of it has just "
+              "left, or at start.position"),
        optional("0", number("position", "xi", "m", {}, "start on the line of action, with start.place position")),
        optional(
            "stationary films at rest that carry the static force",
@@ -179,11 +178,10 @@ Records time_records() {
                   "half a free oscillation (at most times 1)")),
        optional("none", number("film_tolerance", "", "-", closed(1e-12, 0.1),
                                "the same on the root mean square of the pressures' errors, in units of p_h")),
-       optional(
-           "6e-5 times the H that is expected at the pitch point, from 1e-8 to 1e-5",
-           number("newton_tolerance", "", "-", right_open(1e-15, 1),
-                  "on the root mean square of a step's scaled residual; films are left with relative errors of about "
-                  "as much over H")),
+       optional("6e-5 times the H that is expected at the pitch point, from 1e-8 to 1e-5",
+                number("newton_tolerance", "", "-", right_open(1e-15, 1),
+                       "bound on the root mean square of a step's scaled residual; films are left with relative errors "
+                       "of about as much over H")),
        preset(standard.newton.max_iterations, whole("newton_max_iterations", "", at_least(1),
                                                     "Newton steps before a time step is tried again, and halved")),
        preset(
@@ -203,13 +201,16 @@ Records periodic_records() {
   const PeriodicOptions standard;
   return section(
       "periodic", Scope::gear_pair,
-      {preset(standard.tolerance,
-              number("tolerance", "", "-", right_open(1e-15, 1),
-                     "on the change over one period of H0, and of V0 times half a free oscillation (at most times 1)")),
-       preset(standard.film_tolerance, number("film_tolerance", "", "-", right_open(1e-15, 1),
-                                              "on the largest change of any pressure, in units of p_h (of films that "
-                                              "feel their heat: on the root mean square of "
-                                              "each field over its largest value)")),
+      {preset(
+           standard.tolerance,
+           number(
+               "tolerance", "", "-", right_open(1e-15, 1),
+               "bound on the change over one period of H0, and of V0 times half a free oscillation (at most times 1)")),
+       preset(standard.film_tolerance,
+              number("film_tolerance", "", "-", right_open(1e-15, 1),
+                     "bound on the largest change of any pressure, in units of p_h (of films that "
+                     "feel their heat: on the root mean square of "
+                     "each field over its largest value)")),
        preset(standard.max_periods,
               whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
        preset(1, whole("order", "k", closed(1, 64),
@@ -251,10 +252,11 @@ Records sweep_records() {
        choice("kind", {"periodic", "marches", "basins"},
               "periodic states; or marches, each from where the last one ended; or marches from a grid of starts"),
        preset(200, whole("march_periods", "", closed(2, 1000000), "mesh periods of each march")),
-       preset(16, whole("kept_periods", "", closed(2, 1000000), "at its end, whose motions are kept")),
+       preset(16,
+              whole("kept_periods", "", closed(2, 1000000), "last mesh periods of each march, whose motions are kept")),
        start("H0_from", "smallest H_0 from which marches of basins start"), start("H0_to", "largest H_0"),
        start("V0_from", "smallest V_0, just after a contact has left"), start("V0_to", "largest V_0"),
-       preset(21, whole("starts", "", closed(2, 10000), "of basins, in H_0 and in V_0 each"))});
+       preset(21, whole("starts", "", closed(2, 10000), "number of starts of basins, in H_0 and in V_0 each"))});
 }
 
 Records continuation_records() {
@@ -273,18 +275,19 @@ Records continuation_records() {
        step("first_step", &ContinuationOptions::first_step,
             "length of a branch's first step, in H_0, V_0 and tenths of the range"),
        step("smallest_step", &ContinuationOptions::smallest_step, "a branch that needs shorter steps is lost"),
-       step("largest_step", &ContinuationOptions::largest_step, "steps are at most so long"),
-       step("tolerance", &ContinuationOptions::located, "to what length of a step bifurcations are located"),
-       preset(dry.most_points, whole("points", "", closed(2, 1000000), "of a branch at most")),
-       choice("follow_flips", {"yes", "no"}, "the branches of doubled period that are born at flips too"),
-       preset(2, whole("largest_order", "", closed(1, 64), "up to which they are followed"))});
+       step("largest_step", &ContinuationOptions::largest_step, "longest step"),
+       step("tolerance", &ContinuationOptions::located, "length of a step to which bifurcations are located"),
+       preset(dry.most_points, whole("points", "", closed(2, 1000000), "largest number of points of a branch")),
+       choice("follow_flips", {"yes", "no"}, "follow the branches of doubled period that begin at flips too"),
+       preset(2, whole("largest_order", "", closed(1, 64), "largest order up to which they are followed"))});
 }
 
 Records dry_records() {
-  return section("dry", Scope::gear_pair,
-                 {optional("0 in a march and at rest, " + format_value(typical_film_damping) + " of periodic motions",
-                           number("damping_ratio", "zeta", "-", right_open(0, 1),
-                                  "of a viscous damper beside dry contacts, in the place of films; relative to f_n"))});
+  return section(
+      "dry", Scope::gear_pair,
+      {optional("0 in a march and at rest, " + format_value(typical_film_damping) + " of periodic motions",
+                number("damping_ratio", "zeta", "-", right_open(0, 1),
+                       "damping ratio of a viscous damper beside dry contacts, instead of films; relative to f_n"))});
 }
 
 Records solver_records() {
@@ -295,10 +298,10 @@ Records solver_records() {
   return section(
       "solver", Scope::any,
       {choice("processes", {"useful", "all"},
-              "of those started under mpiexec: as many as shorten the work on a grid of that size, while the others "
+              "processes that compute, of those started under mpiexec: as many as shorten the work, while the others "
               "sleep, or all"),
        preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
-                                                "on the root mean square of the scaled residual")),
+                                                "bound on the root mean square of the scaled residual")),
        preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
        preset(standard.newton.krylov_tolerance,

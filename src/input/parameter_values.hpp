@@ -54,7 +54,7 @@ public:
   /// Throws it where both are; remedy: "; delete one".
   void require_not_both(const std::string& first, const std::string& second, const std::string& remedy) const;
 
-  /// The content of the file that a value names, for whoever reads the values: the physics know no files.
+  /// The content of the file that a value names; the physics know no files.
   void attach(const std::string& name, std::string content) { attached_[name] = std::move(content); }
   const std::string& attached(const std::string& name) const { return attached_.at(name); }
 

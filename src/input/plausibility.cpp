@@ -65,8 +65,8 @@ void compare_parameters(const ParameterValues& values, Oddities& found) {
 
 void compare_contact(const Scales& scales, Oddities& found) {
   compare(scales.hertz.pressure * 1e-9,
-          {"the Hertz pressure", "GPa", 0.05, 4, "hardly a loaded contact; are torque or force in N m and N?",
-           "more than hardened steel bears; are torque or force in N m and N?"},
+          {"the Hertz pressure", "GPa", 0.05, 4, "hardly a loaded contact; is the torque in N m, the force in N?",
+           "more than hardened steel bears; is the torque in N m, the force in N?"},
           found);
   compare(nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) * 1e6,
           {"the central film by Nijenbanning, Venner and Moes", "um", 0.02, 50,

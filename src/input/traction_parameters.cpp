@@ -12,9 +12,10 @@ Records friction_records() {
   const ShearLaw standard;
   return section(
       "friction", Scope::any,
-      {choice("law", {"none", "newtonian", "eyring", "carreau", "coulomb"},
-              "how the oil gives way to shear: no friction is computed; in proportion to stress; by Eyring's sinh; by "
-              "Carreau's power; a given coefficient of friction"),
+      {choice(
+           "law", {"none", "newtonian", "eyring", "carreau", "coulomb"},
+           "shear law of the oil: none, no friction is computed; Newton's, Eyring's or Carreau's law; coulomb, a given "
+           "coefficient of friction"),
        preset(standard.eyring_stress, number("eyring_stress", "tau_0", "Pa", left_open(1e5, 1e8),
                                              "eyring: stress at which the oil begins to thin (an assumption)")),
        preset(standard.carreau_modulus, number("carreau_modulus", "G", "Pa", left_open(1e3, 1e9),
@@ -24,7 +25,7 @@ Records friction_records() {
        preset(standard.limiting_ratio, number("limiting_ratio", "Lambda", "-", closed(0, 0.5),
                                               "largest shear stress over pressure; 0: no limit (an assumption)")),
        preset(standard.limiting_stress, number("limiting_stress", "tau_L0", "Pa", closed(0, 1e9),
-                                               "below which the shear stress is not limited (an assumption)")),
+                                               "shear stress below which it is not limited (an assumption)")),
        optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient")),
        choice("in_film", {"no", "yes"},
               "the film feels the shear law: Reynolds' equation of an oil that is not Newtonian")});
@@ -40,11 +41,13 @@ Records thermal_records() {
   const Range kelvin = closed(200, 800);
   return section(
       "thermal", Scope::any,
-      {choice("model", {"none", "friction", "film"},
-              "heat: the film is as warm everywhere; the energy equation across the film makes temperatures and "
-              "friction, but the film does not feel them; it does"),
+      {choice(
+           "model", {"none", "friction", "film"},
+           "heat: none, the film is isothermal; friction, the energy equation across the film gives temperatures and "
+           "friction, which do not act on the film; film, they do"),
        preset(standard.oil.temperature,
-              number("temperature", "T_0", "K", kelvin, "of the oil that enters, at which lubricant.viscosity holds")),
+              number("temperature", "T_0", "K", kelvin,
+                     "temperature of the oil that enters, at which lubricant.viscosity holds")),
        optional("thermal.temperature",
                 number("bulk_pinion", "T_b1", "K", kelvin, "temperature of the pinion's teeth, or of body 1")),
        optional("thermal.temperature",

@@ -1,4 +1,4 @@
-// What the public classes see of results and of films, and the silence that they keep.
+// What the public classes see of results and of films; they print nothing.
 #pragma once
 
 #include <hdf5.h>

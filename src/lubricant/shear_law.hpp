@@ -50,8 +50,8 @@ struct ShearThinning {
   double log_across = 0.0;  ///< the same at right angles to it
 };
 
-/// Of a film of uniform viscosity, of a law that knows a viscosity (not coulomb); arguments of mean_shear. The limit of
-/// the stress has no part in it.
+/// Shear thinning of a film of uniform viscosity by a law that knows a viscosity (not coulomb). Arguments are those of
+/// mean_shear; the limit of the stress does not enter.
 ///   S = 12/h^3 Int (z - h/2) g(tau)/p_x dz,  tau = tau_m + (z - h/2) p_x;  across 12/h^3 Int (z - h/2)^2 g(tau)/tau dz
 ///   eyring: S = 3 (s cosh s - sinh s)/s^3 sqrt[1 + ((eta u_s/(h tau_0)) s/sinh s)^2],  s = h p_x/(2 tau_0)
 ShearThinning shear_thinning(const ShearLaw& law, double log_newtonian, double half_gradient);

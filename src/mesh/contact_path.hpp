@@ -35,7 +35,7 @@ public:
 
   /// Contacts just after T, the leading one first. A contact at its exit has left, one at its entry is there.
   std::vector<int> contacts_after(double T) const { return contacts_after_phase(meshing_phase(T)); }
-  /// Those just before T: one at its exit is still there, one at its entry not yet.
+  /// Contacts just before T. A contact at its exit is still there, one at its entry not yet.
   std::vector<int> contacts_before(double T) const {
     return contacts_after_phase(meshing_phase(T) - 3.0 * tolerance());
   }

@@ -33,7 +33,7 @@ public:
   /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
   std::vector<double> forces(double H0) const;
   double total_force(double H0) const;
-  /// Of the contact that a rigid pair would press most; negative where all are apart [-].
+  /// Approach of the contact that a rigid pair would press most; negative where all are apart [-].
   double largest_approach(double H0) const;
   /// d(total force)/d(-H_0) at these forces [-].
   double stiffness(const std::vector<double>& forces) const;

@@ -43,14 +43,14 @@ struct MeshModel {
   MeshedContact contact_at(int number, double xi) const;
   /// c_kj of the contacts of these numbers at time T: of H by the force F [-].
   Compliance compliance(std::span<const int> numbers, double T) const;
-  /// Films feel their heat or their shear.
+  /// Whether films feel their heat or their shear.
   bool corrects_films() const { return traction && traction->corrects_film(); }
-  /// Bodies without inertia, on all contacts.
+  /// Whether the bodies have no inertia and rest on all contacts.
   bool in_balance() const { return inertia == 0.0 && !load; }
   /// The share f of the static force from T on, up to where its law changes; absent where contacts share by themselves.
   std::optional<LoadSharing::Piece> share_from(double T) const;
 
-  /// Of a periodic motion, in mesh periods and in T, and its next beginning from T on.
+  /// The period of a periodic motion, in mesh periods and in T, and when one begins next from T on.
   int periods() const { return order * pattern; }
   double period() const { return periods() * path.mesh_period(); }
   double next_period(double T) const { return period() * std::ceil(T / period() - 1e-9); }
@@ -69,7 +69,7 @@ struct MeshModel {
   /// f_m [Hz].
   double mesh_frequency_si() const { return 1.0 / (scales.time * path.mesh_period()); }
 
-  /// By the tooth force [W].
+  /// Power that the tooth force transmits [W].
   double transmitted_power() const { return tooth_force * path.line().travel_velocity(path.pinion_speed()); }
   /// The tooth force over the reference load [-]: 1 but for a point load that stands for a line contact.
   double load_factor() const { return tooth_force / scales.operation.load; }

@@ -27,7 +27,7 @@ struct NewtonOptions {
   double late_krylov_tolerance = 1.0;
   int krylov_max_iterations = 200;
   bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near
-  Watcher watcher{};           ///< of stationary films: told every iteration
+  Watcher watcher{};           ///< of stationary films, called every iteration
 };
 
 /// A nonlinear system as its linear solver sees it, linearised about the last state.

@@ -28,7 +28,8 @@ struct MapValue {
   double smallest_force = 0.0;  ///< of all contacts together, over the static force
   /// Positive where there is always contact, negative where it is lost: smooth through zero.
   double least_approach = 1.0;
-  /// Of a map with approximate derivatives: makes them those of the periodic motion that this has turned out to be.
+  /// Where the map has approximate derivatives: replaces them by measured ones, once this is known to be a periodic
+  /// motion.
   std::function<void(MapValue&)> measure{};
 
   const Motion& image() const { return states.back(); }

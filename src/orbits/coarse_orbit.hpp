@@ -26,7 +26,7 @@ struct FoundOrbit {
 FoundOrbit find_orbit(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry,
                       const SearchWatch& watch);
 
-/// Where half the grid told nothing, the orbit with steps that are longer by about the root of two; nothing, and the
+/// Where half the grid gave no orbit, the orbit with steps that are longer by about the root of two; nothing, and the
 /// reason to the watch, where there is none either. Collective.
 void find_coarse_orbit(const OrbitProblem& problem, const SearchWatch& watch, MPI_Comm comm, FoundOrbit& found);
 

@@ -33,6 +33,8 @@ bool next_to_each_other(const BranchPoint& here, const BranchPoint& there, const
 
 }  // namespace
 
+bool is_same_motion(const Motion& a, const Motion& b) { return length(difference(a, b)) <= same_motion; }
+
 std::optional<Motion> follow_dry_branch(const MeshAt& mesh_at, int order, double damping_ratio, const BranchState& from,
                                         double to, const DryWatch& watch) {
   const double way = to - from.parameter, unit = std::abs(way), sign = way > 0.0 ? 1.0 : -1.0;
@@ -43,7 +45,7 @@ std::optional<Motion> follow_dry_branch(const MeshAt& mesh_at, int order, double
   };
   const BranchCorrector corrector(map, order, {.unit = unit, .tolerance = tolerance});
   const auto begin = corrector.at_parameter(from);
-  if (!begin || length(difference(begin->point.state.motion, from.motion)) > same_motion) return {};
+  if (!begin || !is_same_motion(begin->point.state.motion, from.motion)) return {};
   BranchPoint here = begin->point;
   double done = 0.0, step = 1.0;
   while (done < 1.0) {

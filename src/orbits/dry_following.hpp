@@ -11,6 +11,9 @@
 
 namespace gearfilm {
 
+/// Whether a motion is still the one that was followed, after Newton's method.
+bool is_same_motion(const Motion& a, const Motion& b);
+
 /// from: a periodic motion of that order, and its parameter. Nothing where its branch does not reach `to`.
 std::optional<Motion> follow_dry_branch(const MeshAt& mesh_at, int order, double damping_ratio, const BranchState& from,
                                         double to, const DryWatch& watch);

@@ -5,12 +5,6 @@
 #include "orbits/settled_march.hpp"
 
 namespace gearfilm {
-namespace {
-
-constexpr double same_motion = 1e-3;  // in (H_0, V_0), of what was followed and what Newton's method makes of it
-
-}  // namespace
-
 std::optional<DryOrbit> follow_to_point(const ProblemAt& problem_at, double value, const BranchState& from,
                                         const DryWatch& watch) {
   const MeshAt mesh_at = [&](double at) { return problem_at(at).mesh; };
@@ -19,7 +13,7 @@ std::optional<DryOrbit> follow_to_point(const ProblemAt& problem_at, double valu
   const auto motion = follow_dry_branch(mesh_at, here.mesh.order, damping_ratio, from, value, watch);
   if (!motion) return {};
   std::optional<DryOrbit> orbit = follow_dry_orbit(here.mesh, damping_ratio, *motion);
-  if (orbit && length(difference(orbit->start, *motion)) > same_motion) orbit.reset();
+  if (orbit && !is_same_motion(orbit->start, *motion)) orbit.reset();
   return orbit;
 }
 

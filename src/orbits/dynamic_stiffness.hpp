@@ -24,7 +24,7 @@ struct SwingOptions {
   double krylov_tolerance = 1e-11;  ///< relative, of the last solutions for p
   int krylov_max_iterations = 600;
   std::optional<std::complex<double>> guess{};  ///< of s, such as that on a coarser grid
-  Watcher watcher{};                            ///< told every Krylov iteration
+  Watcher watcher{};                            ///< called every Krylov iteration
 };
 
 struct SwingingMode {

@@ -18,7 +18,7 @@ struct FilmModeOptions {
   double tolerance = 1e-8;          ///< relative, of an eigenvalue
   double krylov_tolerance = 1e-11;  ///< relative, of each solution with A
   int krylov_max_iterations = 400;
-  Watcher watcher{};  ///< told every Krylov iteration
+  Watcher watcher{};  ///< called every Krylov iteration
 };
 
 struct FilmMode {

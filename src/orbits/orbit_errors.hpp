@@ -6,8 +6,9 @@
 
 namespace gearfilm {
 
-/// The periodic state with those on coarser grids that tell its errors; of a pair on films of this discretisation, or a
-/// dry one without. Throws SolveError where none is found, and what the watch throws. Collective.
+/// Finds the periodic state, and those on coarser grids that give its errors: of a pair on films of this
+/// discretisation, or of the dry pair without one. Throws SolveError where none is found, and what the watch throws.
+/// Collective.
 FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,
                                   const SearchWatch& watch);
 
@@ -21,7 +22,7 @@ struct OrbitError {
   std::optional<Estimate> in_si(const Scales& scales) const;
 };
 
-/// Of all quantities that depend on films, pressures or forces; nothing is known without a coarser orbit.
+/// Errors of all quantities that depend on films, pressures or forces; none is known without a coarser orbit.
 std::vector<OrbitError> errors_of(const FoundOrbit& found);
 
 /// The quantity that is known worst, of those that have a limit in sight.

@@ -30,10 +30,10 @@ inline SharedDiscretisation discretise(MPI_Comm comm, const OrbitProblem& proble
   return discretise(comm, problem.numerics, problem.mesh.scales);
 }
 
-/// Throws Stopped where a run is to end, told how many mesh periods it has come to. Collective.
+/// Throws Stopped where a run is to end; called with the number of mesh periods marched so far. Collective.
 using StopCheck = std::function<void(double mesh_periods)>;
 
-/// A StopCheck for searches of dry orbits: they tell how many mesh periods they have marched since they told it last.
+/// A StopCheck for searches of dry orbits, which report the mesh periods marched since their last report.
 inline DryWatch counted(StopCheck check) {
   return [check = std::move(check), done = 0](int mesh_periods) mutable {
     done += mesh_periods;
@@ -52,8 +52,8 @@ struct SearchWatch {
   RunStore* store = nullptr;  ///< keeps all marches, and may know a part
 };
 
-/// A march of the problem, which ends where the watch says so, but not for what is done again on the way to where a
-/// program before has come. on_step is told before. The watch must outlive it.
+/// A march of the problem, which ends where the watch says so, but not during steps that an earlier program has made
+/// and that are only taken over. on_step is called before the watch. The watch must outlive the march.
 MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation& films, const SearchWatch& watch,
                         StepObserver on_step = unseen);
 

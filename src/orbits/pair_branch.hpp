@@ -23,8 +23,8 @@ struct BranchEntry {
 /// The beginning of the dry pair's branch, watched at every evaluation of its map. Throws SolveError where no periodic
 /// state is found, and what the watch throws.
 BranchBeginning dry_beginning(const ProblemAt& problem_at, const BranchEntry& entry, const DryWatch& watch);
-/// Of the pair on films. The watch must outlive what is returned. Throws SolveError where no periodic state is found,
-/// and what the watch throws. Collective.
+/// The beginning of the branch of the pair on films. The watch must outlive what is returned. Throws SolveError where
+/// no periodic state is found, and what the watch throws. Collective.
 BranchBeginning film_beginning(const ProblemAt& problem_at, const BranchEntry& entry, MPI_Comm comm,
                                const SearchWatch& watch);
 

@@ -59,7 +59,7 @@ constexpr double same_point = 1e-3;
 /// Absent where there are fewer than two points.
 std::optional<Recurrence> recurrence_of(const std::vector<PoincarePoint>& points, double tolerance);
 /// By least squares over the points that are near the last one, yet not lost in noise; absent where these are too few.
-/// Of a march that does not repeat: over the fewest mesh periods over which it contracts, or one.
+/// A march that does not repeat is taken over the fewest mesh periods over which it contracts, or over one.
 std::optional<Settling> settling_of(const std::vector<PoincarePoint>& points, const Recurrence& recurrence);
 
 }  // namespace gearfilm

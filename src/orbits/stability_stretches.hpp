@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// Of a branch between two such places.
+/// A part of a branch between two such places.
 struct Stretch {
   int branch = 0;
   int order = 0;
@@ -18,7 +18,7 @@ struct Stretch {
 
 class StabilityStretches {
 public:
-  /// A point, in the order in which they are found.
+  /// Adds the next point, in the order in which points are found.
   void add(const Branch& branch, PointKind kind, const BranchPoint& point);
   const std::vector<Stretch>& all() const { return stretches_; }
 

@@ -21,14 +21,14 @@ constexpr std::uint64_t checksum_term(std::uint64_t place, std::uint64_t bits) {
   return z ^ (z >> 31);
 }
 
-/// The part of values before which there are so many others.
+/// The part that these values contribute, with `before` other values in front of them.
 inline std::uint64_t checksum(std::span<const double> values, std::uint64_t before = 0) {
   std::uint64_t sum = 0;
   for (const double value : values) sum += checksum_term(++before, std::bit_cast<std::uint64_t>(value));
   return sum;
 }
 
-/// Of a text, byte after byte.
+/// Checksum of a text, byte after byte.
 inline std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 0, place = 0;
   for (const char byte : text) sum += checksum_term(++place, static_cast<unsigned char>(byte));

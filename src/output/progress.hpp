@@ -48,8 +48,9 @@ private:
   int last_part_ = 0;
 };
 
-/// Progress of work of which nobody knows how much is left: silent for some seconds, then what it is at. On a terminal
-/// one line that renews itself and is gone in the end; otherwise lines that become rarer, a minute apart at most.
+/// Progress of work whose remaining amount is not known. It is silent for some seconds, then shows what is being done:
+/// on a terminal in one line that renews itself and is gone in the end, otherwise in lines that become rarer, a minute
+/// apart at most.
 class LongWork : public StatusLine {
 public:
   explicit LongWork(MPI_Comm comm, double silent_seconds = 5.0) : StatusLine(comm, false), due_(silent_seconds) {}

@@ -16,10 +16,11 @@ struct OwnFilesMark {
   std::uint64_t checksum = 0;
 };
 
-/// Collective, as is read_own(); throws OutputError.
+/// Writes the values of each process to a file of its own. Collective, as is read_own(). Throws OutputError.
 OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values);
 
-/// No values for another number of processes. Nothing where the file of any process is missing, not whole, or damaged.
+/// Reads the values of each process back: an empty list where another number of processes wrote them, nothing where the
+/// file of any process is missing, not whole, or damaged. Collective.
 std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path, const OwnFilesMark& mark);
 
 }  // namespace gearfilm

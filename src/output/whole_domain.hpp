@@ -26,7 +26,7 @@ private:
   int end_row() const { return cuts_[grid_.rank() + 1]; }
   /// Where the grid's vectors have the nodes of the own rows.
   std::vector<PetscInt> sources() const;
-  /// Of the nodes, without values.
+  /// An array of the extents of all nodes, without values.
   DistributedArray extents() const;
 
   const Grid& grid_;

@@ -1,4 +1,4 @@
-// What one process knows, told to all: files are read and written by some of them, but all must go on alike.
+// Agreement between processes: some of them read and write files, but all must go on alike.
 #pragma once
 
 #include <exception>

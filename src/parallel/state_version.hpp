@@ -13,13 +13,13 @@
 
 namespace gearfilm {
 
-/// Of a whole state, so that two parts of one state are told apart by their place in it. Zero: of values that nobody
-/// knows.
+/// Version of the values of a whole state; parts of a state are distinguished by their place in it. Zero is the version
+/// of values that nobody knows.
 using StateVersion = std::uint64_t;
 
 class StateVersions {
 public:
-  /// Of what a vector has now; no two of different values are the same, in whatever object.
+  /// Version of the present values of a vector. Different values never have the same version, in whatever object.
   StateVersion of(Vec vec);
   /// `to` has the values of `from`, until it is written again. Throws std::logic_error in builds with assertions where
   /// it has not.

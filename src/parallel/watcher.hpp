@@ -1,4 +1,4 @@
-// How long work tells what it is at, in words, to whoever shows it.
+// A function that long work calls with words for what it is doing, to be shown.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace gearfilm {
 
-/// Called now and then, on every process that works; does nothing collective. May be empty.
+/// A watcher is called now and then, on every process that works. It does nothing collective, and may be empty.
 using Watcher = std::function<void(const std::string&)>;
 
 }  // namespace gearfilm

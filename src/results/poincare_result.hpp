@@ -1,5 +1,5 @@
-// What is told of a march by its motion once a mesh period: the points of /history/poincare, of `transient`; those of
-// each march of a sweep; whether the march repeats, and how it settles.
+// Results from the motion of a march once a mesh period: the points of /history/poincare of `transient`, the points of
+// each march of a sweep, whether the march repeats, and how it settles.
 #pragma once
 
 #include "mesh/mesh_model.hpp"

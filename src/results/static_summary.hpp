@@ -20,13 +20,13 @@ public:
   const StaticMesh& found() const { return found_; }
   double length(double H) const { return scales_.thickness * H; }                    ///< [m]
   double stiffness(double K) const { return scales_.force(K) / scales_.thickness; }  ///< [N/m]
-  /// Of all positions [Pa].
+  /// Largest pressure at any position [Pa].
   double largest_pressure() const;
 
   Summary summary() const;
   /// What is in it, in the manual's Markdown.
   static std::string markdown();
-  /// Of the table, one a position.
+  /// Columns of the table, which has one row a position.
   static std::vector<TableColumn> columns();
   void append_rows(double load_ratio, std::vector<double>& rows) const;
   /// xi [m] and share of one contact, from its entering to its leaving: a file for load_sharing.file.

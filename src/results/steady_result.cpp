@@ -243,9 +243,9 @@ std::string steady_markdown() {
              "error bars of films and pressures (`NAME_error`, `NAME_extrapolated`), and the `predictions` of "
              "formulas.",
              film_members) +
-         members_markdown("What heat makes of it", "With `thermal.model: film`.", heat_members) +
-         members_markdown("What shear makes of it", "With `friction.in_film: yes` and without heat in the film.",
-                          shear_members);
+         members_markdown("The effect of heat on the film", "With `thermal.model: film`.", heat_members) +
+         members_markdown("The effect of shear on the film",
+                          "With `friction.in_film: yes` and without heat in the film.", shear_members);
 }
 
 }  // namespace gearfilm

@@ -74,7 +74,7 @@ public:
   void precondition(Vec rows, Vec change) override;
   /// H_k, or their changes.
   Eigen::VectorXd displacements(Vec state) const;
-  /// Of every contact.
+  /// Quantities of the films of all contacts.
   std::vector<FilmQuantities> quantities(Vec state);
   /// Where the rows of one contact are largest.
   WorstNode worst_node(Vec rows, std::size_t contact) const;

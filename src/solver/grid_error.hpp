@@ -30,8 +30,8 @@ struct GridErrors {
 /// What a film on the coarser grid becomes with what else acts on it, such as its heat. May throw SolveError.
 using CoarseCoupling = std::function<StationaryResult(ContactFilm& coarse, const StationaryResult& alone)>;
 
-/// Of the film that was found under the load condition, and coupled; free of cost where it was found from the coarser
-/// grid. Nothing where the grid has no coarser one, or this no film that is positive. Collective.
+/// Errors of a film that was found under the load condition, and coupled. They cost nothing where the film was found
+/// from the coarser grid. Nothing where there is no coarser grid, or no positive film on it. Collective.
 std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                       const StationaryResult& result, const CoarseCoupling& couple = {});
 

@@ -64,7 +64,7 @@ public:
   bool step(double shift);
   /// The films that solve() or step() has left.
   FilmSolution films() const;
-  /// Of these films. Collective.
+  /// Quantities of the films that solve() or step() has left. Collective.
   std::vector<FilmQuantities> quantities() { return system_.quantities(state_); }
 
   /// For solves from now on: a root mean square of the residual.
@@ -87,7 +87,7 @@ private:
   FilmSystem::Rate rate_at(Vec state);
   void evaluate(Vec state, Vec residual);
   void update_jacobian(Vec state);
-  /// Has the watcher told of every iteration.
+  /// Makes SNES call the watcher in every iteration.
   void watch();
   void tell(PetscInt krylov);
 

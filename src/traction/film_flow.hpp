@@ -1,12 +1,12 @@
-// The flow in a film that is not as warm everywhere, at some places side by side.
+// The flow in a film whose temperature differs across it, at some places side by side.
 //
 //   J_n = Int_0^h z^n/eta dz,  z_ = J_1/J_0                       eta = eta(p, T(z))
 //   flow = u_m h + u_s (h/2 - z_) + q_P,  q_P = -p_x (J_2 - J_1^2/J_0) = -F h^3 p_x/(12 eta(p, T_0))
 //   u(z) = u_2 + u_s Int_0^z n dz'/h + G Int_0^z (z' - z_)/eta dz',   n = (1/eta)/mean(1/eta)
 //   Phi(z) = G^2 (z - z_)^2/eta + G (z - z_)(tau_m/eta + gamma'),     G = -12 eta(p, T_0) q_P/(F h^3)
-//   with S of a shear law that is not Newton's (sheared_flow.hpp) Phi(z) = G^2 (z - z_)^2/(S eta) + G (z -
-//   z_)(tau_m/eta + gamma'/S) rho w(z) = -d/dx Int_0^z rho u dz',  less the part that leaves by the sides, as if it
-//   left evenly
+//   with S of a shear law that is not Newton's (sheared_flow.hpp)
+//   Phi(z) = G^2 (z - z_)^2/(S eta) + G (z - z_)(tau_m/eta + gamma'/S)
+//   rho w(z) = -d/dx Int_0^z rho u dz',  less the part that leaves by the sides, taken as leaving evenly
 // w is across lines of constant z/h. q_P is given: p_x belongs to the F with which Reynolds' equation was solved last,
 // and the flow is what it conserves; so the heat falls as the oil warms. Where pressure drives the oil forwards, out of
 // the contact, the profile is a parabola at the mean of ln eta: with the profile of the moment Newton's method does not

@@ -37,7 +37,8 @@ struct TractionFields {
   double unconverged_nodes = 0.0;       ///< own nodes whose temperatures were not found to the last digit
 };
 
-/// Of the film at its present state, which does not feel it. Throws SolveError where a temperature is not found.
+/// Temperatures and heat of a film at its present state that does not feel them. Throws SolveError where a temperature
+/// is not found.
 TractionFields heated_film(const TractionModel& model, const ContactFilm& film);
 
 /// The heat of a film, and what heat and shear make of the flow, from one sweep to the next.

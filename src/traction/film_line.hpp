@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// Of both surfaces in every own row, in SI.
+/// Velocities of both surfaces in every own row, in SI.
 std::vector<SurfaceVelocities> row_velocities(const ContactFilm& film);
 
 struct FilmLine {

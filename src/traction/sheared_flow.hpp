@@ -16,7 +16,7 @@ namespace gearfilm {
 void put_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double x, std::size_t node,
                FlowFactors& flow);
 
-/// Of a film at its present state that is as warm everywhere.
+/// Flow factors of a film at its present state that has one temperature everywhere.
 FlowFactors sheared_flow(const TractionModel& model, const ContactFilm& film);
 
 }  // namespace gearfilm

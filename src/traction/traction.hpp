@@ -39,7 +39,7 @@ struct Traction {
   TractionFields fields;
 };
 
-/// Of a film at its present state. Collective. Throws SolveError where temperatures are not found.
+/// Friction and heat of a film at its present state. Collective. Throws SolveError where temperatures are not found.
 Traction traction(const TractionModel& model, const ContactFilm& film);
 
 /// The same of a film that feels its heat or its shear, with what both make of its flow: one sweep over the

@@ -120,7 +120,7 @@ class Defaults(ProgramTest):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 8000, "-grid_domain", "auto",
                                   "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no", "-thermal_model",
                                   "none")
-        self.assertRegex(run.of_case, r"\Agearfilm: warning: the errors of the figures are not known.*\n\Z")
+        self.assertRegex(run.of_case, r"\Agearfilm: warning: the errors of the quantities are not known.*\n\Z")
         self.assertIsNone(found["h_min_error"])
 
     def test_two_processes_choose_and_find_the_same(self):

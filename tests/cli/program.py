@@ -12,7 +12,7 @@ INPUT = SOURCE / "input"
 # Of the cases that most tests take: coarse grids, the paper's isothermal films at speed, or their heat, Wang's equivalent load.
 SAID_OF_CASES = re.compile(
     r"gearfilm: warning: (the films have an error|the error of the films|\w+ has an error of about"
-    r"|the errors of the figures|the film is computed as if its inlet were not heated|the film is as hot as|the largest Hertz pressure is|'gear.load_model' is line_equivalent)")
+    r"|the errors of the quantities|the film is computed as if its inlet were not heated|the film is as hot as|the largest Hertz pressure is|'gear.load_model' is line_equivalent)")
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # What runs the program, with its options: a memory checker, for example.
 RUNNER = shlex.split(os.environ.get("GEARFILM_RUNNER", ""))
