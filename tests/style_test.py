@@ -132,6 +132,13 @@ class Studies(unittest.TestCase):
                 self.assertIn(f"]({folder.name}/README.md)", listed)
                 self.assertIn(f"scripts/studies/{folder.name}/run", read(folder / "run"))
 
+    def test_every_table_of_the_documents_is_named_by_the_study_that_writes_it(self):
+        texts = [read(path) for path in sorted((SOURCE / "scripts/studies").glob("*/README.md"))]
+        for table in sorted((SOURCE / "docs/data").glob("*.md")):
+            with self.subTest(table=table.name):
+                self.assertEqual(sum(bool(re.search(rf"[`/]{table.name}`", text)) for text in texts), 1)
+                self.assertRegex(read(table), r"\A<!-- gearfilm [^,]+, .+, .+ -->\n")
+
     def test_the_top_of_scripts_has_doors_alone(self):
         files = {path.name for path in (SOURCE / "scripts").iterdir() if path.is_file() and not path.is_symlink()}
         self.assertEqual(files, {"README.md", "pyproject.toml", "setup.sh", "demo.sh", "test.sh", "check.sh", "pages.sh"})

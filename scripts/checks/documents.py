@@ -78,9 +78,11 @@ def table_faults(page, update):
             faults.append(f"1: table {found[1]}: there is no docs/data/{found[1]}.md; run the study that writes it")
             return found[0]
         content = file.read_text(encoding="utf-8").split("\n", 1)[1]
-        if content.strip() != found[2].strip() and not update:
+        if content.strip() == found[2].strip():
+            return found[0]
+        if not update:
             faults.append(f"1: table {found[1]} is not docs/data/{found[1]}.md; scripts/checks/documents.py --update")
-        return f"<!-- table {found[1]} -->\n\n{content.strip()}\n\n<!-- end -->\n"
+        return f"<!-- table {found[1]} -->\n{content.strip()}\n<!-- end -->\n"
 
     new = TABLE.sub(written, text)
     if update and new != text:

@@ -66,6 +66,14 @@ def attempt(command, case, folder, *options, time_limit=None):
     return Run(words, status, seconds, errors, summary)
 
 
+def solved(command, case, folder, *options):
+    """Summary of a run that must be solved."""
+    run = attempt(command, case, folder, *options)
+    if run.status != 0:
+        raise RunError(f"{pathlib.Path(case).name}, {' '.join(map(str, options))}: {run.message}")
+    return run.summary
+
+
 def domain_options(folder):
     """Options that keep the domain of a run, which the program chose, on another grid."""
     import h5py  # pylint: disable=import-outside-toplevel  (few studies need it)

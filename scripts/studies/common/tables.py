@@ -5,6 +5,7 @@ and the processor; the pages of the documents include what follows.
 """
 import contextlib
 import datetime
+import math
 import pathlib
 import platform
 import re
@@ -26,6 +27,12 @@ def heading(*columns):
 
 def percent(change, digits=1):
     return f"{round(100 * change, digits) + 0.0:+.{digits}f} %"  # + 0.0: no "-0.0"
+
+
+def with_bar(value, bar, figures=2):
+    """Value and error bar, with that many figures of the bar."""
+    digits = max(0, figures - 1 - math.floor(math.log10(bar)))
+    return f"{value:.{digits}f} ± {bar:.{digits}f}"
 
 
 def version():

@@ -18,7 +18,8 @@ LINE_HEIGHT = 0.28        # of a line of a panel of changes, inches
 def distance_panels(solved):
     """Series and quantities, panel by panel."""
     return [(one, [quantity for quantity in one.series.quantities if quantity.panel == panel])
-            for one in solved for panel in dict.fromkeys(quantity.panel for quantity in one.series.quantities)]
+            for one in solved if len(one.series.runs) > 1
+            for panel in dict.fromkeys(quantity.panel for quantity in one.series.quantities)]
 
 
 def distances(solved, quantity):

@@ -71,15 +71,16 @@ MICROMETRES = {"unit": "µm", "scale": 1e6, "digits": 4}
 BARE_FILM = [Quantity("H_central", "H_central", "film"), Quantity("H_min", "H_min", "film")]
 FILM = [Quantity("h_central", "central film", "film", **MICROMETRES),
         Quantity("h_min", "smallest film", "film", **MICROMETRES)]
-FORCES = [Quantity("force_ratio_max", "largest force of a contact / static force", "force"),
+FORCES = [Quantity("force_ratio_max", "largest force of one contact / static force", "force"),
           Quantity("p_max", "largest pressure", "force", "GPa", 1e-9, 4)]
 ORBIT = [*FORCES,
          Quantity("pitch_h_central", "central film at the pitch point", "film", **MICROMETRES),
          Quantity("pitch_h_min", "smallest film at the pitch point", "film", **MICROMETRES),
          Quantity("entry_h_central", "central film after entering", "film", **MICROMETRES),
          Quantity("entry_h_min", "smallest film after entering", "film", **MICROMETRES),
-         Quantity("H0_after_leaving", "H_0 after leaving", "motion"),
-         Quantity("V0_after_leaving", "V_0 after leaving", "motion"),
+         Quantity("transmission_error_peak_to_peak", "transmission error, peak to peak", "motion", "µm", 1e6, 3),
+         Quantity("H0_after_leaving", "$H_0$ after leaving", "motion"),
+         Quantity("V0_after_leaving", "$V_0$ after leaving", "motion"),
          Quantity("free_frequency", "free oscillation", "motion", "Hz", digits=1),
          Quantity("floquet_modulus", "Floquet modulus", "motion")]
 MARCH = [*FORCES,
@@ -169,7 +170,9 @@ def grid_study(size):
     grids = halved_grids(COARSEST_PAIR, 4 if size.finest else 3)
     runs = [orbit_run(grid, ORBIT_STEP / 2 ** n) for n, grid in enumerate(grids)]
     return Study("Periodic state of Table 3, grid and time step halved together",
-                 [orbit_series("periodic", "Periodic state, the paper's domain", "dT, the grid refined with it", runs)])
+                 [orbit_series("periodic", "Periodic state, the paper's domain", "dT, the grid refined with it", runs),
+                  orbit_series("periodic_half_step", "The step alone halved", "dT",
+                               [orbit_run(grids[1], ORBIT_STEP / 4)])])
 
 
 def time_study(size):

@@ -1,9 +1,8 @@
 """What the runs of a study say: limits or changes, as Markdown tables and as numbers for a file."""
-import math
 from typing import NamedTuple
 
 from studies.common.contacts import FORMULA_HEADING, formula_cells
-from studies.common.tables import heading, percent, row
+from studies.common.tables import heading, percent, row, with_bar
 from studies.convergence.limit import limit_of
 from studies.convergence.series import Series
 
@@ -53,13 +52,12 @@ def value_cell(value, digits):
     return NOT_SOLVED if value is None else f"{value:.{digits}f}"
 
 
-def limit_cell(limit, digits):
-    """Limit and bar, with two digits of the bar."""
-    if limit.value is None:
-        return ""
-    if limit.bar > 0:
-        digits = max(0, 1 - math.floor(math.log10(limit.bar)))
-    return f"{limit.value:.{digits}f} ± {limit.bar:.{digits}f}"
+def limit_cells(limit, digits):
+    """Order, and limit with its bar; no limit where the differences do not shrink."""
+    order = "none" if limit.order is None else f"{limit.order:.2f}"
+    if limit.value is None or limit.order is not None and limit.order <= 0:
+        return order, "none in sight" if limit.value is not None else ""
+    return order, with_bar(limit.value, limit.bar) if limit.bar > 0 else f"{limit.value:.{digits}f} ± 0"
 
 
 def limit_lines(solved):
@@ -67,10 +65,8 @@ def limit_lines(solved):
     yield heading("quantity", *(run.label for run in solved.series.runs), "order", "limit")
     for quantity in solved.series.quantities:
         values = solved.values(quantity)
-        limit = limit_of(values)
-        order = "none" if limit.order is None else f"{limit.order:.2f}"
-        yield row(quantity.heading(), *(value_cell(value, quantity.digits) for value in values), order,
-                  limit_cell(limit, quantity.digits))
+        yield row(quantity.heading(), *(value_cell(value, quantity.digits) for value in values),
+                  *limit_cells(limit_of(values), quantity.digits))
 
 
 def film_changes(films):
@@ -115,6 +111,40 @@ def markdown(study, solved):
     for title, lines in tables:
         parts.append("\n".join(["", f"## {title}", "", *lines, ""]))
     return "".join(parts)
+
+
+def film_lines(solved):
+    """One table of all series of films, two rows each: values on the coarsest and the finest grid, order and limit."""
+    yield heading("contact", "film", "coarsest grid", "", "finest grid", "", "order", "limit")
+    for one in solved:
+        runs = one.series.runs
+        for number, quantity in enumerate(one.series.quantities):
+            values = one.values(quantity)
+            first = number == 0
+            yield row(one.series.title if first else "", quantity.heading(), runs[0].label if first else "",
+                      value_cell(values[0], quantity.digits), runs[-1].label if first else "",
+                      value_cell(values[-1], quantity.digits), *limit_cells(limit_of(values), quantity.digits))
+
+
+def orbit_lines(solved):
+    """The table of a periodic state whose grid is refined; in the last column that with the step alone halved."""
+    refined, halved = solved
+    first, *lines = limit_lines(refined)
+    columns, rule = first.split("\n")
+    yield f"{columns} {halved.series.runs[0].label} |\n{rule}---|"
+    for line, quantity in zip(lines, refined.series.quantities):
+        yield f"{line} {value_cell(halved.values(quantity)[0], quantity.digits)} |"
+
+
+CONDENSED = {"steady": ("convergence_films", film_lines), "grid": ("convergence_periodic", orbit_lines)}
+
+
+def published(name, study, solved):
+    """Name and text of what goes to docs/data: one table where the study has a condensed one, else all of them."""
+    if name not in CONDENSED:
+        return f"convergence_{name}", markdown(study, solved)
+    place, lines = CONDENSED[name]
+    return place, "\n".join(lines(solved))
 
 
 def numbers(study, solved):

@@ -62,29 +62,57 @@ def compare(command, case, folder, options, time_limit):
     return tests_of(case.stem, run.summary, finer.summary), ""
 
 
+def by_quantity(tests):
+    """The tests of each quantity whose errors are known."""
+    found = collections.defaultdict(list)
+    for test in tests:
+        if test.error is not None:
+            found[test.figure].append(test)
+    return found
+
+
+def farthest(tests):
+    return max(tests, key=lambda test: test.distance)
+
+
 def summary_lines(tests):
     """The table, then the misses."""
-    by_figure = collections.defaultdict(list)
-    for test in tests:
-        by_figure[test.figure].append(test)
-    yield heading("figure", "cases", "within 1.1 errors", "farthest [errors]", "there", "median error", "not known")
-    for figure, all_of in by_figure.items():
-        known = [test for test in all_of if test.error is not None]
-        if not known:
-            yield row(figure, 0, "", "", "", "", len(all_of))
+    unknown = collections.Counter(test.figure for test in tests if test.error is None)
+    found = by_quantity(tests)
+    yield heading("quantity", "cases", "within 1.1 errors", "farthest [errors]", "there", "median error", "not known")
+    for name in dict.fromkeys(test.figure for test in tests):
+        if not found[name]:
+            yield row(name, 0, "", "", "", "", unknown[name])
             continue
-        worst = max(known, key=lambda test: test.distance)
-        share = sum(test.holds for test in known) / len(known)
-        median = statistics.median(abs(test.error / test.value) for test in known)
-        yield row(figure, len(known), f"{100 * share:.0f} %", f"{worst.distance:.2f}", worst.case,
-                  f"{100 * median:.2g} %", len(all_of) - len(known))
-    known = [test for test in tests if test.error is not None]
+        known, worst = found[name], farthest(found[name])
+        yield row(name, len(known), f"{100 * sum(test.holds for test in known) / len(known):.0f} %",
+                  f"{worst.distance:.2f}", worst.case, median_error(known), unknown[name])
+    known = [test for tests_of_one in found.values() for test in tests_of_one]
     if known:
         yield f"\nall: {100 * sum(test.holds for test in known) / len(known):.1f} % of {len(known)}"
     for test in known:
         if not test.holds:
-            yield (f"{test.case}: {test.figure} {test.value:.6g} +- {test.error:.2g}, finer {test.finer:.6g}, "
+            yield (f"{test.case}: {test.figure} {test.value:.6g} ± {test.error:.2g}, finer {test.finer:.6g}, "
                    f"{test.distance:.2f} errors away")
+
+
+def median_error(tests):
+    return f"{100 * statistics.median(abs(test.error / test.value) for test in tests):.2g} %"
+
+
+def shares(sets):
+    """The table of the documents: a row a quantity, how many of each set of cases hold, and the farthest one."""
+    found = {title: by_quantity(tests) for title, tests in sets.items()}
+    first = next(iter(sets))
+    yield heading("number", *(column for title in sets
+                              for column in (f"{title}: within 1.1 bars", "farthest [bars]")), f"median bar, {first}")
+    for name, tests in found[first].items():
+        cells = []
+        for title in sets:
+            known = found[title][name]
+            cells += [f"{sum(test.holds for test in known)} of {len(known)}",
+                      f"{farthest(known).distance:.2f}" if known else ""]
+        yield row(f"`{name}`", *cells, median_error(tests))
 
 
 def options_of(assignments):

@@ -1,14 +1,13 @@
 """Figures 8 to 10: the motion from rest, the periodic state beside the long march, and the force on a contact."""
-import pathlib
-
 from gearfilm.drawing.march import draw_teeth, read_march
 from gearfilm.drawing.orbit import draw_phases, draw_spectrum, read_orbit
 from studies.common.plotting import BLUE, DARK, GREY, VERMILLION, add_grid, numpy, pyplot, read_summary
+from studies.common.runs import SOURCE
 from studies.paper import printed
 from studies.paper.films import label_life, mark_events, mark_printed
 from studies.paper.life import read_life
 
-LONG_MARCH = pathlib.Path(__file__).resolve().parents[2] / "docs/data/table3_march160"  # kept in the repository
+LONG_MARCH = SOURCE / "docs/data/table3_march160"  # kept in the repository
 LONG_MARCH_PERIODS = 40  # of which it has the history
 HEADROOM = 10  # above a spectrum, for its labels
 
