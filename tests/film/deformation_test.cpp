@@ -75,7 +75,8 @@ RowAxis graded_rows(int count, double first, Edge lower) {
   std::vector<double> y(count, first);
   double step = 0.03;
   for (int row = count - 1; row > 0; --row, step *= 1.1) y[row - 1] = y[row] - step;
-  for (double& place : y) place += first - y.front();
+  const double shift = first - y.front();
+  for (double& place : y) place += shift;
   y.front() = first;
   return {y, lower, Edge::ambient};
 }
