@@ -46,7 +46,7 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, 
       solved_(pair.system().create_state()),
       jacobian_(shell_jacobian(pair.system())) {
   create_time_scheme();
-  conquantity_solvers();
+  configure_solvers();
 }
 
 void SegmentStepper::create_time_scheme() {
@@ -139,10 +139,10 @@ SegmentStepper& SegmentStepper::of(TS ts) {
   return *static_cast<SegmentStepper*>(context);
 }
 
-void SegmentStepper::conquantity_solvers() {
+void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
-  conquantity_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
+  configure_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   begin_with_short_restart(ksp);

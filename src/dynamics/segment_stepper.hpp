@@ -81,7 +81,7 @@ private:
   /// For the stage from begin to T.
   void fit_frequency(double begin, double T);
   void control_errors();
-  void conquantity_solvers();
+  void configure_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Sets how often the present step has failed, which decides how it is tried next.

@@ -37,8 +37,8 @@ private:
   void fill_matrix(const RowInfluence& kernel, XSpectra<Real>& spectra);
   /// What a source row adds to an own row at a wave number.
   Real& entry(int k, int source, int own) {
-    return matrix_[((static_cast<std::size_t>(k) * blocks_ + own / width_) * sources_ + source) * width_ +
-                   own % width_];
+    return matrix_
+        .data()[((static_cast<std::size_t>(k) * blocks_ + own / width_) * sources_ + source) * width_ + own % width_];
   }
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;

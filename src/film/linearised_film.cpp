@@ -81,8 +81,8 @@ private:
   void build_levels(Discretisation& finest);
   void build_whole_rest(Discretisation& last);
   void build_cycle();
-  void conquantity_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
-  void conquantity_gathered(KSP ksp, Mat matrix);
+  void configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps);
+  void configure_gathered(KSP ksp, Mat matrix);
   void apply_gathered(Vec in, Vec out);
   /// This level and all coarser ones, which see the state injected.
   void update_from(std::size_t level, const FilmState& state, double shift);
@@ -154,7 +154,7 @@ OwnedMat FilmMultigrid<Real>::interpolation(Shell& shell) const {
 }
 
 template <class Real>
-void FilmMultigrid<Real>::conquantity_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps) {
+void FilmMultigrid<Real>::configure_smoother(KSP ksp, Mat matrix, Shell& shell, int sweeps) {
   petsc_check(KSPSetType(ksp, KSPRICHARDSON));
   petsc_check(KSPSetNormType(ksp, KSP_NORM_NONE));
   petsc_check(KSPSetTolerances(ksp, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, sweeps));
@@ -178,7 +178,7 @@ void FilmMultigrid<Real>::conquantity_smoother(KSP ksp, Mat matrix, Shell& shell
 }
 
 template <class Real>
-void FilmMultigrid<Real>::conquantity_gathered(KSP ksp, Mat matrix) {
+void FilmMultigrid<Real>::configure_gathered(KSP ksp, Mat matrix) {
   petsc_check(KSPSetType(ksp, KSPPREONLY));
   petsc_check(KSPSetOperators(ksp, matrix, matrix));
   use_shell_preconditioner<&FilmMultigrid::apply_gathered>(ksp, "coarse levels whole on every process", *this);
@@ -214,15 +214,15 @@ void FilmMultigrid<Real>::build_cycle() {
       KSP coarse = nullptr;
       petsc_check(PCMGGetCoarseSolve(cycle_, &coarse));
       if (whole_) {
-        conquantity_gathered(coarse, matrix);
+        configure_gathered(coarse, matrix);
       } else {
-        conquantity_smoother(coarse, matrix, shell,
+        configure_smoother(coarse, matrix, shell,
                              options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
       KSP smoother = nullptr;
       petsc_check(PCMGGetSmoother(cycle_, petsc_level, &smoother));
-      conquantity_smoother(smoother, matrix, shell, options_.smoothing_sweeps);
+      configure_smoother(smoother, matrix, shell, options_.smoothing_sweeps);
     }
     if (l > 0) {
       const int finer = petsc_level + 1;

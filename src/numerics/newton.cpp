@@ -152,7 +152,7 @@ double LinearisedSystem::merit(Vec rows) {
 
 OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&LinearisedSystem::multiply>(system); }
 
-void conquantity_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
+void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
   petsc_check(KSPSetType(ksp, KSPFGMRES));
   petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
   petsc_check(KSPGMRESSetRestart(ksp, full_restart));
@@ -187,7 +187,7 @@ void aim_at(SNES snes, double norm) {
   petsc_check(SNESSetTolerances(snes, norm, relative, step, iterations, evaluations));
 }
 
-void conquantity_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
+void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
                                 100 * options.max_iterations));
@@ -210,7 +210,7 @@ void conquantity_newton(SNES snes, LinearisedSystem& system, const NewtonOptions
   }
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
-  conquantity_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
+  configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
   choose_solve_tolerances(
       snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
 }

@@ -53,23 +53,23 @@ public:
 OwnedMat shell_jacobian(LinearisedSystem& system);
 
 /// FGMRES on the system's Jacobian with the system's preconditioner.
-void conquantity_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations);
+void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations);
 
 /// Keeps room for few iterations only, those that most time steps take, until a solve needs more. For a KSP that is
-/// conquantityd and not yet used.
+/// configured and not yet used.
 void begin_with_short_restart(KSP ksp);
 
 /// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
 /// squares. The system must outlive the SNES.
-void conquantity_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
+void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
 
-/// Another norm of the residual at which to end, for a SNES that is conquantityd.
+/// Another norm of the residual at which to end, for a SNES that is configured.
 void aim_at(SNES snes, double norm);
 
 /// Whether the residual may grow on the way.
 enum class Growth { none, tenfold };
 
-/// For a SNES that is conquantityd.
+/// For a SNES that is configured.
 void allow_growth(SNES snes, LinearisedSystem& system, Growth growth);
 
 }  // namespace gearfilm

@@ -17,7 +17,7 @@ public:
     petsc_check(KSPCreate(system.comm(), ksp_.put()));
     petsc_check(KSPSetOptionsPrefix(ksp_, "modes_"));
     petsc_check(KSPSetOperators(ksp_, matrix, matrix));
-    conquantity_krylov(ksp_, system, tolerance, max_iterations);
+    configure_krylov(ksp_, system, tolerance, max_iterations);
     petsc_check(KSPSetErrorIfNotConverged(ksp_, PETSC_FALSE));
     petsc_check(KSPSetFromOptions(ksp_));
     if (watcher_) petsc_check(KSPMonitorSet(ksp_, Callback<&ModeSolver::watch>::call, this, nullptr));

@@ -30,7 +30,7 @@ StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const
         });
       },
       this));
-  conquantity_newton(snes_, system_, options, system_.weight());
+  configure_newton(snes_, system_, options, system_.weight());
   petsc_check(SNESSetFromOptions(snes_));
   if (watcher_) watch();
 }

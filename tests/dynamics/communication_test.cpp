@@ -122,7 +122,7 @@ TEST_F(Communication, of_a_residual_and_a_krylov_iteration_is_the_model) {
   petsc_check(KSPCreate(PETSC_COMM_WORLD, solver.put()));
   petsc_check(KSPSetOperators(solver, jacobian, jacobian));
   const auto iterations = [&](int count) {
-    conquantity_krylov(solver, films, 1e-30, count);
+    configure_krylov(solver, films, 1e-30, count);
     return traffic_of([&] { petsc_check(KSPSolve(solver, rows, state)); });
   };
   iterations(4);

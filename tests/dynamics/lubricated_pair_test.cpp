@@ -256,7 +256,7 @@ TEST_P(LubricatedPairPreconditioner, krylov_iterations_are_few) {
   options.krylov_tolerance = 1e-3;
   OwnedSNES snes;
   petsc_check(SNESCreate(films.comm(), snes.put()));
-  conquantity_newton(snes, films, options, films.weight());
+  configure_newton(snes, films, options, films.weight());
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   const OwnedMat jacobian = shell_jacobian(films);

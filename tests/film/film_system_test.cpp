@@ -112,7 +112,7 @@ protected:
           });
         },
         this));
-    conquantity_newton(snes, system, NewtonOptions{.tolerance = 1e-9}, system.weight());
+    configure_newton(snes, system, NewtonOptions{.tolerance = 1e-9}, system.weight());
     petsc_check(SNESSolve(snes, nullptr, state));
     SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
     petsc_check(SNESGetConvergedReason(snes, &reason));
@@ -259,7 +259,7 @@ OwnedVec krylov_solution(FilmSystem& system, Vec rows) {
   OwnedKSP ksp;
   petsc_check(KSPCreate(system.comm(), ksp.put()));
   petsc_check(KSPSetOperators(ksp, jacobian, jacobian));
-  conquantity_krylov(ksp, system, 1e-13, 300);
+  configure_krylov(ksp, system, 1e-13, 300);
   petsc_check(KSPSolve(ksp, rows, change));
   return change;
 }

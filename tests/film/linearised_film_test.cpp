@@ -56,7 +56,7 @@ std::vector<double> FilmOperator::convergence() {
   const OwnedMat matrix = shell_jacobian(*this);
   OwnedKSP solver;
   petsc_check(KSPCreate(grid.comm(), solver.put()));
-  conquantity_krylov(solver, *this, 1e-10, 200);
+  configure_krylov(solver, *this, 1e-10, 200);
   petsc_check(KSPSetOperators(solver, matrix, matrix));
   OwnedVec right = grid.create_vec(), solution = grid.create_vec();
   const auto values = right_side();

@@ -66,7 +66,7 @@ SNESConvergedReason solve(Bend& system) {
         return petsc_callback([&] { static_cast<Bend*>(context)->linearise(at); });
       },
       &system));
-  conquantity_newton(snes, system, {.limit_changes = true}, 1.0);
+  configure_newton(snes, system, {.limit_changes = true}, 1.0);
   petsc_check(SNESSolve(snes, nullptr, state));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   petsc_check(SNESGetConvergedReason(snes, &reason));

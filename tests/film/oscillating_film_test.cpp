@@ -48,7 +48,7 @@ public:
     const OwnedMat matrix = shell_jacobian(*this);
     OwnedKSP solver;
     petsc_check(KSPCreate(comm(), solver.put()));
-    conquantity_krylov(solver, *this, 1e-8, 400);
+    configure_krylov(solver, *this, 1e-8, 400);
     petsc_check(KSPSetErrorIfNotConverged(solver, PETSC_FALSE));
     petsc_check(KSPSetOperators(solver, matrix, matrix));
     OwnedVec column, change;

@@ -36,7 +36,7 @@ public:
           });
         },
         this));
-    conquantity_newton(snes_, *this, NewtonOptions{}, system_.weight());
+    configure_newton(snes_, *this, NewtonOptions{}, system_.weight());
   }
 
   bool solve(const FilmSolution& guess) {
