@@ -56,14 +56,14 @@ private:
   int sums_size() const { return blocks_ * 2 * width_; }  ///< at a wave number
   Real* sums_at(int k) { return sums_.data() + static_cast<std::size_t>(k) * sums_size(); }
 
-  MPI_Comm comm_;
-  int rank_;
-  int waves_;
-  int sources_;  ///< rows that may deform: all but the last, where P = 0
-  int width_;    ///< own rows that are summed side by side, and some more to fill vectors
-  int blocks_;   ///< of so many rows
+  MPI_Comm comm_ = MPI_COMM_NULL;
+  int rank_ = 0;
+  int waves_ = 0;
+  int sources_ = 0;  ///< rows that may deform: all but the last, where P = 0
+  int width_ = 0;    ///< own rows that are summed side by side, and some more to fill vectors
+  int blocks_ = 0;   ///< of so many rows
   std::vector<int> y_ranges_;
-  int pieces_;
+  int pieces_ = 0;
   fftw::Buffer<Real> matrix_;      ///< [wave number][block][source][own row of it], with the inverse's factor
   fftw::Buffer<Complex> spectra_;  ///< [process][wave number][row]
   fftw::Buffer<Real> sums_;        ///< [wave number][block][real, imaginary][own row of it]

@@ -11,7 +11,6 @@ namespace {
 struct PointOfPair {
   const MeshModel& mesh;
   const PoincarePoint& point;
-  bool lubricated;
 };
 
 constexpr auto history_members = std::to_array<Member<PointOfPair>>({
@@ -59,7 +58,7 @@ struct MarchOfSweep {
   const SettledMarch& march;
   const Scales& scales;
   SettledQuantities quantities;
-  bool lubricated;
+  bool lubricated = true;
 };
 
 constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
@@ -149,7 +148,7 @@ void write_poincare(ResultsFile& file, const MeshModel& mesh, bool lubricated,
                     const std::vector<PoincarePoint>& points) {
   std::vector<double> rows;
   for (const PoincarePoint& point : points) {
-    add_to_row(history_members, PointOfPair{mesh, point, lubricated}, rows);
+    add_to_row(history_members, PointOfPair{mesh, point}, rows);
     if (!lubricated) rows.pop_back();
   }
   write_table(file, "/history/poincare", columns_of_model(history_members, lubricated), rows);
