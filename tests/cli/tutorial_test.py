@@ -1,4 +1,5 @@
-"""Every command of docs/tutorial.md runs, on the case that it has the reader write. Environment as for cli_test.py."""
+"""Every command of docs/tutorial.md runs, on the case that it has the reader write; and the README's pair gives the
+numbers that stand there. Environment as for cli_test.py."""
 import os
 import re
 import shlex
@@ -6,6 +7,7 @@ import subprocess
 import sys
 import unittest
 
+from films import summary_in
 from program import SOURCE, ProgramTest
 from shortened import SHORT, shortened
 
@@ -45,6 +47,21 @@ class Tutorial(ProgramTest):
                 done = subprocess.run([sys.executable, "-B", "-m", "gearfilm", "plot", kind, folder], cwd=self.folder,
                                       env=package, timeout=120, capture_output=True, text=True, check=False)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+class Readme(ProgramTest):
+    def test_its_pair_has_the_film_and_the_vibration_that_it_says(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        self.write_case(re.search(r"```yaml\n(.*?)```", text, re.DOTALL)[1], "my_pair.yaml")
+        self.assertEqual(self.run_program("periodic", "my_pair.yaml").status, 0)
+        summary = summary_in(self.folder / "output/my_pair")
+        said = re.search(r"smallest film of ([\d.]+) µm, a transmission error of ([\d.]+) µm .*? oscillation of "
+                         r"([\d.]+) kHz with a damping ratio of ([\d.]+) %", " ".join(text.split()))
+        for number, name, unit in zip(said.groups(), ("h_min", "transmission_error_peak_to_peak", "free_frequency",
+                                                      "damping_ratio"), (1e-6, 1e-6, 1e3, 1e-2)):
+            with self.subTest(name):
+                last_digit = unit * 10.0 ** -len(number.partition(".")[2])
+                self.assertAlmostEqual(summary[name], unit * float(number), delta=0.6 * last_digit)
 
 
 if __name__ == "__main__":
