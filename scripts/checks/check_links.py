@@ -12,7 +12,7 @@ import re
 import sys
 import urllib.parse
 
-from markdown_text import anchors, links_of, prose
+from markdown_text import anchors, end_of_check, links_of, prose
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LEFT_OUT = {"build", "output"}
@@ -70,11 +70,7 @@ def main():
     if not markdown_files(folder):
         sys.exit(f"check_links: {folder} has no Markdown files; name the source folder")
     broken, count = broken_links(folder)
-    for line in broken:
-        print(f"check_links: {line}", file=sys.stderr)
-    if broken:
-        sys.exit(1)
-    print(f"{count} links lead somewhere")
+    end_of_check("check_links", broken, f"{count} links lead somewhere")
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ import re
 import subprocess
 import sys
 
-from markdown_text import CODE, prose
+from markdown_text import CODE, end_of_check, prose
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DOCUMENTS = SOURCE / "docs"
@@ -99,24 +99,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("--update", action="store_true", help="write the tables of studies into the pages")
     update = parser.parse_args().update
-    faults = []
+    documents, faults = pages(), []
     try:
-        for page in pages():
+        for page in documents:
             found = [*table_faults(page, update), *long_lines(page)]
             if page.name not in PRINTED:
                 found += misspelt(page)
             faults += [f"{page.relative_to(SOURCE)}:{fault}" for fault in found]
     except (OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"documents: {error}; install hunspell and hunspell-en-gb")
-    words = sum(words_of(page) for page in pages() if counted(page))
+    words = sum(words_of(page) for page in documents if counted(page))
     if words > MOST_WORDS:
         faults.append(f"README, guide, model, numerics, verification, performance and limits have {words} words, more "
                       f"than {MOST_WORDS}; shorten them")
-    for fault in faults:
-        print(f"documents: {fault}", file=sys.stderr)
-    if faults:
-        sys.exit(1)
-    print(f"{len(pages())} pages, {words} words in those that are limited")
+    end_of_check("documents", faults, f"{len(documents)} pages, {words} words in those that are limited")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
-"""What scripts read in Markdown files: lines that are no code, links, headings with the anchors that they get."""
+"""What checks read in Markdown files (lines that are no code, links, headings with the anchors that they get), and how
+they end."""
 import re
+import sys
 
 FENCE = re.compile(r"\s*(```|~~~)")
 CODE = re.compile(r"(`+)(?:(?!`).)*?\1")
@@ -55,3 +57,12 @@ def headings(text):
 def anchors(text):
     """All anchors of a file, those that are written as HTML too."""
     return {heading[3] for heading in headings(text)} | set(re.findall(r"<a (?:id|name)=\"([^\"]+)\"", text))
+
+
+def end_of_check(name, faults, all_well):
+    """Prints the faults, one a line, and ends with status 1 where there are any; else prints the last line."""
+    for fault in faults:
+        print(f"{name}: {fault}", file=sys.stderr)
+    if faults:
+        sys.exit(1)
+    print(all_well)

@@ -66,7 +66,7 @@ def outside_code(line, change):
 
 def with_emphasis(text):
     """The text with paragraphs in italics marked so that Doxygen sees it where they begin or end with code."""
-    return re.sub(r"(?<=\n\n)\*((?:`|(?=\S)[^*\n])[^*]*?)\*(?=\n\n|\n*\Z)", r"<em>\1</em>", text)
+    return re.sub(r"(?<=\n\n)\*(?=\S)([^*]+)\*(?=\n\n|\n*\Z)", r"<em>\1</em>", text)
 
 
 def page_source(page, text, pages):

@@ -1,4 +1,4 @@
-// What a continuation prints of its branches: a line for each bifurcation, and at the end the stretches on which the
+// Prints the progress of a continuation: a line for each bifurcation, and at the end the stretches on which the
 // branches are stable or unstable.
 #pragma once
 

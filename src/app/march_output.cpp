@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 #include "results/poincare_result.hpp"
 #include "results/spectrum_result.hpp"
 

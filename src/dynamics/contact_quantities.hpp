@@ -10,7 +10,7 @@
 
 namespace gearfilm {
 
-/// What a contact's quantities are computed from: one contact at one time.
+/// One contact at one time, from which its quantities are computed.
 struct QuantityInputs {
   const Scales& scales;
   MeshedContact contact;

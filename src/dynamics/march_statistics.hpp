@@ -1,4 +1,5 @@
-// What a march has to tell: quantities per mesh period, events, and losses of contact. Dimensionless throughout.
+// Gathers the results of a march from its steps: quantities of every mesh period, events, and losses of contact. All
+// are dimensionless.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // A quantity: a number that every time step, or every contact in it, gives, as one record.
 //
 // The records stand in contact_quantities.hpp and step_quantities.hpp. Columns of the history, their units, the
-// journal, the quantities of mesh periods, summaries, the columns of a sweep and docs/results.md follow from them.
+// step log, the quantities of mesh periods, summaries, the columns of a sweep and docs/results.md follow from them.
 // Values are dimensionless, those of friction and heat SI; the unit of a record leads to SI.
 #pragma once
 
@@ -40,8 +40,8 @@ inline constexpr Unit velocity{
     "m/s", [](const Scales& scales, double value) { return scales.operation.entrainment_velocity * value; }};
 }  // namespace units
 
-/// What a mesh period keeps of a quantity. at_pitch: at the step nearest xi = 0; at_entry: at the first step after the
-/// last entry; mean: in time, of the sum over contacts.
+/// How the values of a quantity in a mesh period become one number. last: the value at the end; at_pitch: at the step
+/// nearest xi = 0; at_entry: at the first step after the last entry; mean: in time, of the sum over contacts.
 enum class Reduction { largest, smallest, sum, steps, last, at_pitch, at_entry, mean };
 
 /// Where the quantity of a mesh period is shown besides: nowhere, in the summary of a march over all its periods, in

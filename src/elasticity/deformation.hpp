@@ -22,7 +22,8 @@ namespace gearfilm {
 
 /// Deformation at distance (x, y) from the centre of a cell h_x by h_y under unit pressure, without C_h.
 double love_kernel(double x, double y, double h_x, double h_y);
-/// The same of a cell that need not have its centre at the node's row: strip is relative to the place.
+/// Deformation at distance x from the middle line of a cell h_x wide that lies in a strip of Y relative to the place,
+/// under unit pressure, without C_h.
 double love_kernel(double x, double h_x, const Strip& strip);
 
 /// The operator K on one grid. All processes of the grid call it together.

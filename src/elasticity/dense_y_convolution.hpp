@@ -23,9 +23,9 @@ public:
   /// Messages in which the spectra of rows travel to another process.
   static int pieces(int waves, int rows);
 
-  /// Of equal rows. The spectra are work space here, for the kernel's.
+  /// Convolution between equal rows. The kernel is transformed in the spectra, whose content is lost.
   DenseYConvolution(const Grid& grid, const Influence& kernel, XSpectra<Real>& spectra);
-  /// Of any rows: transforms the influence of every row on every other one.
+  /// Convolution between rows at any distances: transforms the influence of every row on every other one.
   DenseYConvolution(const Grid& grid, const RowInfluence& kernel, XSpectra<Real>& spectra);
 
   void apply(XSpectra<Real>& spectra) override;

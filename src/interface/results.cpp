@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "interface/views.hpp"
-#include "output/input_hash.hpp"
 #include "output/output_directory.hpp"
 #include "output/results_table.hpp"
+#include "output/run_identity.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {

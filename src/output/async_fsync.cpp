@@ -21,13 +21,13 @@ void flush(const std::filesystem::path& path) {
 
 }  // namespace
 
-void DiskFlush::begin(std::vector<std::filesystem::path> paths) {
+void AsyncFsync::begin(std::vector<std::filesystem::path> paths) {
   under_way_ = std::async(std::launch::async, [paths = std::move(paths)] {
     for (const std::filesystem::path& path : paths) flush(path);
   });
 }
 
-void DiskFlush::finish() {
+void AsyncFsync::finish() {
   if (under_way_.valid()) under_way_.get();
 }
 

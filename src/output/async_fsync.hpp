@@ -8,7 +8,7 @@
 namespace gearfilm {
 
 /// One flush at a time, beside what this process computes. Its end waits for the flush that is under way.
-class DiskFlush {
+class AsyncFsync {
 public:
   /// Files, or folders for the names in them, that are written and closed. One that goes meanwhile needs no flush.
   void begin(std::vector<std::filesystem::path> paths);

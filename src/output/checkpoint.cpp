@@ -26,7 +26,7 @@ bool same_run_begin(const Summary& kept, const Summary& now) {
          length(difference(motion(kept), motion(now))) < same_begin;
 }
 
-/// What the journal has of a contact, in its order.
+/// What the step log has of a contact, in its order.
 Summary quantity_names() {
   Summary names = Summary::array();
   for (const auto& quantity : contact_quantities) names.push_back(std::string(quantity.name));
@@ -74,7 +74,7 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
 }  // namespace
 
 Checkpoint::Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin)
-    : grid_(grid), folder_(std::move(folder)), begin_(begin), journal_(grid.comm(), folder_ / "steps") {
+    : grid_(grid), folder_(std::move(folder)), begin_(begin), log_(grid.comm(), folder_ / "steps") {
   if (begin == Begin::anew) require_removable(grid_.comm(), folder_);
   write_together(grid_.comm(), folder_, [&] {
     if (grid_.rank() != 0) return;
@@ -110,12 +110,12 @@ void Checkpoint::find_states() {
   }
   std::ranges::sort(kept_, {}, &KeptState::number);
   for (std::size_t n = 0; n < kept_.size(); ++n) {
-    if (!complete(kept_[n], n > 0 ? kept_[n - 1].steps : JournalMark())) return forget_from(n);
+    if (!complete(kept_[n], n > 0 ? kept_[n - 1].steps : StepLogMark())) return forget_from(n);
   }
 }
 
 /// Completes what the name of a state does not tell. Whether the state and its steps are what was written.
-bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
+bool Checkpoint::complete(KeptState& state, const StepLogMark& steps_before) {
   const std::optional<StateFile> found = read_state(grid_.comm(), file(state));
   if (!found) return false;
   if (!same_lattice(grid_.shape(), found->shape)) {
@@ -130,10 +130,10 @@ bool Checkpoint::complete(KeptState& state, const JournalMark& steps_before) {
   state.with_snapshots = !description["snapshots"].empty();
   const auto steps_end = description["steps_end"].get<std::uint64_t>();
   if (steps_end < steps_before.end) return false;
-  state.steps = journal_.mark_at(steps_end, steps_before);
+  state.steps = log_.mark_at(steps_end, steps_before);
   if (state.steps.checksum != description["steps_checksum"].get<std::uint64_t>()) return false;
   const Summary& guesses = description["guesses"];
-  std::optional<std::vector<double>> own = read_own(
+  std::optional<std::vector<double>> own = read_rank_file(
       grid_.comm(), own_file(state), {guesses["processes"].get<int>(), guesses["checksum"].get<std::uint64_t>()});
   if (own) memory_ = std::move(*own);
   return own.has_value();
@@ -182,7 +182,7 @@ std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
     if (end == kept_.end()) kept.memory = memory_;
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
-  kept.records = journal_.read(steps_begin, (end - 1)->steps.end);
+  kept.records = log_.read(steps_begin, (end - 1)->steps.end);
   return kept;
 }
 
@@ -205,10 +205,10 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
   write_together(grid_.comm(), folder_, [&] { flush_.finish(); });
-  const JournalMark steps_before = kept_.empty() ? JournalMark() : kept_.back().steps;
+  const StepLogMark steps_before = kept_.empty() ? StepLogMark() : kept_.back().steps;
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
-  next.steps = journal_.write(steps_before, waiting_);
-  const OwnFilesMark guesses_mark = write_own(grid_.comm(), own_file(next), memory);
+  next.steps = log_.write(steps_before, waiting_);
+  const RankFilesMark guesses_mark = write_rank_file(grid_.comm(), own_file(next), memory);
   Summary description = {{"T", T},
                          {"motion", state.motion},
                          {"begin", run_begin_},
@@ -226,7 +226,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   }
   write_state(grid, file(next), description, fields);
   std::vector<std::filesystem::path> written = {own_file(next), file(next)};
-  if (grid_.rank() == 0) written.insert(written.end(), {journal_.path(), folder_});
+  if (grid_.rank() == 0) written.insert(written.end(), {log_.path(), folder_});
   flush_.begin(std::move(written));
   kept_.push_back(next);
   waiting_.clear();

@@ -59,14 +59,14 @@ private:
     int run = 0;
     int number = 0;
     double T = 0.0;
-    JournalMark steps;  ///< behind its last step
+    StepLogMark steps;  ///< behind its last step
     bool with_snapshots = false;
   };
 
   std::filesystem::path file(const KeptState& state) const;
   std::filesystem::path own_file(const KeptState& state) const;
   void find_states();
-  bool complete(KeptState& state, const JournalMark& steps_before);
+  bool complete(KeptState& state, const StepLogMark& steps_before);
   void remove_file(const KeptState& state) const;
   void forget_from(std::size_t first);
   void remove_superfluous();
@@ -74,8 +74,8 @@ private:
   Grid grid_;
   std::filesystem::path folder_;
   Begin begin_;
-  RecordJournal journal_;
-  DiskFlush flush_;
+  StepLog log_;
+  AsyncFsync flush_;
   std::vector<KeptState> kept_;
   std::vector<double> memory_;  ///< of the last state that was found
   int run_ = -1;

@@ -12,15 +12,15 @@ namespace gearfilm {
 namespace {
 
 /// Places of one process come far behind those of the one before it.
-OwnFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
-  OwnFilesMark mark{processes_in(comm), checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U)};
+RankFilesMark mark_of(MPI_Comm comm, const std::vector<double>& values) {
+  RankFilesMark mark{processes_in(comm), checksum(values, static_cast<std::uint64_t>(rank_in(comm)) << 40U)};
   MPI_Allreduce(MPI_IN_PLACE, &mark.checksum, 1, MPI_UINT64_T, MPI_SUM, comm);
   return mark;
 }
 
 }  // namespace
 
-OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
+RankFilesMark write_rank_file(MPI_Comm comm, const std::filesystem::path& path, const std::vector<double>& values) {
   write_together(comm, path, [&] {
     write_bytes(path, restart_mark);
     write_bytes(path, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)}, std::ios::app);
@@ -28,8 +28,8 @@ OwnFilesMark write_own(MPI_Comm comm, const std::filesystem::path& path, const s
   return mark_of(comm, values);
 }
 
-std::optional<std::vector<double>> read_own(MPI_Comm comm, const std::filesystem::path& path,
-                                            const OwnFilesMark& mark) {
+std::optional<std::vector<double>> read_rank_file(MPI_Comm comm, const std::filesystem::path& path,
+                                                  const RankFilesMark& mark) {
   if (processes_in(comm) != mark.processes) return std::vector<double>();
   std::error_code missing;
   const std::uintmax_t size = std::filesystem::file_size(path, missing);

@@ -2,7 +2,7 @@
 
 #include "gearfilm/error.hpp"
 #include "output/file_ownership.hpp"
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {

@@ -46,7 +46,7 @@ StepRecord unpack(ValueReader& values) {
 }  // namespace
 
 // The seconds of a step are not the same on all processes: those of the first one are kept.
-JournalMark RecordJournal::write(const JournalMark& before, const std::vector<StepRecord>& records) const {
+StepLogMark StepLog::write(const StepLogMark& before, const std::vector<StepRecord>& records) const {
   std::vector<double> values;
   for (const StepRecord& record : records) pack(record, values);
   const std::uint64_t size = values.size() * sizeof(double);
@@ -64,7 +64,7 @@ JournalMark RecordJournal::write(const JournalMark& before, const std::vector<St
   return {before.end + size, before.checksum + part};
 }
 
-JournalMark RecordJournal::mark_at(std::uint64_t end, const JournalMark& before) const {
+StepLogMark StepLog::mark_at(std::uint64_t end, const StepLogMark& before) const {
   std::uint64_t part = 0;
   if (rank_in(comm_) == 0) part = checksum(values_between(before.end, end), before.end / sizeof(double));
   MPI_Bcast(&part, 1, MPI_UINT64_T, 0, comm_);
@@ -72,7 +72,7 @@ JournalMark RecordJournal::mark_at(std::uint64_t end, const JournalMark& before)
 }
 
 /// Empty where they are not all there.
-std::vector<double> RecordJournal::values_between(std::uint64_t begin, std::uint64_t end) const {
+std::vector<double> StepLog::values_between(std::uint64_t begin, std::uint64_t end) const {
   std::vector<double> values((end - begin) / sizeof(double));
   std::ifstream file(path_, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(restart_mark.size() + begin));
@@ -80,7 +80,7 @@ std::vector<double> RecordJournal::values_between(std::uint64_t begin, std::uint
   return file ? values : std::vector<double>();
 }
 
-std::vector<StepRecord> RecordJournal::read(std::uint64_t begin, std::uint64_t end) const {
+std::vector<StepRecord> StepLog::read(std::uint64_t begin, std::uint64_t end) const {
   const std::size_t count = (end - begin) / sizeof(double);
   std::vector<double> values;
   std::string reason;

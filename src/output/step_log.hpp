@@ -13,21 +13,21 @@
 namespace gearfilm {
 
 /// How far the steps go, and what they are up to there.
-struct JournalMark {
+struct StepLogMark {
   std::uint64_t end = 0;       ///< bytes of the steps up to the last one, without the file's mark
   std::uint64_t checksum = 0;  ///< of all values before it (checksum.hpp)
 };
 
-class RecordJournal {
+class StepLog {
 public:
-  RecordJournal(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {}
+  StepLog(MPI_Comm comm, std::filesystem::path path) : comm_(comm), path_(std::move(path)) {}
 
   const std::filesystem::path& path() const { return path_; }
 
   /// Puts steps behind a mark in the place of what follows there; returns the mark behind them. Throws OutputError.
-  JournalMark write(const JournalMark& before, const std::vector<StepRecord>& records) const;
+  StepLogMark write(const StepLogMark& before, const std::vector<StepRecord>& records) const;
   /// The mark behind a later step, from what is on the disk: another one than was written, where that is damaged.
-  JournalMark mark_at(std::uint64_t end, const JournalMark& before) const;
+  StepLogMark mark_at(std::uint64_t end, const StepLogMark& before) const;
   /// The steps between two offsets, on all processes. Throws InputError where they are not there.
   std::vector<StepRecord> read(std::uint64_t begin, std::uint64_t end) const;
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "output/file_ownership.hpp"
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {

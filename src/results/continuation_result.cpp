@@ -4,7 +4,7 @@
 
 #include "input/case_setup.hpp"
 #include "input/case_with_parameter.hpp"
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 #include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
@@ -12,18 +12,27 @@
 namespace gearfilm {
 namespace {
 
+/// How a branch ends, in words.
+const char* words_of(BranchEnd end) {
+  constexpr std::array names = {"at an end of the range", "closed", "at a flip of a branch of half its order",
+                                "after continuation.points points", "lost"};
+  return names[static_cast<std::size_t>(end)];
+}
+
 struct PointOnBranch {
   const Branch& branch;
   PointKind kind;
   const BranchPoint& point;
 };
 
-/// kind is a number in the table, which has an attribute with their names.
 constexpr auto place_members = std::to_array<Member<PointOnBranch>>({
     {"branch", "", "-", "number of the branch, from 1",
      [](const PointOnBranch& at) -> Summary { return at.branch.number; }, Column::whole},
     {"order", "k", "-", "mesh periods, or patterns of teeth with errors, after which its states repeat",
      [](const PointOnBranch& at) -> Summary { return at.branch.order; }, Column::whole},
+    {"kind", "", "",
+     "kind of the bifurcation; in the table its number, named by the attribute kinds, 0 for other points",
+     [](const PointOnBranch& at) -> Summary { return name_of(at.kind); }},
 });
 
 constexpr auto point_members = std::to_array<Member<PointOnBranch>>({
@@ -47,7 +56,7 @@ constexpr auto branch_members = std::to_array<Member<Branch>>({
     {"born_at", "", "", "value of the parameter there",
      [](const Branch& of) -> Summary { return of.born ? Summary(of.born->parameter) : Summary(); }},
     {"points", "", "-", "points on it", [](const Branch& of) -> Summary { return of.points; }},
-    {"end", "", "", "how it ends", [](const Branch& of) -> Summary { return name_of(of.end); }},
+    {"end", "", "", "how it ends", [](const Branch& of) -> Summary { return words_of(of.end); }},
     {"last_value", "", "", "value of the parameter there",
      [](const Branch& of) -> Summary { return of.last.parameter; }},
     {"last_H0", "H_0", "-", "H_0 there", [](const Branch& of) -> Summary { return of.last.motion.H0(); }},
@@ -89,12 +98,6 @@ Summary list_of(const Members& members, const Results& results) {
 
 }  // namespace
 
-const char* name_of(BranchEnd end) {
-  constexpr std::array names = {"at an end of the range", "closed", "at a flip of a branch of half its order",
-                                "after continuation.points points", "lost"};
-  return names[static_cast<std::size_t>(end)];
-}
-
 ContinuationResult::ContinuationResult(MPI_Comm comm, const CaseInput& problem)
     : comm_(comm), problem_(problem), file_(comm, problem.run.directory / "results.h5") {
   write_identity(file_, problem, "continuation");
@@ -120,7 +123,6 @@ void ContinuationResult::add(const Branch& branch, PointKind kind, const BranchP
   stretches_.add(branch, kind, point);
   if (kind == PointKind::regular) return;
   Summary found = as_summary(place_members, at);
-  found["kind"] = name_of(kind);
   add_conditions(conditions, found);
   add_members(point_members, at, found);
   bifurcations_.push_back(std::move(found));
@@ -142,7 +144,7 @@ void ContinuationResult::write(const std::vector<Branch>& branches, const double
 std::string continuation_markdown() {
   return members_markdown("Points of `continuation`",
                           "Columns of `/continuation` and keys of each of the `bifurcations` in its summary, both with "
-                          "`kind`; the table has the conditions and `stable` too.",
+                          "the conditions; the table has `stable` too.",
                           place_members) +
          members_markdown("The state there", "Likewise.", point_members) +
          members_markdown("Branches", "Keys of each of the `branches`; values are those of the parameter, in its unit.",

@@ -34,9 +34,6 @@ private:
   StabilityStretches stretches_;
 };
 
-/// How a branch ends, in words.
-const char* name_of(BranchEnd end);
-
 std::string continuation_markdown();
 
 }  // namespace gearfilm

@@ -16,7 +16,8 @@
 namespace gearfilm {
 
 /// Whether a member is a column of the table of such results in results.h5, and of which numbers.
-enum class Column { none, real, whole };
+/// film: real, and left out of the tables of dry pairs.
+enum class Column { none, real, whole, film };
 
 template <class Result>
 struct Member {
@@ -49,12 +50,16 @@ void add_members(const Members& members, const Result& result, Summary& summary)
   }
 }
 
-/// The members that are columns.
+inline bool is_in_table(Column column, bool lubricated) {
+  return column != Column::none && (lubricated || column != Column::film);
+}
+
+/// The members that are columns, of a pair on films or a dry one.
 template <class Members>
-std::vector<TableColumn> columns_of(const Members& members) {
+std::vector<TableColumn> columns_of(const Members& members, bool lubricated = true) {
   std::vector<TableColumn> columns;
   for (const auto& member : members) {
-    if (member.column == Column::none) continue;
+    if (!is_in_table(member.column, lubricated)) continue;
     const std::string_view unit = member.unit.empty() ? "-" : member.unit;
     columns.push_back({std::string(member.name), std::string(unit), member.column == Column::whole});
   }
@@ -69,9 +74,9 @@ inline double in_row(const Summary& value) {
 
 /// Adds the values of its columns to a row.
 template <class Members, class Result>
-void add_to_row(const Members& members, const Result& result, std::vector<double>& row) {
+void add_to_row(const Members& members, const Result& result, std::vector<double>& row, bool lubricated = true) {
   for (const auto& member : members) {
-    if (member.column != Column::none) row.push_back(in_row(member.value(result)));
+    if (is_in_table(member.column, lubricated)) row.push_back(in_row(member.value(result)));
   }
 }
 

@@ -31,7 +31,7 @@ constexpr auto history_members = std::to_array<Member<PointOfPair>>({
     {"force_total_min", "", "N", "smallest force on all contacts together since then",
      [](const PointOfPair& at) -> Summary { return at.mesh.scales.force(at.point.smallest_force); }, Column::real},
     {"h_min", "", "m", "smallest film since then; not in the dry model",
-     [](const PointOfPair& at) -> Summary { return at.mesh.scales.thickness * at.point.smallest_film; }, Column::real},
+     [](const PointOfPair& at) -> Summary { return at.mesh.scales.thickness * at.point.smallest_film; }, Column::film},
 });
 
 /// A point of a march of a sweep.
@@ -50,7 +50,7 @@ constexpr auto diagram_members = std::to_array<Member<PointOfMarch>>({
     {"total_force_ratio_min", "", "-", "smallest force on all contacts together over it, since then",
      [](const PointOfMarch& at) -> Summary { return at.point.smallest_force / at.scales.static_force; }, Column::real},
     {"h_min", "", "m", "smallest film since then; not in the dry model",
-     [](const PointOfMarch& at) -> Summary { return at.scales.thickness * at.point.smallest_film; }, Column::real},
+     [](const PointOfMarch& at) -> Summary { return at.scales.thickness * at.point.smallest_film; }, Column::film},
 });
 
 /// A whole march of a sweep.
@@ -87,8 +87,7 @@ constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
        Summary points = Summary::array();
        for (const PoincarePoint& point : of.march.points) {
          std::vector<double> row;
-         add_to_row(diagram_members, PointOfMarch{of.scales, point}, row);
-         if (!of.lubricated) row.pop_back();
+         add_to_row(diagram_members, PointOfMarch{of.scales, point}, row, of.lubricated);
          points.push_back(row);
        }
        return points;
@@ -97,7 +96,7 @@ constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
      [](const MarchOfSweep& of) -> Summary {
        return of.lubricated ? Summary(of.scales.thickness * of.quantities.smallest_film) : absent();
      },
-     Column::real},
+     Column::film},
 });
 
 /// Whether a march repeats, and how it settles.
@@ -134,24 +133,13 @@ constexpr auto recurrence_members = std::to_array<Member<RecurrenceOfMarch>>({
      }},
 });
 
-/// Without the film, which is the last member, of a dry pair.
-template <class Members>
-std::vector<TableColumn> columns_of_model(const Members& members, bool lubricated) {
-  std::vector<TableColumn> columns = columns_of(members);
-  if (!lubricated) columns.pop_back();
-  return columns;
-}
-
 }  // namespace
 
 void write_poincare(ResultsFile& file, const MeshModel& mesh, bool lubricated,
                     const std::vector<PoincarePoint>& points) {
   std::vector<double> rows;
-  for (const PoincarePoint& point : points) {
-    add_to_row(history_members, PointOfPair{mesh, point}, rows);
-    if (!lubricated) rows.pop_back();
-  }
-  write_table(file, "/history/poincare", columns_of_model(history_members, lubricated), rows);
+  for (const PoincarePoint& point : points) add_to_row(history_members, PointOfPair{mesh, point}, rows, lubricated);
+  write_table(file, "/history/poincare", columns_of(history_members, lubricated), rows);
 }
 
 void add_recurrence(const std::vector<PoincarePoint>& points, Summary& summary) {
@@ -164,9 +152,9 @@ Summary marched_summary(const SettledMarch& march, const Scales& scales, bool lu
   return as_summary(marched_members, MarchOfSweep{march, scales, quantities_of(march, scales), lubricated});
 }
 
-std::vector<TableColumn> marched_columns(bool lubricated) { return columns_of_model(marched_members, lubricated); }
+std::vector<TableColumn> marched_columns(bool lubricated) { return columns_of(marched_members, lubricated); }
 
-std::vector<TableColumn> diagram_columns(bool lubricated) { return columns_of_model(diagram_members, lubricated); }
+std::vector<TableColumn> diagram_columns(bool lubricated) { return columns_of(diagram_members, lubricated); }
 
 std::string poincare_markdown() {
   return members_markdown("`/history/poincare`", "One row a mesh period of `transient`.", history_members) +

@@ -3,7 +3,7 @@
 #include "film/domain_margins.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 #include "output/snapshots.hpp"
 #include "output/xdmf.hpp"
 #include "results/derived.hpp"

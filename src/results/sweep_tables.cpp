@@ -1,13 +1,11 @@
 #include "results/sweep_tables.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "dynamics/period_quantities.hpp"
-#include "input/case_setup.hpp"
-#include "output/input_hash.hpp"
 #include "output/results_table.hpp"
+#include "output/run_identity.hpp"
 #include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"

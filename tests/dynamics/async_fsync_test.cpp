@@ -21,14 +21,14 @@ protected:
 };
 
 TEST_F(DiskFlushTest, TakesFilesFoldersAndWhatIsGone) {
-  DiskFlush flush;
+  AsyncFsync flush;
   EXPECT_NO_THROW(flush.finish());
   flush.begin({file_, file_.parent_path(), file_.parent_path() / "gearfilm_never_there"});
   EXPECT_NO_THROW(flush.finish());
 }
 
 TEST_F(DiskFlushTest, SaysOnceWhatCannotBeFlushed) {
-  DiskFlush flush;
+  AsyncFsync flush;
   flush.begin({file_ / "in_a_file"});
   try {
     flush.finish();

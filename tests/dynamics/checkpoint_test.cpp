@@ -98,8 +98,8 @@ TEST_F(CheckpointTest, description_is_that_of_the_first_process) {
 TEST_F(CheckpointTest, journal_has_the_times_of_the_first_process) {
   std::vector<StepRecord> records = {step(0.1), step(0.2)};
   for (StepRecord& record : records) record.wall_seconds = 0.5 * grid_.rank();
-  const RecordJournal journal(PETSC_COMM_WORLD, path_);
-  const JournalMark end = journal.write({}, records);
+  const StepLog journal(PETSC_COMM_WORLD, path_);
+  const StepLogMark end = journal.write({}, records);
   EXPECT_EQ(end.checksum, journal.mark_at(end.end, {}).checksum);
   for (const StepRecord& record : journal.read(0, end.end)) {
     EXPECT_EQ(record.wall_seconds, 0.0);

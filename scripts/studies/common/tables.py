@@ -61,6 +61,14 @@ def publish(name, text):
     print(f"published: {path}", file=sys.stderr)
 
 
+def chosen(parser, names, known, what):
+    """The names that a command line gives, all that are known where it gives none; an unknown one ends it."""
+    for name in names:
+        if name not in known:
+            parser.error(f"no {what} '{name}'; choose of {', '.join(known)}")
+    return names or tuple(known)
+
+
 def add_publish(parser):
     parser.add_argument("--publish", action="store_true", help="write the tables to docs/data too")
 

@@ -1,4 +1,4 @@
-#include "output/input_hash.hpp"
+#include "output/run_identity.hpp"
 
 #include <algorithm>
 
