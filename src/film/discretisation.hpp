@@ -18,8 +18,8 @@ namespace gearfilm {
 /// deformed.
 class Discretisation {
 public:
-  /// C_h as in Scales.
-  Discretisation(Grid grid, double C_h, FilmDiscretisation of_films);
+  /// C_h as in Scales; ends of the face, where the rows reach them.
+  Discretisation(Grid grid, double C_h, FilmDiscretisation of_films, EndFaces ends = {});
   Discretisation(const Discretisation&) = delete;
   Discretisation& operator=(const Discretisation&) = delete;
 
@@ -47,8 +47,12 @@ public:
   const Gather& prepare_gather();
 
 private:
+  std::shared_ptr<const EndFaceCompliance> prepare_ends();
+
   Grid grid_;
   double C_h_;
+  EndFaces ends_;
+  std::shared_ptr<const EndFaceCompliance> end_compliance_;
   Halo halo_;
   ReynoldsEquation equation_;
   std::unique_ptr<const Deformation<double>> deformation_;

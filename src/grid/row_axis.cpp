@@ -50,8 +50,16 @@ RowAxis RowAxis::equal(int whole, double half_width, Edge lower) {
   return between(-half_width, half_width, whole, lower, Edge::ambient);
 }
 
+RowAxis RowAxis::line() {
+  RowAxis axis;
+  axis.y_ = {0.0};
+  axis.lower_ = Edge::ambient;
+  return axis;
+}
+
 double RowAxis::step(int row) const {
   if (equal_step_) return *equal_step_;
+  if (single()) return 1.0;
   const int first = std::clamp(row, 0, count() - 2);
   return y_[first + 1] - y_[first];
 }
@@ -62,6 +70,7 @@ double RowAxis::equal_step() const {
 }
 
 RowRange RowAxis::inner(RowRange rows) const {
+  if (single()) return rows;
   const int begin = std::max(rows.begin, mirrored() ? 0 : 1);
   return {begin, std::max(begin, std::min(rows.end, count() - 1))};
 }
@@ -89,7 +98,7 @@ double RowAxis::whole_y(int whole_row) const {
   return mirrored() && whole_row < count() - 1 ? -y : y;
 }
 
-bool RowAxis::can_coarsen() const { return count() % 2 == 1 && (whole_count() - 1) / 2 + 1 >= 3; }
+bool RowAxis::can_coarsen() const { return has_equal_steps() && count() % 2 == 1 && (whole_count() - 1) / 2 + 1 >= 3; }
 
 RowAxis RowAxis::coarsened() const {
   std::vector<double> y;

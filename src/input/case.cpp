@@ -9,6 +9,7 @@
 #include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_checks.hpp"
+#include "input/case_face.hpp"
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
@@ -122,10 +123,20 @@ double read_reduced_modulus(const ParameterValues& values) {
 }
 
 ReferenceContact read_bare_contact(const ParameterValues& values) {
-  return {.solids = {.radius_x = values.real("contact.radius_x"),
-                     .radius_y = values.real("contact.radius_y"),
-                     .reduced_modulus = read_reduced_modulus(values)},
-          .operation = {.load = values.real("contact.load"),
+  const bool line = values.text("case.kind") == "line";
+  const std::string radius_y = "contact.radius_y", width = "contact.face_width";
+  if (!line && !values.has(radius_y) && !values.has(width)) {
+    throw InputError(values.file() + ": " + quoted(radius_y) + " is missing; give it, or " + quoted(width) +
+                     " of a contact without crowning");
+  }
+  ContactSolids solids{.radius_x = values.real("contact.radius_x"),
+                       .radius_y = line ? HUGE_VAL : values.real_if_given(radius_y).value_or(HUGE_VAL),
+                       .reduced_modulus = read_reduced_modulus(values),
+                       .line = line};
+  const std::shared_ptr<const Face> face = line ? nullptr : read_face_of_contact(values);
+  if (face && reaches_ends(*face, solids, values.real("contact.load"))) solids.face = face;
+  return {.solids = solids,
+          .operation = {.load = values.real(line ? "contact.line_load" : "contact.load"),
                         .entrainment_velocity = values.real("contact.entrainment_velocity")}};
 }
 
@@ -323,7 +334,7 @@ CaseInput make_case(const ParameterValues& values) {
   CaseInput result;
   result.parameters = values;
   result.name = read_name(values);
-  result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
+  result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
   const ReferenceContact reference =
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);

@@ -1,0 +1,83 @@
+#include "film/face_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "film/face_flow.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// Out of the end beyond row `inner`, from there to row `end`, local both.
+double flow_out(const ContactFilm& film, int inner, int end) {
+  const Grid& grid = film.grid();
+  const bool fitted = film.discretisation()->of_films() == FilmDiscretisation::fitted;
+  const int lower = std::min(inner, end);
+  const double step = std::abs(grid.row_axis().y(grid.y_begin() + end) - grid.row_axis().y(grid.y_begin() + inner));
+  double sum = 0.0;
+  for (int i = 1; i < grid.nx() - 1; ++i) {
+    if (grid.x(i) <= -1.0) continue;
+    const StateLine line(film.state(), i);
+    sum += fitted ? flow_along_y<FilmDiscretisation::fitted>(line, lower).value
+                  : flow_along_y<FilmDiscretisation::central>(line, lower).value;
+  }
+  return (end > inner ? 1.0 : -1.0) * sum * grid.h_x() / step;
+}
+
+}  // namespace
+
+double FaceQuantities::smallest_film_at() const {
+  return Y[std::ranges::min_element(smallest_film) - smallest_film.begin()];
+}
+
+double FaceQuantities::largest_pressure_at() const {
+  return Y[std::ranges::max_element(largest_pressure) - largest_pressure.begin()];
+}
+
+FaceQuantities face_quantities(const ContactFilm& film) {
+  const Grid& grid = film.grid();
+  const RowAxis& axis = grid.row_axis();
+  enum { smallest, central, largest, load, count };
+  // Own rows' values, and those of all rows.
+  std::vector<double> rows(static_cast<std::size_t>(count) * grid.rows(), 0.0);
+  const auto at = [&](int quantity, int row) -> double& {
+    return rows[static_cast<std::size_t>(quantity) * grid.rows() + row];
+  };
+  const int middle = std::clamp(static_cast<int>(std::lround(-grid.x(0) / grid.h_x())), 0, grid.nx() - 1);
+  for (int j = 0; j < grid.y_count(); ++j) {
+    const int row = grid.y_begin() + j;
+    at(smallest, row) = HUGE_VAL;
+    at(central, row) = film.thickness().row(middle)[j];
+    for (int i = 0; i < grid.nx(); ++i) {
+      const double pressure = film.total_pressure().row(i)[j];
+      at(smallest, row) = std::min(at(smallest, row), film.thickness().row(i)[j]);
+      at(largest, row) = std::max(at(largest, row), pressure);
+      at(load, row) += grid.h_x() * pressure;
+    }
+  }
+  double flows[2] = {0.0, 0.0};
+  if (!axis.single()) {
+    const int last = grid.local_row(grid.rows() - 1), first = grid.local_row(0);
+    if (last >= 0) flows[1] = flow_out(film, last - 1, last);
+    if (first >= 0 && !axis.mirrored()) flows[0] = flow_out(film, 1, 0);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
+  MPI_Allreduce(MPI_IN_PLACE, flows, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
+  FaceQuantities face;
+  for (int whole = 0; whole < axis.whole_count(); ++whole) {
+    const int row = axis.stored_row(whole);
+    face.Y.push_back(axis.whole_y(whole));
+    face.smallest_film.push_back(at(smallest, row));
+    face.central_film.push_back(at(central, row));
+    face.largest_pressure.push_back(at(largest, row));
+    face.line_load.push_back(at(load, row));
+  }
+  for (int row = 0; row < axis.count() && !axis.mirrored(); ++row) {
+    if (!axis.is_ambient(row)) face.tilting_moment += axis.weight(row) * axis.y(row) * at(load, row);
+  }
+  face.side_flow_upper = flows[1];
+  face.side_flow_lower = axis.mirrored() ? flows[1] : flows[0];
+  return face;
+}
+
+}  // namespace gearfilm
