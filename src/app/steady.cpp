@@ -72,11 +72,12 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Stea
       .add("smallest film", "h_min", 1e6, "um")
       .add("  towards finer grids", "h_min_extrapolated", 1e6, "um")
       .add(predicted, "  by Hamrock and Dowson", "hamrock_dowson_h_min", 1e6, "um")
+      .add("  more than a from the ends", "h_min_inner", 1e6, "um")
+      .add("  its place on the face", "h_min_y", 1e3, "mm")
       .add("largest pressure", "p_max", 1e-9, "GPa")
       .add("  in the centre", "p_central", 1e-9, "GPa")
       .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
       .add("force", "force", 1.0, summary.contains("line_load") ? "N/m" : "N")
-      .add("place of the smallest film on the face", "h_min_y", 1e3, "mm")
       .add("tilting moment", "tilting_moment", 1.0, "N m")
       .text("work", worded(summary["newton_iterations"], " Newton and ", summary["krylov_iterations"],
                            " Krylov iterations on this grid, residual ", std::setprecision(3),

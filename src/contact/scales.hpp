@@ -9,6 +9,7 @@
 // Source: eqs (20)-(26) of doi 10.1016/j.triboint.2013.01.017.
 #pragma once
 
+#include "contact/face_law.hpp"
 #include "contact/hertz.hpp"
 #include "contact/moes.hpp"
 
@@ -28,6 +29,7 @@ struct Scales {
   double C_h = 0.0;           ///< elastic deformation coefficient [-]
   double radius_ratio = 0.0;  ///< D = R_x*/R_y [-]
   double approach = 0.0;      ///< h_0n R_x*/a^2 [-], Hertz approach of the reference contact: its -H_0 when dry
+  std::shared_ptr<const FaceLaw> face_law{};  ///< of the dry contact along a whole face, where there is one
   double static_force = 0.0;  ///< F* [-], the integral of P that carries w*
 
   /// Force [N] of a dimensionless pressure integral.

@@ -106,7 +106,10 @@ std::vector<double> MeshedFilms::rescaled_pressures(const std::vector<double>& d
     if (before[k] > 0.0 && after[k] > 0.0) {
       const ContactConditions conditions = mesh_.contact(contacts_[k].number, T_).conditions;
       const HertzContact ellipse = dry_contact(mesh_.scales, conditions, before[k]);
-      own = rescaled_hertz_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]),
+      const double ratio = mesh_.scales.face_law
+                               ? dry_contact(mesh_.scales, conditions, after[k]).a / ellipse.a
+                               : std::cbrt(after[k] / before[k]);
+      own = rescaled_hertz_pressure(discretisation_->grid(), mesh_.scales, ellipse, ratio,
                                     own, conditions.nearest.X);
     }
     all.insert(all.end(), own.begin(), own.end());

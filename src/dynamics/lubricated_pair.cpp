@@ -69,7 +69,10 @@ void LubricatedPair::predict_for_load_share(Vec state, double T0, double T1) con
   if (mesh_.inertia > 0.0 || !share_) return;
   const auto approach_at = [&](double T) {
     const double share = share_at(T), compliance = mesh_.compliance(numbers_, T)(0, 0);
-    return mesh_.scales.approach * std::cbrt(share * share) + compliance * share * mesh_.scales.static_force;
+    const FaceLaw* face = mesh_.scales.face_law.get();
+    const double force = share * mesh_.scales.static_force;
+    const double contact = face ? face->approach(force, 1.0) : mesh_.scales.approach * std::cbrt(share * share);
+    return contact + compliance * force;
   };
   const double sinking = approach_at(T1) - approach_at(T0);
   set_motion(state, {motion(state).H0() - sinking, -sinking / (T1 - T0)});

@@ -47,8 +47,7 @@ std::optional<PairNumerics> coarser(const PairNumerics& numerics) {
   constexpr int fewest_x = 33, fewest_y = 9;
   PairNumerics coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
-  coarse.ny = (numerics.ny - 1) / 2 + 1;
-  if (coarse.face_rows) coarse.face_rows->lengthen(2.0);
+  if (!coarse.face_rows) coarse.ny = (numerics.ny - 1) / 2 + 1;
   coarse.steps.lengthen(2.0);
   return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
 }
@@ -60,7 +59,7 @@ SlightlyCoarser slightly_coarser(const PairNumerics& numerics) {
   };
   PairNumerics coarse = numerics;
   coarse.nx = fewer(numerics.nx);
-  coarse.ny = fewer(numerics.ny);
+  if (!coarse.face_rows) coarse.ny = fewer(numerics.ny);
   const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
   if (coarse.face_rows) coarse.face_rows->lengthen(ratio);
   coarse.steps.lengthen(ratio);

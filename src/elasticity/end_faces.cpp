@@ -25,7 +25,6 @@ struct FromEnd {
   std::vector<double> nodes, edges;
 
   int rows() const { return static_cast<int>(nodes.size()); }
-  double middle(int row) const { return 0.5 * (edges[row] + edges[row + 1]); }
 };
 
 /// Of the whole axis, mirror images included.
@@ -44,23 +43,53 @@ FromEnd from_end(const RowAxis& axis, bool upper) {
   return seen;
 }
 
-/// Even sequences of so many values, the distances 0, 1, ..., and their transforms, for all pairs of rows.
+/// Cells of rows cut into parts that grow by a third with the distance from the end, where p' changes that fast, and the
+/// rows to which they belong.
+struct FineCells {
+  explicit FineCells(const FromEnd& rows) {
+    constexpr double growth = 1.35;
+    double smallest = 0.1 * rows.edges[1];
+    for (int row = 0; row < rows.rows(); ++row) {
+      std::vector<double> inner;  // from the far edge to the near one
+      for (double edge = rows.edges[row + 1] / growth;
+           edge > std::max(rows.edges[row] * std::sqrt(growth), smallest); edge /= growth) {
+        inner.push_back(edge);
+      }
+      edges.insert(edges.end(), inner.rbegin(), inner.rend());
+      edges.push_back(rows.edges[row + 1]);
+      row_of.resize(edges.size() - 1, row);
+    }
+  }
+  int count() const { return static_cast<int>(row_of.size()); }
+  double middle(int cell) const { return 0.5 * (edges[cell] + edges[cell + 1]); }
+
+  std::vector<double> edges = {0.0};
+  std::vector<int> row_of;
+};
+
+/// Even sequences of so many values, the distances 0, 1, ..., and their transforms, for all targets and sources.
 class EvenTransforms {
 public:
-  EvenTransforms(int rows, int count)
-      : rows_(rows), count_(count), values_(static_cast<std::size_t>(rows) * rows * count) {
+  EvenTransforms(int targets, int sources, int count)
+      : targets_(targets),
+        sources_(sources),
+        count_(count),
+        values_(static_cast<std::size_t>(targets) * sources * count) {
     const fftw_r2r_kind kind = FFTW_REDFT00;
-    plan_ = fftw::Plan<double>(fftw_plan_many_r2r(1, &count_, rows * rows, values_.data(), nullptr, rows * rows, 1,
-                                                  values_.data(), nullptr, rows * rows, 1, &kind, fftw::effort));
+    const int pairs = targets * sources;
+    plan_ = fftw::Plan<double>(fftw_plan_many_r2r(1, &count_, pairs, values_.data(), nullptr, pairs, 1, values_.data(),
+                                                  nullptr, pairs, 1, &kind, fftw::effort));
   }
+  int targets() const { return targets_; }
+  int sources() const { return sources_; }
   /// The matrix of a distance or a wave number, [target][source].
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> at(int k) {
-    return {values_.data() + static_cast<std::size_t>(k) * rows_ * rows_, rows_, rows_};
+    return {values_.data() + static_cast<std::size_t>(k) * targets_ * sources_, targets_, sources_};
   }
   void transform() { plan_.execute(); }
 
 private:
-  int rows_, count_;
+  int targets_, sources_, count_;
   fftw::Buffer<double> values_;
   fftw::Plan<double> plan_;
 };
@@ -68,11 +97,11 @@ private:
 /// Fills [distance][target][source] from a corner function of (x, edge of a source cell, target): differences over the
 /// cells.
 template <class Corner>
-void fill_from_corners(EvenTransforms& transforms, const FromEnd& rows, int count, double h_x, Corner corner) {
-  const int edges = rows.rows() + 1;
-  std::vector<double> before(static_cast<std::size_t>(rows.rows()) * edges), behind(before);
+void fill_from_corners(EvenTransforms& transforms, int count, double h_x, Corner corner) {
+  const int rows = transforms.targets(), edges = transforms.sources() + 1;
+  std::vector<double> before(static_cast<std::size_t>(rows) * edges), behind(before);
   const auto find = [&](double x, std::vector<double>& corners) {
-    for (int row = 0; row < rows.rows(); ++row) {
+    for (int row = 0; row < rows; ++row) {
       for (int edge = 0; edge < edges; ++edge) corners[static_cast<std::size_t>(row) * edges + edge] = corner(x, edge, row);
     }
   };
@@ -80,9 +109,9 @@ void fill_from_corners(EvenTransforms& transforms, const FromEnd& rows, int coun
   for (int lag = 0; lag < count; ++lag) {
     find((lag + 0.5) * h_x, behind);
     auto matrix = transforms.at(lag);
-    for (int row = 0; row < rows.rows(); ++row) {
+    for (int row = 0; row < rows; ++row) {
       const std::size_t first = static_cast<std::size_t>(row) * edges;
-      for (int source = 0; source < rows.rows(); ++source) {
+      for (int source = 0; source + 1 < edges; ++source) {
         matrix(row, source) = behind[first + source + 1] - behind[first + source] - before[first + source + 1] +
                               before[first + source];
       }
@@ -93,37 +122,39 @@ void fill_from_corners(EvenTransforms& transforms, const FromEnd& rows, int coun
 
 /// What an end adds under one body, [distance][target][source] in the order that the end sees.
 void fill_free_end(EvenTransforms& added, const FromEnd& rows, int count, double h_x, double nu) {
-  EvenTransforms& half_space = added;
-  EvenTransforms image(rows.rows(), count), stress(rows.rows(), count);
-  fill_from_corners(half_space, rows, count, h_x,
+  const FineCells cells(rows);
+  EvenTransforms both(rows.rows(), cells.count(), count), stress(cells.count(), cells.count(), count);
+  fill_from_corners(added, count, h_x,
                     [&](double x, int edge, int row) { return love_corner(x, rows.edges[edge] - rows.nodes[row]); });
-  fill_from_corners(image, rows, count, h_x,
-                    [&](double x, int edge, int row) { return love_corner(x, rows.edges[edge] + rows.nodes[row]); });
-  fill_from_corners(stress, rows, count, h_x, [&](double x, int edge, int row) {
-    return stress_corner(x, rows.edges[edge], rows.middle(row), nu) / pi;
+  fill_from_corners(both, count, h_x, [&](double x, int edge, int row) {
+    return love_corner(x, cells.edges[edge] - rows.nodes[row]) + love_corner(x, cells.edges[edge] + rows.nodes[row]);
   });
-  half_space.transform();
-  image.transform();
-  stress.transform();
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(rows.rows(), rows.rows());
+  fill_from_corners(stress, count, h_x, [&](double x, int edge, int cell) {
+    return stress_corner(x, cells.edges[edge], cells.middle(cell), nu) / pi;
+  });
+  for (EvenTransforms* kernel : {&added, &both, &stress}) kernel->transform();
+  Eigen::MatrixXd of_rows = Eigen::MatrixXd::Zero(cells.count(), rows.rows());  // the same pressure on all parts
+  for (int cell = 0; cell < cells.count(); ++cell) of_rows(cell, cells.row_of[cell]) = 1.0;
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(cells.count(), cells.count());
   const double scale = 1.0 / (2.0 * (count - 1));
   for (int k = 0; k < count; ++k) {
-    const Eigen::MatrixXd S = stress.at(k), K = half_space.at(k), both = K + image.at(k);
-    const Eigen::MatrixXd system = (identity - S * S).transpose();
+    const Eigen::MatrixXd S = stress.at(k), system = identity - S * S;
     // (K + K_mirrored) (1 - S^2)^-1 - K
-    added.at(k) = scale * (system.partialPivLu().solve(both.transpose()).transpose() - K);
+    added.at(k) = scale * (both.at(k) * system.partialPivLu().solve(of_rows) - added.at(k));
   }
   added.transform();
 }
 
 /// The mirror image of the pressure times a factor.
 void fill_mirror(EvenTransforms& added, const FromEnd& rows, int count, double h_x, double factor) {
-  fill_from_corners(added, rows, count, h_x, [&](double x, int edge, int row) {
+  fill_from_corners(added, count, h_x, [&](double x, int edge, int row) {
     return factor * love_corner(x, rows.edges[edge] + rows.nodes[row]);
   });
 }
 
 }  // namespace
+
+EndFaces ends_of(const Face& face) { return {face.end, face.ending, face.mirror_factor}; }
 
 // Periods of the transforms are four times the padded length: images of a load that is so far away bend nothing.
 EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& ends)
@@ -146,7 +177,7 @@ EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& end
     }
   };
   const auto add_end = [&](bool upper, auto fill, double share, int lags) {
-    EvenTransforms added(whole, lags);
+    EvenTransforms added(whole, whole, lags);
     fill(added, from_end(axis, upper));
     add(upper, share, added);
     // Rows that are their own mirror image look alike from both ends.

@@ -32,6 +32,9 @@ struct EndFaces {
   bool act() const { return kind != EndFace::half_space; }
 };
 
+/// Those of a face.
+EndFaces ends_of(const Face& face);
+
 /// By target row, source row and distance in lines; rows and sources of the stored axis, images included. Without C_h.
 class EndFaceCompliance {
 public:

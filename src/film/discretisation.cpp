@@ -5,13 +5,6 @@ namespace {
 
 constexpr int fewest_rows_per_process = 2;
 
-/// Of the face, where the rows reach them.
-EndFaces ends_of(const RowAxis& rows, const Scales& scales) {
-  const Face* face = scales.solids.face.get();
-  if (!face || rows.has_equal_steps()) return {};
-  return {face->end, face->ending, face->mirror_factor};
-}
-
 bool can_be_cut(const Grid& grid) { return grid.fewest_coarse_rows() >= fewest_rows_per_process; }
 
 }  // namespace
@@ -46,7 +39,7 @@ Discretisation* Discretisation::prepare_coarser(Coarsening along) {
 }
 
 Discretisation* Discretisation::prepare_sequencing_grid() {
-  return prepare_coarser(needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
+  return prepare_coarser(!grid_.keeps_rows() && needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
 }
 
 Discretisation* Discretisation::prepare_replicated() {
@@ -61,7 +54,7 @@ const Gather& Discretisation::prepare_gather() {
 }
 
 SharedDiscretisation discretise(const Grid& grid, const Scales& scales, FilmDiscretisation of_films) {
-  return std::make_shared<Discretisation>(grid, scales.C_h, of_films, ends_of(grid.row_axis(), scales));
+  return std::make_shared<Discretisation>(grid, scales.C_h, of_films, scales.solids.face ? ends_of(*scales.solids.face) : EndFaces{});
 }
 
 }  // namespace gearfilm

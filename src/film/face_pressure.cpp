@@ -50,6 +50,7 @@ std::vector<double> row_half_widths(const RowAxis& rows, const Scales& scales, c
 }
 
 double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
+  if (scales.face_law) return scales.face_law->at_force(pressure_integral, conditions.dry_radius()).half_width;
   constexpr int places = 65;
   const RowAxis rows = scales.solids.line ? RowAxis::line()
                                           : RowAxis::equal(places, 0.5 * scales.solids.face->width / scales.length,

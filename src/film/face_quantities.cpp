@@ -26,8 +26,19 @@ double flow_out(const ContactFilm& film, int inner, int end) {
 
 }  // namespace
 
+double FaceQuantities::corner_film() const { return std::min(smallest_film.front(), smallest_film.back()); }
+
+double FaceQuantities::smallest_film_beyond(double distance) const {
+  double smallest = HUGE_VAL;
+  for (std::size_t row = 0; row < Y.size(); ++row) {
+    const bool beyond = Y[row] - Y.front() > distance && Y.back() - Y[row] > distance;
+    if (beyond) smallest = std::min(smallest, smallest_film[row]);
+  }
+  return smallest;
+}
+
 double FaceQuantities::smallest_film_at() const {
-  return Y[std::ranges::min_element(smallest_film) - smallest_film.begin()];
+  return Y[std::ranges::min_element(smallest_film.begin() + 1, smallest_film.end() - 1) - smallest_film.begin()];
 }
 
 double FaceQuantities::largest_pressure_at() const {

@@ -18,7 +18,11 @@ struct FaceQuantities {
   double side_flow_lower = 0.0;          ///< out of the end at -Y beside the contact (X > -1), in u_m h a rho_0
   double side_flow_upper = 0.0;
 
-  /// Y of the smallest film, and of the largest pressure.
+  /// The thinner film of both corners: beneath the edges themselves, where nothing is carried.
+  double corner_film() const;
+  /// The smallest film of rows that are farther from both ends than so much [a].
+  double smallest_film_beyond(double distance) const;
+  /// Y of the smallest film between the corners, and of the largest pressure.
   double smallest_film_at() const;
   double largest_pressure_at() const;
 };

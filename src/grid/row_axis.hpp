@@ -77,7 +77,7 @@ public:
   /// Whether rows are equal and every second one, the edges among them, are at least three of the whole domain.
   bool can_coarsen() const;
   RowAxis coarsened() const;
-  /// Equal rows between the same edges: twice as close, or so many in the whole domain.
+  /// Equal rows between the same edges: twice as close (others stay as they are), or so many in the whole domain.
   RowAxis refined() const;
   RowAxis with_whole_count(int whole) const;
   /// The axis with so many more rows of the same step at every ambient edge. Throws std::logic_error where rows are not
@@ -95,7 +95,8 @@ private:
   std::optional<double> equal_step_{};
 };
 
-/// Whether equal rows have the same step and edges, and lie at the same places where both axes have any.
+/// Whether equal rows have the same step and edges, and lie at the same places where both axes have any; whether others
+/// are the same.
 bool same_lattice(const RowAxis& a, const RowAxis& b);
 /// Rows from the first one of a to the first one of b, on one lattice.
 int rows_between(const RowAxis& a, const RowAxis& b);

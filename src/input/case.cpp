@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/moes.hpp"
+#include "elasticity/row_contact.hpp"
 #include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_checks.hpp"
@@ -61,10 +62,6 @@ std::optional<double> read_equivalent_mass(const ParameterValues& values, const 
 }
 
 ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction& line) {
-  if (!std::isfinite(line.radius_y()))
-    values.refuse("pinion.crowning",
-                  "and 'wheel.crowning' are both 0 m, a line contact, which is not modelled; give at least one "
-                  "crowning > 0");
   return {.radius_x = line.radius_x(0.0),
           .radius_y = line.radius_y(),
           .reduced_modulus = reduced_modulus(values.real("pinion.youngs_modulus"), values.real("pinion.poisson_ratio"),
@@ -99,7 +96,14 @@ ReferenceContact set_gear_pair(CaseInput& result) {
   if (values.has("pinion.inertia")) {
     result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
   }
-  const ContactSolids solids = solids_at_pitch(values, *result.pair.line);
+  ContactSolids solids = solids_at_pitch(values, *result.pair.line);
+  set_face(values, read_face_of_pair(values), result.pair.tooth_force, solids);
+  const std::string load_model = "gear.load_model";
+  if (solids.face && values.text(load_model) != "point") {
+    values.refuse(load_model, "is " + values.text(load_model) +
+                                  ", but the contact reaches the ends of the face or feels their shape, and no point "
+                                  "load stands for it; set it to point");
+  }
   return {solids, in_file_of(values, [&] {
             return ContactOperation{
                 .load = reference_load(result, solids),
@@ -133,8 +137,7 @@ ReferenceContact read_bare_contact(const ParameterValues& values) {
                        .radius_y = line ? HUGE_VAL : values.real_if_given(radius_y).value_or(HUGE_VAL),
                        .reduced_modulus = read_reduced_modulus(values),
                        .line = line};
-  const std::shared_ptr<const Face> face = line ? nullptr : read_face_of_contact(values);
-  if (face && reaches_ends(*face, solids, values.real("contact.load"))) solids.face = face;
+  if (!line) set_face(values, read_face_of_contact(values), values.real("contact.load"), solids);
   return {.solids = solids,
           .operation = {.load = values.real(line ? "contact.line_load" : "contact.load"),
                         .entrainment_velocity = values.real("contact.entrainment_velocity")}};
@@ -330,6 +333,20 @@ void set_march(CaseInput& result) {
 
 }  // namespace
 
+namespace {
+
+/// For the radii of a path of contact, or about that of a bare contact.
+std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
+  std::array<double, 2> radii = {0.9, 1.1};
+  if (problem.pair.line) {
+    radii = problem.pair.line->relative_radii();
+    radii[1] = std::max(radii[1], 1.01 * radii[0]);
+  }
+  return std::make_shared<const FaceLaw>(face_law(problem.scales, radii));
+}
+
+}  // namespace
+
 CaseInput make_case(const ParameterValues& values) {
   CaseInput result;
   result.parameters = values;
@@ -341,6 +358,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
+    if (result.scales.solids.face) result.scales.face_law = law_of_face(result);
     check_strain(result);
   });
   result.traction = read_traction(values);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/hertz.hpp"
+#include "input/point_table.hpp"
 
 namespace gearfilm {
 namespace {
@@ -12,6 +13,30 @@ EndFace read_end_face(const ParameterValues& values, const std::string& section)
   const std::string& name = values.text(section + ".end_face");
   if (name == "half_space") return EndFace::half_space;
   return name == "mirror" ? EndFace::mirror : EndFace::free;
+}
+
+struct Body {
+  double modulus, poisson_ratio;
+  bool ends;  ///< with the face
+};
+
+/// Those that end with it, both as one where they are of one material.
+std::vector<EndingBody> ending_bodies(const std::vector<Body>& bodies) {
+  const auto compliance = [](const Body& body) {
+    return (1.0 - body.poisson_ratio * body.poisson_ratio) / body.modulus;
+  };
+  const double sum = compliance(bodies[0]) + compliance(bodies[1]);
+  std::vector<EndingBody> ending;
+  for (const Body& body : bodies) {
+    if (!body.ends) continue;
+    const double share = compliance(body) / sum;
+    if (!ending.empty() && ending[0].poisson_ratio == body.poisson_ratio) {
+      ending[0].share += share;
+    } else {
+      ending.push_back({share, body.poisson_ratio});
+    }
+  }
+  return ending;
 }
 
 /// The end relief that a section has, if any.
@@ -48,28 +73,64 @@ std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values) 
   read_end_relief(values, "contact", face.width, face.gap);
   face.end = read_end_face(values, "contact");
   face.mirror_factor = values.real("contact.end_face_factor");
+  // Steel, where only the reduced modulus is given.
   constexpr double of_steel = 0.3;
   const auto poisson_ratio = [&](const std::string& body) {
     return values.real_if_given("contact.poisson_ratio_" + body).value_or(of_steel);
   };
-  double sum = 0.0;
+  std::vector<Body> bodies;
   for (const std::string body : {"1", "2"}) {
-    const double nu = poisson_ratio(body);
-    const double modulus = values.real_if_given("contact.youngs_modulus_" + body).value_or(1.0);
-    face.ending.push_back({.share = (1.0 - nu * nu) / modulus, .poisson_ratio = nu});
-    sum += face.ending.back().share;
+    bodies.push_back({values.real_if_given("contact.youngs_modulus_" + body).value_or(1.0), poisson_ratio(body), true});
   }
-  for (EndingBody& body : face.ending) body.share /= sum;
-  if (face.ending[0].poisson_ratio == face.ending[1].poisson_ratio) {
-    face.ending = {{.share = 1.0, .poisson_ratio = face.ending[0].poisson_ratio}};
-  }
+  face.ending = ending_bodies(bodies);
   return std::make_shared<const Face>(face);
 }
+
+std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values) {
+  Face face;
+  face.width = values.real("gear.face_width");
+  face.gap.slope = values.real("gear.misalignment") / face.width;
+  face.end = read_end_face(values, "gear");
+  face.mirror_factor = values.real("gear.end_face_factor");
+  std::vector<Body> bodies;
+  for (const std::string gear : {"pinion", "wheel"}) {
+    const std::string own_width = gear + ".face_width", lead = gear + ".lead_file";
+    face.gap.slope += values.real(gear + ".lead_slope") / face.width;
+    read_end_relief(values, gear, face.width, face.gap);
+    if (values.has(lead)) {
+      face.gap.tables.push_back(read_ascending_points(
+          values, lead, "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
+                        "[m]"));
+    }
+    const double width = values.real_if_given(own_width).value_or(face.width);
+    if (width < face.width) {
+      values.refuse(own_width, "is " + format_value(width) + " m, less than 'gear.face_width', which is that of the "
+                                                             "contact; give that of the narrower gear there");
+    }
+    bodies.push_back({values.real(gear + ".youngs_modulus"), values.real(gear + ".poisson_ratio"), width == face.width});
+  }
+  face.ending = ending_bodies(bodies);
+  return std::make_shared<const Face>(face);
+}
+
+namespace {
 
 bool reaches_ends(const Face& face, const ContactSolids& solids, double load) {
   constexpr double spare = 1.1;
   if (!std::isfinite(solids.radius_y) || face.gap.slope != 0.0) return true;
   return !face.plain_around(0.0, spare * hertz_contact(solids, load).b);
+}
+
+}  // namespace
+
+void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& face, double load,
+              ContactSolids& solids) {
+  const std::string whole = "grid.whole_face";
+  if (!face) {
+    if (values.text(whole) == "yes") values.refuse(whole, "is yes, but no 'contact.face_width' is given; give it");
+    return;
+  }
+  if (values.text(whole) == "yes" || reaches_ends(*face, solids, load)) solids.face = face;
 }
 
 RowGrading read_row_grading(const ParameterValues& values, const Face& face) {

@@ -12,10 +12,13 @@ namespace gearfilm {
 
 /// Of a bare contact; null where no width of a face is given. Throws InputError where reliefs do not fit.
 std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values);
+/// Of a gear pair.
+std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values);
 
-/// Whether the contact of these solids under a load reaches the ends of a face or the kinks of its gap, or feels its
-/// slope: not where its ellipse lies well inside.
-bool reaches_ends(const Face& face, const ContactSolids& solids, double load);
+/// Gives the solids the face, where their contact under a load reaches its ends or the kinks of its gap, or feels its
+/// slope, or where the case asks for it: not where the ellipse lies well inside.
+void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& face, double load,
+              ContactSolids& solids);
 
 /// How rows along it are graded.
 RowGrading read_row_grading(const ParameterValues& values, const Face& face);

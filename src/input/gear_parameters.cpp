@@ -58,20 +58,23 @@ Records one_gear_records(const std::string& subscript) {
 }
 
 Records pinion_records() {
-  Records records = joined(one_gear_records("1"), heated_body_records("1"));
+  Records records = joined(one_gear_records("1"), lead_records(), heated_body_records("1"));
   records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
   records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
   return section("pinion", Scope::gear_pair, std::move(records));
 }
 
 Records wheel_records() {
-  return section("wheel", Scope::gear_pair, joined(one_gear_records("2"), heated_body_records("2")));
+  return section("wheel", Scope::gear_pair, joined(one_gear_records("2"), lead_records(), heated_body_records("2")));
 }
 
 Records gear_records() {
   return section(
       "gear", Scope::gear_pair,
-      {number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
+      joined(end_face_records(), Records{
+       preset(0.0, number("misalignment", "", "m", closed(-1e-2, 1e-2),
+                          "by how much both flanks part over the face, towards positive y")),
+       number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
        number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
        number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
        number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
@@ -98,7 +101,7 @@ Records gear_records() {
        optional("reverse flanks never touch",
                 number("backlash", "j_n", "m", closed(0, 0.1),
                        "normal backlash along the line of action: the teeth are thinner by it, and beyond it "
-                       "their reverse flanks touch, dry"))});
+                       "their reverse flanks touch, dry"))}));
 }
 
 }  // namespace

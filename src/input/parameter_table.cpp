@@ -82,6 +82,9 @@ Records grid_records() {
                 whole("ny", "N_y", odd(9, 16385),
                       "nodes across the entrainment, boundaries included; the films being symmetric, those on "
                       "one side and in the middle are computed")),
+       choice("whole_face", {"auto", "yes"},
+              "rows over the whole face: where the contact under the static load reaches its ends, kinks or slope, or "
+              "always; a contact that ends well within the face has a small domain about it"),
        optional("by the end of the face: 0.06, at free ends without relief 0.03",
                 number("first_row", "", "a", closed(1e-3, 1.0), "distance of rows at the ends of a loaded face")),
        preset(1.35, number("row_growth", "", "-", closed(1.02, 3.0), "ratio of two distances of rows on it")),

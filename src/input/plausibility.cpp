@@ -89,7 +89,7 @@ void compare_gears(const CaseInput& problem, Oddities& found) {
   if (!has_ellipse(problem.scales.solids)) return;
   compare(2e3 * problem.scales.hertz.b,
           {"the length of the contact ellipse", "mm", 0, 1e3 * problem.pair.gears->face_width, "",
-           "longer than the face is wide; the load reaches the edges of the teeth, which are not modelled"},
+           "longer than the face is wide; the load reaches the edges of the teeth"},
           found);
 }
 

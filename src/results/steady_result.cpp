@@ -74,6 +74,11 @@ struct AlongFace {
 constexpr auto face_members = std::to_array<Member<AlongFace>>({
     {"h_min_y", "y", "m", "place of the smallest film along the face",
      [](const AlongFace& of) -> Summary { return of.scales.length * of.face.smallest_film_at(); }},
+    {"h_min_inner", "h", "m", "smallest film of rows that are farther than a from both ends",
+     [](const AlongFace& of) -> Summary { return of.scales.thickness * of.face.smallest_film_beyond(1.0); }},
+    {"h_corner", "h", "m",
+     "film beneath the edges of the face, where no pressure is; a number of the grid where it is not positive",
+     [](const AlongFace& of) -> Summary { return of.scales.thickness * of.face.corner_film(); }},
     {"p_max_y", "y", "m", "place of the largest pressure along the face",
      [](const AlongFace& of) -> Summary { return of.scales.length * of.face.largest_pressure_at(); }},
     {"tilting_moment", "M", "N m", "moment of the pressure about the middle of the face, int int p y dx dy",

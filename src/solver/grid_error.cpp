@@ -63,11 +63,9 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
     }
   };
   if (const auto errors = against(fine.prepare_coarser())) return errors;
-  // Fitted films have few rows, of which half may not be enough, and graded rows are not halved; most of their errors
-  // come from the lines.
-  const bool by_lines =
-      fine.of_films() == FilmDiscretisation::fitted || !fine.grid().row_axis().has_equal_steps();
-  return by_lines ? against(fine.prepare_coarser(Coarsening::x_only)) : std::nullopt;
+  // Fitted films have few rows, of which half may not be enough; most of their errors come from the lines.
+  return fine.of_films() == FilmDiscretisation::fitted ? against(fine.prepare_coarser(Coarsening::x_only))
+                                                       : std::nullopt;
 }
 
 }  // namespace gearfilm

@@ -61,10 +61,16 @@ FilmSolution dry_guess_of_rows(ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   const double expected = ExpectedFilm(scales).film;
-  if (load.kind == LoadCondition::Kind::force) {
-    face_pressure(film.grid(), scales, film.conditions(), load.value, guess.pressure);
-    guess.H0 = expected - film.quantities(guess.pressure, 0.0).central_film - load.compliance(0, 0) * load.value;
+  double force = load.value;
+  if (load.kind == LoadCondition::Kind::displacement) {
+    if (!scales.face_law) return guess;
+    const double approach = expected - load.value - film.conditions().dry_gap();
+    force = contact_law(scales, film.conditions()).force(approach, load.compliance(0, 0));
+    if (force <= 0.0) return guess;
   }
+  face_pressure(film.grid(), scales, film.conditions(), force, guess.pressure);
+  if (load.kind == LoadCondition::Kind::force)
+    guess.H0 = expected - film.quantities(guess.pressure, 0.0).central_film - load.compliance(0, 0) * load.value;
   return guess;
 }
 
