@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "film/face_pressure.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "mesh/reverse_flanks.hpp"
 #include "numerics/tuned.hpp"
@@ -104,6 +105,13 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     const double ratio = std::max<double>(smallest_ratio, std::sqrt(std::max<double>(0.0, approach) / before.approach));
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
+    if (const FaceLaw* face = mesh_.scales.face_law.get()) {
+      const double after = face->force(approach / mesh_.scales.thickness, 0.0, conditions.dry_radius());
+      system_.set_field(guess, k,
+                        rescaled_face_pressure(*films_[k]->discretisation(), mesh_.scales, conditions, force,
+                                               std::max(after, 0.01 * force), system_.field(last, k)));
+      continue;
+    }
     system_.set_field(
         guess, k,
         rescaled_hertz_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));

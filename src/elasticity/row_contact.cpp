@@ -58,25 +58,23 @@ RowContact::RowContact(const Scales& scales, const RowAxis& rows) : rows_(rows),
   end_influence_.assign(count * count, 0.0);
   middle_ = edge_ = end_influence_;
   half_widths_.assign(count, 1.0);
-  const EndFaces ends = ends_of(*scales.solids.face);
-  if (!ends.act()) return;
-  // Beneath rows of the static half-width.
-  constexpr int lines = 49;
-  constexpr double reach = 1.5;
-  const GridShape shape{lines, -reach, reach, rows};
-  const EndFaceCompliance added(shape, ends);
-  const int half = static_cast<int>(1.0 / shape.h_x());
+}
+
+// Beneath rows of the static half-width.
+void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
+  const auto count = static_cast<std::size_t>(rows_.count());
+  const int half = std::min(ends.lags() - 1, static_cast<int>(1.0 / h_x));
   double sum = 0.0;
   std::vector<double> pressure;
   for (int i = 0; i <= half; ++i) {
-    const double x = i * shape.h_x();
-    pressure.push_back(std::sqrt(std::max(0.0, 1.0 - x * x)));
-    sum += (i == 0 ? 1.0 : 2.0) * pressure.back() * shape.h_x();
+    const double x = i * h_x;
+    pressure.push_back((i == 0 ? 1.0 : 2.0) * std::sqrt(std::max(0.0, 1.0 - x * x)));
+    sum += pressure.back() * h_x;
   }
-  for (int row = 0; row < rows.count(); ++row) {
-    for (int source = 0; source < rows.count(); ++source) {
+  for (int row = 0; row < rows_.count(); ++row) {
+    for (int source = 0; source < rows_.count(); ++source) {
       double& influence = end_influence_[static_cast<std::size_t>(row) * count + source];
-      for (int i = 0; i <= half; ++i) influence += (i == 0 ? 1.0 : 2.0) * pressure[i] / sum * added(i, row, source);
+      for (int i = 0; i <= half; ++i) influence += pressure[i] / sum * ends(i, row, source);
     }
   }
 }
@@ -208,6 +206,12 @@ FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
   const RowGrading grading{.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width / 32.0)};
   const RowAxis rows = graded_rows(half_width, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
   RowContact contact(scales, rows);
+  constexpr int lines = 49;
+  constexpr double reach = 1.5;
+  if (const EndFaces ends = ends_of(face); ends.act()) {
+    const GridShape shape{lines, -reach, reach, rows};
+    contact.add_ends(EndFaceCompliance(shape, ends), shape.h_x());
+  }
   std::array<std::vector<FaceContact>, 2> contacts;
   for (std::size_t radius = 0; radius < 2; ++radius) {
     for (int n = points; n-- > 0;) {

@@ -22,6 +22,8 @@ class RowContact {
 public:
   /// For the scales' face; rows over the whole face or half of it.
   RowContact(const Scales& scales, const RowAxis& rows);
+  /// Adds what the ends of the face give way, from that of a grid of such rows.
+  void add_ends(const EndFaceCompliance& ends, double h_x);
 
   /// The contact under a force at a radius, from the one that was solved last. Throws SolveError where it is not found.
   FaceContact solve(double force, double relative_radius);
@@ -29,6 +31,8 @@ public:
   double nearest() const { return *std::ranges::min_element(gaps_); }
   /// Loads by unit length of the rows that were solved last.
   const std::vector<double>& loads() const { return loads_; }
+  /// Their half-widths.
+  const std::vector<double>& half_widths() const { return half_widths_; }
 
 private:
   struct Place {

@@ -5,7 +5,9 @@ namespace {
 
 constexpr int fewest_rows_per_process = 2;
 
-bool can_be_cut(const Grid& grid) { return grid.fewest_coarse_rows() >= fewest_rows_per_process; }
+bool can_be_cut(const Grid& grid) {
+  return grid.keeps_rows() || grid.fewest_coarse_rows() >= fewest_rows_per_process;
+}
 
 }  // namespace
 
@@ -29,6 +31,14 @@ template <>
 const Deformation<float>& Discretisation::prepare_deformation<float>() {
   if (!single_deformation_) single_deformation_ = std::make_unique<const Deformation<float>>(grid_, C_h_, prepare_ends());
   return *single_deformation_;
+}
+
+RowContact& Discretisation::prepare_row_contact(const Scales& scales) {
+  if (!row_contact_) {
+    row_contact_ = std::make_unique<RowContact>(scales, grid_.row_axis());
+    if (const auto ends = prepare_ends()) row_contact_->add_ends(*ends, grid_.h_x());
+  }
+  return *row_contact_;
 }
 
 Discretisation* Discretisation::prepare_coarser(Coarsening along) {

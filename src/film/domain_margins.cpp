@@ -48,7 +48,7 @@ DomainMargins required_margins(const MarginRule& rule, const Scales& scales, con
         << 2e3 * rule.face * scales.length
         << " mm wide: the load reaches the edges of the teeth; set grid.whole_face to yes for films over the whole face, "
            "or raise crowning or face width";
-    throw SolveError(message.str());
+    throw EdgesReached(message.str());
   }
   return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
           .outlet = outlet * growth * a + conditions.nearest.X,

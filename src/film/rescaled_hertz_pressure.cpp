@@ -18,7 +18,7 @@ std::vector<double> rescaled_hertz_pressure(const Grid& grid, const Scales& scal
   const double a = before.a / scales.length, b = before.b / scales.length, top = before.pressure / scales.pressure;
   std::vector<double> after(pressure.begin(), pressure.end());
   for (int j = 0; j < rows; ++j) {
-    const double y = scales.solids.face ? 0.0 : grid.y(j) / b;  // along a whole face rows are alike
+    const double y = grid.y(j) / b;
     const double width = 1.0 - y * y, new_width = ratio * ratio - y * y;  // q, and after
     const double s = std::sqrt(std::max(0.0, new_width / width));
     for (int i = 1; i < grid.nx() - 1; ++i) {

@@ -3,7 +3,7 @@
 // In a Hertz contact the pressure on each line Y = const. is P = p_h sqrt(q - X^2/a^2), q = 1 - Y^2/b^2: when all
 // half-axes change by a ratio r, a line's width and its pressures change by s = sqrt((r^2 - Y^2/b^2)/q), so that
 //   P'(X, Y) = s P(X/s, Y)
-// Along a whole face all rows change by the ratio. A film keeps to that but for its inlet and its exit. Lines are treated one by one: nothing travels between processes.
+// A film keeps to that but for its inlet and its exit. Lines are treated one by one: nothing travels between processes.
 #pragma once
 
 #include <span>

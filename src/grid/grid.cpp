@@ -80,10 +80,6 @@ bool Grid::can_coarsen(Coarsening along) const {
 
 int Grid::fewest_coarse_rows() const {
   int fewest = rows();
-  if (keeps_rows()) {
-    for (int p = 0; p < processes(); ++p) fewest = std::min(fewest, y_ranges_[p + 1] - y_ranges_[p]);
-    return fewest;
-  }
   for (int p = 0; p < processes(); ++p) fewest = std::min(fewest, (y_ranges_[p + 1] + 1) / 2 - (y_ranges_[p] + 1) / 2);
   return fewest;
 }

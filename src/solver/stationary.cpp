@@ -56,21 +56,29 @@ bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolutio
   return true;
 }
 
-/// Along a whole face or a line, with the middle of the gap at the film that the formula expects.
+/// Along a whole face or a line: dry pressure, with the dry contact's gap at the film that the formula expects.
 FilmSolution dry_guess_of_rows(ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
-  const double expected = ExpectedFilm(scales).film;
-  double force = load.value;
-  if (load.kind == LoadCondition::Kind::displacement) {
-    if (!scales.face_law) return guess;
-    const double approach = expected - load.value - film.conditions().dry_gap();
-    force = contact_law(scales, film.conditions()).force(approach, load.compliance(0, 0));
-    if (force <= 0.0) return guess;
+  const double expected = ExpectedFilm(scales).film, compliance = load.compliance(0, 0);
+  const auto approach_under = [&](double force) {
+    return face_pressure(*film.discretisation(), scales, film.conditions(), force, guess.pressure);
+  };
+  if (load.kind == LoadCondition::Kind::force) {
+    approach_under(load.value);
+    guess.H0 = expected - film.quantities(guess.pressure, 0.0).central_film - compliance * load.value;
+    return guess;
   }
-  face_pressure(film.grid(), scales, film.conditions(), force, guess.pressure);
-  if (load.kind == LoadCondition::Kind::force)
-    guess.H0 = expected - film.quantities(guess.pressure, 0.0).central_film - load.compliance(0, 0) * load.value;
+  if (!scales.face_law) return guess;
+  const double wanted = expected - load.value - film.conditions().gap_offset;
+  const ContactLaw law = contact_law(scales, film.conditions());
+  double force = law.force(expected - load.value - film.conditions().dry_gap(), compliance);
+  // The law is smooth, the rows are what they are: a correction leaves less than a film.
+  for (int n = 0; n < 2 && force > 0.0; ++n) {
+    const double lacking = wanted - approach_under(force) - compliance * force;
+    force = std::clamp(force + lacking / (1.0 / law.stiffness(force) + compliance), 0.5 * force, 2.0 * force);
+  }
+  if (force > 0.0) approach_under(force);
   return guess;
 }
 
