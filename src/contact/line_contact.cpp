@@ -36,8 +36,7 @@ double moes_line_central(const ContactSolids& solids, const Lubricant& oil, doub
   const double q = 0.2 * (7.0 + 8.0 * std::exp(-2.0 * H_EI / H_RI));
   const double isoviscous = std::pow(H_RI, 7.0 / 3.0) + std::pow(H_EI, 7.0 / 3.0);
   const double piezoviscous = std::pow(H_RP, -3.5) + std::pow(H_EP, -3.5);
-  const double H =
-      std::pow(std::pow(isoviscous, 3.0 * q / 7.0) + std::pow(piezoviscous, -2.0 * q / 7.0), 1.0 / q);
+  const double H = std::pow(std::pow(isoviscous, 3.0 * q / 7.0) + std::pow(piezoviscous, -2.0 * q / 7.0), 1.0 / q);
   const double density = relative_density(oil, line_contact(solids, load_per_length).pressure).value;
   return solids.radius_x * std::sqrt(speed) * H / density;
 }

@@ -3,8 +3,8 @@
 //
 //   a = (8 w' R_x/(pi E'))^(1/2) ,  p_h = 2 w'/(pi a)            (Johnson, Contact Mechanics, 1985, ch. 4)
 //   approach of a uniform line load in the middle of the face:  a^2/(2 R_x) (ln(2 F/a) + 1/2)
-// Central film of an incompressible fluid in M = w'/(E' R_x) s^(-1/2), L = alpha_B E' s^(1/4), s = 2 eta_0 u_m/(E' R_x),
-// with H = (h/R_x) s^(-1/2), divided by rho(p_h)/rho_0 as the formula for points is:
+// Central film of an incompressible fluid in M = w'/(E' R_x) s^(-1/2), L = alpha_B E' s^(1/4), s = 2 eta_0 u_m/(E'
+// R_x), with H = (h/R_x) s^(-1/2), divided by rho(p_h)/rho_0 as the formula for points is:
 //   H_RI = 3/M ,  H_EI = 2.621 M^(-1/5) ,  H_RP = 1.287 L^(2/3) ,  H_EP = 1.311 M^(-1/8) L^(3/4)
 //   q = (7 + 8 e^(-2 H_EI/H_RI))/5
 //   H = { (H_RI^(7/3) + H_EI^(7/3))^(3q/7) + (H_RP^(-7/2) + H_EP^(-7/2))^(-2q/7) }^(1/q)

@@ -30,7 +30,7 @@ struct Scales {
   double radius_ratio = 0.0;  ///< D = R_x*/R_y [-]
   double approach = 0.0;      ///< h_0n R_x*/a^2 [-], Hertz approach of the reference contact: its -H_0 when dry
   std::shared_ptr<const FaceLaw> face_law{};  ///< of the dry contact along a whole face, where there is one
-  double static_force = 0.0;  ///< F* [-], the integral of P that carries w*
+  double static_force = 0.0;                  ///< F* [-], the integral of P that carries w*
 
   /// Force [N] of a dimensionless pressure integral.
   double force(double pressure_integral) const { return operation.load * pressure_integral / static_force; }

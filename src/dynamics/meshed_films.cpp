@@ -175,8 +175,8 @@ void MeshedFilms::balance_at_rest() {
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
 }
 
-// One by one, beneath the forces of the others as they are: dry forces along a face are off by as much as bends teeth by
-// more than a film.
+// One by one, beneath the forces of the others as they are: dry forces along a face are off by as much as bends teeth
+// by more than a film.
 void MeshedFilms::follow_neighbours(const Compliance& compliance) {
   constexpr int most_sweeps = 10;
   constexpr double settled = 1e-4;  // of a force

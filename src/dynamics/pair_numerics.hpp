@@ -14,10 +14,10 @@
 namespace gearfilm {
 
 struct PairNumerics {
-  Domain domain;       ///< at first
-  MarginRule margins;  ///< by which it follows the contacts
-  int nx = 0;          ///< nodes along X
-  int ny = 0;          ///< nodes along Y
+  Domain domain;                          ///< at first
+  MarginRule margins;                     ///< by which it follows the contacts
+  int nx = 0;                             ///< nodes along X
+  int ny = 0;                             ///< nodes along Y
   std::optional<RowGrading> face_rows{};  ///< over the whole face in the place of ny equal rows
   FilmDiscretisation discretisation = FilmDiscretisation::fitted;
   SolverOptions solver;

@@ -43,16 +43,16 @@ FromEnd from_end(const RowAxis& axis, bool upper) {
   return seen;
 }
 
-/// Cells of rows cut into parts that grow by a third with the distance from the end, where p' changes that fast, and the
-/// rows to which they belong.
+/// Cells of rows cut into parts that grow by a third with the distance from the end, where p' changes that fast, and
+/// the rows to which they belong.
 struct FineCells {
   explicit FineCells(const FromEnd& rows) {
     constexpr double growth = 1.35;
     double smallest = 0.1 * rows.edges[1];
     for (int row = 0; row < rows.rows(); ++row) {
       std::vector<double> inner;  // from the far edge to the near one
-      for (double edge = rows.edges[row + 1] / growth;
-           edge > std::max(rows.edges[row] * std::sqrt(growth), smallest); edge /= growth) {
+      for (double edge = rows.edges[row + 1] / growth; edge > std::max(rows.edges[row] * std::sqrt(growth), smallest);
+           edge /= growth) {
         inner.push_back(edge);
       }
       edges.insert(edges.end(), inner.rbegin(), inner.rend());
@@ -102,7 +102,8 @@ void fill_from_corners(EvenTransforms& transforms, int count, double h_x, Corner
   std::vector<double> before(static_cast<std::size_t>(rows) * edges), behind(before);
   const auto find = [&](double x, std::vector<double>& corners) {
     for (int row = 0; row < rows; ++row) {
-      for (int edge = 0; edge < edges; ++edge) corners[static_cast<std::size_t>(row) * edges + edge] = corner(x, edge, row);
+      for (int edge = 0; edge < edges; ++edge)
+        corners[static_cast<std::size_t>(row) * edges + edge] = corner(x, edge, row);
     }
   };
   find(-0.5 * h_x, before);
@@ -112,8 +113,8 @@ void fill_from_corners(EvenTransforms& transforms, int count, double h_x, Corner
     for (int row = 0; row < rows; ++row) {
       const std::size_t first = static_cast<std::size_t>(row) * edges;
       for (int source = 0; source + 1 < edges; ++source) {
-        matrix(row, source) = behind[first + source + 1] - behind[first + source] - before[first + source + 1] +
-                              before[first + source];
+        matrix(row, source) =
+            behind[first + source + 1] - behind[first + source] - before[first + source + 1] + before[first + source];
       }
     }
     before.swap(behind);
@@ -158,9 +159,7 @@ EndFaces ends_of(const Face& face) { return {face.end, face.ending, face.mirror_
 
 // Periods of the transforms are four times the padded length: images of a load that is so far away bend nothing.
 EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& ends)
-    : rows_(shape.rows()),
-      lags_(shape.nx),
-      values_(static_cast<std::size_t>(rows_) * rows_ * lags_, 0.0) {
+    : rows_(shape.rows()), lags_(shape.nx), values_(static_cast<std::size_t>(rows_) * rows_ * lags_, 0.0) {
   const RowAxis& axis = shape.row_axis;
   const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx, true) + 1;
   const auto add = [&](bool upper, double share, EvenTransforms& added) {

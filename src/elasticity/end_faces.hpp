@@ -1,8 +1,8 @@
 // What free end faces add to the deformation of a half-space.
 //
 // One end at s = 0, s the distance from it along the flank, z the depth along the end face. With pressures p' on the
-// surface of the half-space, even in s, and q' likewise on the plane of the end face, there is no shear on either plane,
-// and the normal stresses vanish on the end face and are p on the flank where
+// surface of the half-space, even in s, and q' likewise on the plane of the end face, there is no shear on either
+// plane, and the normal stresses vanish on the end face and are p on the flank where
 //   p' + S q' = p ,  q' + S p' = 0 ,   so  p' = (1 - S^2)^-1 p ,  u = (K + K_mirrored) p'
 // (idea: Keer, Lee and Mura 1983, not looked up). S is the stress at depth z beneath unit pressure on a cell and its
 // mirror image,

@@ -141,7 +141,8 @@ FaceContact RowContact::solve(double force, double relative_radius) {
       Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size + 1, size + 1);
       Eigen::VectorXd right(size + 1);
       for (Eigen::Index r = 0; r < size; ++r) {
-        for (Eigen::Index c = 0; c < size; ++c) matrix(r, c) = middle_[static_cast<std::size_t>(set[r]) * count + set[c]];
+        for (Eigen::Index c = 0; c < size; ++c)
+          matrix(r, c) = middle_[static_cast<std::size_t>(set[r]) * count + set[c]];
         matrix(r, size) = -1.0;
         matrix(size, r) = weights_[set[r]];
         right[r] = -gaps_[set[r]];
@@ -171,8 +172,8 @@ FaceContact RowContact::solve(double force, double relative_radius) {
       if (rows_.is_ambient(row)) continue;
       if (!loaded[row]) {
         if (here < 0.0) loaded[row] = true;  // taken in again, as wide as a line contact of its load will be
-        half_widths_[row] = loaded[row] ? std::max(half_widths_[row], 0.1 * std::sqrt(force / rows_.half_width()))
-                                        : narrowest;
+        half_widths_[row] =
+            loaded[row] ? std::max(half_widths_[row], 0.1 * std::sqrt(force / rows_.half_width())) : narrowest;
         continue;
       }
       const double wanted = std::sqrt(std::max(2.0 * relative_radius * sinking, narrowest * narrowest));

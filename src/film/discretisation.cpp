@@ -5,9 +5,7 @@ namespace {
 
 constexpr int fewest_rows_per_process = 2;
 
-bool can_be_cut(const Grid& grid) {
-  return grid.keeps_rows() || grid.fewest_coarse_rows() >= fewest_rows_per_process;
-}
+bool can_be_cut(const Grid& grid) { return grid.keeps_rows() || grid.fewest_coarse_rows() >= fewest_rows_per_process; }
 
 }  // namespace
 
@@ -29,7 +27,8 @@ const Deformation<double>& Discretisation::prepare_deformation<double>() {
 
 template <>
 const Deformation<float>& Discretisation::prepare_deformation<float>() {
-  if (!single_deformation_) single_deformation_ = std::make_unique<const Deformation<float>>(grid_, C_h_, prepare_ends());
+  if (!single_deformation_)
+    single_deformation_ = std::make_unique<const Deformation<float>>(grid_, C_h_, prepare_ends());
   return *single_deformation_;
 }
 
@@ -49,7 +48,8 @@ Discretisation* Discretisation::prepare_coarser(Coarsening along) {
 }
 
 Discretisation* Discretisation::prepare_sequencing_grid() {
-  return prepare_coarser(!grid_.keeps_rows() && needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
+  return prepare_coarser(!grid_.keeps_rows() && needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only
+                                                                                             : Coarsening::both);
 }
 
 Discretisation* Discretisation::prepare_replicated() {
@@ -64,7 +64,8 @@ const Gather& Discretisation::prepare_gather() {
 }
 
 SharedDiscretisation discretise(const Grid& grid, const Scales& scales, FilmDiscretisation of_films) {
-  return std::make_shared<Discretisation>(grid, scales.C_h, of_films, scales.solids.face ? ends_of(*scales.solids.face) : EndFaces{});
+  return std::make_shared<Discretisation>(grid, scales.C_h, of_films,
+                                          scales.solids.face ? ends_of(*scales.solids.face) : EndFaces{});
 }
 
 }  // namespace gearfilm

@@ -42,12 +42,12 @@ DomainMargins required_margins(const MarginRule& rule, const Scales& scales, con
   const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
   if (b > rule.face) {
     std::ostringstream message;
-    message
-        << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
-        << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
-        << 2e3 * rule.face * scales.length
-        << " mm wide: the load reaches the edges of the teeth; set grid.whole_face to yes for films over the whole face, "
-           "or raise crowning or face width";
+    message << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
+            << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
+            << 2e3 * rule.face * scales.length
+            << " mm wide: the load reaches the edges of the teeth; set grid.whole_face to yes for films over the whole "
+               "face, "
+               "or raise crowning or face width";
     throw EdgesReached(message.str());
   }
   return {.inlet = growth * a + rule.inlet - conditions.nearest.X,

@@ -31,8 +31,7 @@ double largest_half_width(const Scales& scales, const ContactConditions& conditi
 double face_pressure(Discretisation& discretisation, const Scales& scales, const ContactConditions& conditions,
                      double pressure_integral, std::span<double> pressure) {
   const Grid& grid = discretisation.grid();
-  std::vector<double> loads = {pressure_integral},
-                      widths = {line_half_width(scales, conditions, pressure_integral)};
+  std::vector<double> loads = {pressure_integral}, widths = {line_half_width(scales, conditions, pressure_integral)};
   double approach = 0.0;
   if (!scales.solids.line) {
     RowContact& rows = discretisation.prepare_row_contact(scales);

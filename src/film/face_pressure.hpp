@@ -15,8 +15,8 @@ std::vector<double> face_gaps(const RowAxis& rows, const Scales& scales);
 /// The largest half-width of a row [a]; of a line contact its half-width.
 double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
 
-/// The pressure of row_contact.hpp under a pressure integral on the own nodes, zero on the boundary; compact. Returns the approach, from gap zero in the middle of the face; zero of a line contact,
-/// which has none. Throws SolveError.
+/// The pressure of row_contact.hpp under a pressure integral on the own nodes, zero on the boundary; compact. Returns
+/// the approach, from gap zero in the middle of the face; zero of a line contact, which has none. Throws SolveError.
 double face_pressure(Discretisation& discretisation, const Scales& scales, const ContactConditions& conditions,
                      double pressure_integral, std::span<double> pressure);
 

@@ -3,9 +3,9 @@
 
 #include <span>
 
+#include "film/discretisation.hpp"
 #include "film/smoother.hpp"
 #include "film/transfer.hpp"
-#include "film/discretisation.hpp"
 
 namespace gearfilm {
 

@@ -99,15 +99,18 @@ std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values) {
     read_end_relief(values, gear, face.width, face.gap);
     if (values.has(lead)) {
       face.gap.tables.push_back(read_ascending_points(
-          values, lead, "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
-                        "[m]"));
+          values, lead,
+          "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
+          "[m]"));
     }
     const double width = values.real_if_given(own_width).value_or(face.width);
     if (width < face.width) {
-      values.refuse(own_width, "is " + format_value(width) + " m, less than 'gear.face_width', which is that of the "
-                                                             "contact; give that of the narrower gear there");
+      values.refuse(own_width, "is " + format_value(width) +
+                                   " m, less than 'gear.face_width', which is that of the "
+                                   "contact; give that of the narrower gear there");
     }
-    bodies.push_back({values.real(gear + ".youngs_modulus"), values.real(gear + ".poisson_ratio"), width == face.width});
+    bodies.push_back(
+        {values.real(gear + ".youngs_modulus"), values.real(gear + ".poisson_ratio"), width == face.width});
   }
   face.ending = ending_bodies(bodies);
   return std::make_shared<const Face>(face);

@@ -44,20 +44,21 @@ Records contact_records() {
                          "velocity of body 1 less that of body 2"))};
   for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body));
   const Records finite = joined(
-      Records{number("load", "w", "N", closed(1e-9, 1e9), "load"),
-              optional("none: no crowning, with contact.face_width",
-                       former("crowning_radius", number("radius_y", "R_y", "m", closed(1e-6, 1000),
-                                                        "reduced radius across the entrainment"))),
-              optional("the contact has no ends", number("face_width", "F", "m", closed(1e-6, 10), face_width_meaning))},
+      Records{
+          number("load", "w", "N", closed(1e-9, 1e9), "load"),
+          optional("none: no crowning, with contact.face_width",
+                   former("crowning_radius",
+                          number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"))),
+          optional("the contact has no ends", number("face_width", "F", "m", closed(1e-6, 10), face_width_meaning))},
       end_relief_records("of the gap"),
       Records{preset(0.0, number("misalignment", "", "m", closed(-1e-2, 1e-2),
                                  "by how much the gap opens over the face, towards +y")),
               preset(0.0, number("logarithmic_profile", "c_L", "m", closed(0.0, 1e-3),
                                  "factor of a logarithmic profile, -c_L ln(1 - (2 y/F)^2)"))},
       end_face_records());
-  return joined(section("contact", Scope::bare, std::move(records)), section("contact", Scope::contact, finite),
-                section("contact", Scope::line,
-                        {number("line_load", "w'", "N/m", closed(1e-9, 1e9), "load by unit length")}));
+  return joined(
+      section("contact", Scope::bare, std::move(records)), section("contact", Scope::contact, finite),
+      section("contact", Scope::line, {number("line_load", "w'", "N/m", closed(1e-9, 1e9), "load by unit length")}));
 }
 
 Records grid_records() {

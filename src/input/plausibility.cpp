@@ -71,8 +71,7 @@ void compare_contact(const Scales& scales, Oddities& found) {
   compare(expected_central_film(scales.solids, scales.oil, scales.operation) * 1e6,
           {has_ellipse(scales.solids) ? "the central film by Nijenbanning, Venner and Moes"
                                       : "the central film of a line contact by Moes",
-           "um", 0.02, 50,
-           "thinner than the roughness of ground flanks", "thicker than films of loaded contacts"},
+           "um", 0.02, 50, "thinner than the roughness of ground flanks", "thicker than films of loaded contacts"},
           found);
 }
 

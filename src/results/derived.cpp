@@ -113,9 +113,7 @@ constexpr auto contact_members = std::to_array<Member<Derived>>({
     {"p_hertz", "p_h", "Pa", "largest pressure of the dry contact",
      [](const Derived& at) -> Summary { return at.scales.hertz.pressure; }},
     {"hertz_approach", "delta", "m", "approach of the dry bodies",
-     [](const Derived& at) -> Summary {
-       return at.scales.solids.line ? absent() : Summary(at.scales.hertz.approach);
-     }},
+     [](const Derived& at) -> Summary { return at.scales.solids.line ? absent() : Summary(at.scales.hertz.approach); }},
     {"M", "M", "-", "Moes' group of the load", [](const Derived& at) -> Summary { return at.groups.M; }},
     {"L", "L", "-", "Moes' group of the lubricant", [](const Derived& at) -> Summary { return at.groups.L; }},
     {"D", "D", "-", "R_x/R_y", [](const Derived& at) -> Summary { return at.groups.D; }},
@@ -157,9 +155,7 @@ constexpr auto motion_members = std::to_array<Member<Derived>>({
      }},
 });
 
-Summary of_formula(const Derived& at, const char* name) {
-  return at.films.contains(name) ? at.films[name] : absent();
-}
+Summary of_formula(const Derived& at, const char* name) { return at.films.contains(name) ? at.films[name] : absent(); }
 
 constexpr auto formula_members = std::to_array<Member<Derived>>({
     {"hamrock_dowson_h_central", "", "m", "central film, formula of Hamrock and Dowson",
@@ -178,42 +174,37 @@ constexpr auto formula_members = std::to_array<Member<Derived>>({
      [](const Derived& at) -> Summary { return at.heating["gupta_thermal_factor"]; }},
 });
 
-constexpr auto numerics_members =
-    std::to_array<Member<Derived>>(
-        {
-            {"nx", "", "-", "nodes in X on which a run would begin",
-             [](const Derived& at) -> Summary { return at.numerics.nx; }},
-            {"ny", "", "-", "nodes in Y", [](const Derived& at) -> Summary { return at.numerics.ny; }},
-            {"x_min", "", "a", "inlet end of the domain",
-             [](const Derived& at) -> Summary { return at.numerics.domain.x_min; }},
-            {"x_max", "", "a", "outlet end of the domain",
-             [](const Derived& at) -> Summary { return at.numerics.domain.x_max; }},
-            {"y_half", "", "b", "half width of the domain",
-             [](const Derived& at) -> Summary {
-               return has_ellipse(at.scales.solids) ? Summary(at.numerics.domain.y_half) : absent();
-             }},
-            {"expected_error_h_central", "", "-", "relative error of the central film that such a grid leads to expect",
-             [](const Derived& at) -> Summary { return if_finite(at.errors.central); }},
-            {"expected_error_h_min", "", "-", "relative error of the smallest film",
-             [](const Derived& at) -> Summary {
-               return if_finite(at.errors.smallest);
-             }},
-            {"dT", "dT", "-", "time step over a/u_m",
-             [](const Derived& at) -> Summary {
-               return of_gears(at, [](const CaseInput& problem) { return problem.numerics.steps.dT; });
-             }},
-            {"steps_in_mesh_period", "", "-", "time steps in a mesh period",
-             [](const Derived& at) -> Summary {
-               return of_gears(
-                   at, [](const CaseInput& problem) { return mesh_period(problem) / problem.numerics.steps.dT; });
-             }},
-            {"steps_in_free_oscillation", "", "-", "time steps in a free oscillation",
-             [](const Derived& at) -> Summary {
-               return at.problem.pair.line && at.problem.pair.equivalent_mass
-                          ? Summary(natural_period(at.problem) / at.numerics.steps.dT)
-                          : absent();
-             }},
-        });
+constexpr auto numerics_members = std::to_array<Member<Derived>>({
+    {"nx", "", "-", "nodes in X on which a run would begin",
+     [](const Derived& at) -> Summary { return at.numerics.nx; }},
+    {"ny", "", "-", "nodes in Y", [](const Derived& at) -> Summary { return at.numerics.ny; }},
+    {"x_min", "", "a", "inlet end of the domain",
+     [](const Derived& at) -> Summary { return at.numerics.domain.x_min; }},
+    {"x_max", "", "a", "outlet end of the domain",
+     [](const Derived& at) -> Summary { return at.numerics.domain.x_max; }},
+    {"y_half", "", "b", "half width of the domain",
+     [](const Derived& at) -> Summary {
+       return has_ellipse(at.scales.solids) ? Summary(at.numerics.domain.y_half) : absent();
+     }},
+    {"expected_error_h_central", "", "-", "relative error of the central film that such a grid leads to expect",
+     [](const Derived& at) -> Summary { return if_finite(at.errors.central); }},
+    {"expected_error_h_min", "", "-", "relative error of the smallest film",
+     [](const Derived& at) -> Summary { return if_finite(at.errors.smallest); }},
+    {"dT", "dT", "-", "time step over a/u_m",
+     [](const Derived& at) -> Summary {
+       return of_gears(at, [](const CaseInput& problem) { return problem.numerics.steps.dT; });
+     }},
+    {"steps_in_mesh_period", "", "-", "time steps in a mesh period",
+     [](const Derived& at) -> Summary {
+       return of_gears(at, [](const CaseInput& problem) { return mesh_period(problem) / problem.numerics.steps.dT; });
+     }},
+    {"steps_in_free_oscillation", "", "-", "time steps in a free oscillation",
+     [](const Derived& at) -> Summary {
+       return at.problem.pair.line && at.problem.pair.equivalent_mass
+                  ? Summary(natural_period(at.problem) / at.numerics.steps.dT)
+                  : absent();
+     }},
+});
 
 /// In the order in which they are shown.
 const std::vector<Member<Derived>>& derived_members() {

@@ -82,9 +82,7 @@ constexpr auto face_members = std::to_array<Member<AlongFace>>({
     {"p_max_y", "y", "m", "place of the largest pressure along the face",
      [](const AlongFace& of) -> Summary { return of.scales.length * of.face.largest_pressure_at(); }},
     {"tilting_moment", "M", "N m", "moment of the pressure about the middle of the face, int int p y dx dy",
-     [](const AlongFace& of) -> Summary {
-       return of.scales.force(of.face.tilting_moment) * of.scales.length;
-     }},
+     [](const AlongFace& of) -> Summary { return of.scales.force(of.face.tilting_moment) * of.scales.length; }},
     {"approach", "", "m", "approach of the bodies, without what their ends give way as a whole",
      [](const AlongFace& of) -> Summary { return -of.scales.thickness * of.result.solution.H0; }},
     {"side_flow_lower", "", "m^3/s", "oil that leaves at the end of negative y beside the contact, x > -a",
