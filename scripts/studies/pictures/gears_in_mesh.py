@@ -1,6 +1,6 @@
 """The gears of a pair in a window of their plane, with the line of action and the path of contact."""
 from studies.common.gears import DrawnGears
-from studies.common.plotting import DARK, GREY
+from studies.common.plotting import GREY
 from studies.common.sketching import plot_line, show_window
 
 BEYOND = 3  # of the line of action on either side of the path [mm]
