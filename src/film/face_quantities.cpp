@@ -54,11 +54,13 @@ FaceQuantities face_quantities(const ContactFilm& film) {
   const auto at = [&](int quantity, int row) -> double& {
     return rows[static_cast<std::size_t>(quantity) * grid.rows() + row];
   };
-  const int middle = std::clamp(static_cast<int>(std::lround(-grid.x(0) / grid.h_x())), 0, grid.nx() - 1);
+  // Linear between the lines beside X = 0, as the central film of a contact is.
+  const double middle = -grid.x(0) / grid.h_x();
+  const int before = std::clamp(static_cast<int>(middle), 0, grid.nx() - 2);
   for (int j = 0; j < grid.y_count(); ++j) {
     const int row = grid.y_begin() + j;
     at(smallest, row) = HUGE_VAL;
-    at(central, row) = film.thickness().row(middle)[j];
+    at(central, row) = std::lerp(film.thickness().row(before)[j], film.thickness().row(before + 1)[j], middle - before);
     for (int i = 0; i < grid.nx(); ++i) {
       const double pressure = film.total_pressure().row(i)[j];
       at(smallest, row) = std::min(at(smallest, row), film.thickness().row(i)[j]);

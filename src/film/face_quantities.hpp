@@ -11,7 +11,7 @@ namespace gearfilm {
 struct FaceQuantities {
   std::vector<double> Y;
   std::vector<double> smallest_film;     ///< of a row
-  std::vector<double> central_film;      ///< of a row, at the node nearest X = 0
+  std::vector<double> central_film;      ///< of a row, at X = 0
   std::vector<double> largest_pressure;  ///< of a row
   std::vector<double> line_load;         ///< Int P dX of a row
   double tilting_moment = 0.0;           ///< Int Int P Y dX dY

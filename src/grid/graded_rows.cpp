@@ -27,9 +27,12 @@ private:
   RowGrading grading_;
 };
 
-/// Rows behind `from` up to `to`, by the midpoint rule for the integral of 1/h.
+/// Rows behind `from` up to `to`, two places beside one another, by the midpoint rule for the integral of 1/h. h is
+/// shortest at one of them.
 void add_rows(const Steps& steps, double from, double to, std::vector<double>& rows) {
-  constexpr int parts = 4000;
+  constexpr double parts_in_step = 4.0;
+  const double shortest = std::min(steps(from), steps(to));
+  const int parts = std::max(4000, static_cast<int>(std::ceil(parts_in_step * (to - from) / shortest)));
   std::vector<double> passed(parts + 1, 0.0);
   const auto place = [&](double part) { return std::lerp(from, to, part / parts); };
   for (int n = 0; n < parts; ++n) passed[n + 1] = passed[n] + (to - from) / (parts * steps(place(n + 0.5)));
