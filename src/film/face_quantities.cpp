@@ -38,7 +38,9 @@ double FaceQuantities::smallest_film_beyond(double distance) const {
 }
 
 double FaceQuantities::smallest_film_at() const {
-  return Y[std::ranges::min_element(smallest_film.begin() + 1, smallest_film.end() - 1) - smallest_film.begin()];
+  const int left_out = corners_carry_films ? 0 : 1;
+  return Y[std::ranges::min_element(smallest_film.begin() + left_out, smallest_film.end() - left_out) -
+           smallest_film.begin()];
 }
 
 double FaceQuantities::largest_pressure_at() const {
@@ -69,14 +71,15 @@ FaceQuantities face_quantities(const ContactFilm& film) {
     }
   }
   double flows[2] = {0.0, 0.0};
-  if (!axis.single()) {
-    const int last = grid.local_row(grid.rows() - 1), first = grid.local_row(0);
-    if (last >= 0) flows[1] = flow_out(film, last - 1, last);
-    if (first >= 0 && !axis.mirrored()) flows[0] = flow_out(film, 1, 0);
+  for (int row = 0; row < axis.count(); ++row) {
+    const int j = grid.local_row(row);
+    if (j < 0 || !axis.is_ambient(row)) continue;
+    row == 0 ? flows[0] = flow_out(film, 1, 0) : flows[1] = flow_out(film, j - 1, j);
   }
   MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
   MPI_Allreduce(MPI_IN_PLACE, flows, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
   FaceQuantities face;
+  face.corners_carry_films = !film.scales().solids.face || film.scales().solids.face->end != EndFace::free;
   for (int whole = 0; whole < axis.whole_count(); ++whole) {
     const int row = axis.stored_row(whole);
     face.Y.push_back(axis.whole_y(whole));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "contact/line_contact.hpp"
+#include "elasticity/row_contact.hpp"
 #include "film_case.hpp"
 #include "grid/graded_rows.hpp"
 
@@ -27,11 +28,13 @@ inline Scales scales_of_solids(const ContactSolids& solids, double load) {
 }
 
 inline Scales face_scales(const Face& face, double radius_y = HUGE_VAL) {
-  return scales_of_solids({.radius_x = 9e-3,
-                           .radius_y = radius_y,
-                           .reduced_modulus = 226.3736e9,
-                           .face = std::make_shared<const Face>(face)},
-                          face_load);
+  Scales scales = scales_of_solids({.radius_x = 9e-3,
+                                    .radius_y = radius_y,
+                                    .reduced_modulus = 226.3736e9,
+                                    .face = std::make_shared<const Face>(face)},
+                                   face_load);
+  scales.face_law = std::make_shared<const FaceLaw>(face_law(scales, {0.9, 1.1}));
+  return scales;
 }
 
 inline Scales line_scales(double line_load) {

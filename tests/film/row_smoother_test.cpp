@@ -15,7 +15,7 @@ struct LinearFilm {
   LinearFilm(MPI_Comm comm, const Scales& scales, const GridShape& shape)
       : grid(comm, shape), film(discretise(grid, scales), scales, {.precision = Precision::double_precision}) {
     std::vector<double> pressure(grid.local_size());
-    face_pressure(grid, scales, film.conditions(), scales.static_force, pressure);
+    face_pressure(*film.discretisation(), scales, film.conditions(), scales.static_force, pressure);
     const double H0 = 0.2 - film.quantities(pressure, 0.0).smallest_film;
     film.linearise(pressure, H0, {}, shift);
     full.resize(pressure.size());
