@@ -15,6 +15,7 @@ import urllib.parse
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 BUILD = os.environ.get("GEARFILM_BUILD", str(SOURCE / "build/release"))
 PAGES = SOURCE / "build/pages/html"
+MATHJAX = pathlib.Path(os.environ.get("MATHJAX", "/usr/share/javascript/mathjax")) / "MathJax.js"
 sys.path.insert(0, str(SOURCE / "scripts/checks"))
 from documents import long_lines, misspelt, table_faults  # noqa: E402
 from page_sources import label, page_source, site_pages  # noqa: E402
@@ -41,7 +42,8 @@ def broken_links(page):
     return broken
 
 
-@unittest.skipUnless(shutil.which("doxygen") and shutil.which("hunspell"), "Doxygen or hunspell is not installed")
+@unittest.skipUnless(shutil.which("doxygen") and shutil.which("hunspell") and MATHJAX.exists(),
+                     "Doxygen, hunspell or MathJax is not installed")
 class Pages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -71,6 +73,8 @@ class Pages(unittest.TestCase):
         self.assertGreater(model.count('class="formulaDsp"'), 20)
         self.assertNotIn("$$", model)
         self.assertIn('src="fig04_contact.png"', model)
+        self.assertIn('src="mathjax/MathJax.js"', model)
+        self.assertTrue((PAGES / "mathjax/jax/output/SVG/jax.js").exists())
 
 
 @unittest.skipUnless(shutil.which("hunspell"), "hunspell is not installed")

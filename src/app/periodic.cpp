@@ -5,6 +5,7 @@
 #include "app/corner_contact.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
+#include "film/domain_margins.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
@@ -112,9 +113,7 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   warn_of_validity(comm, summary);
 }
 
-}  // namespace
-
-void run_periodic(MPI_Comm comm, const CaseInput& given) {
+void search(MPI_Comm comm, const CaseInput& given) {
   std::string remark;
   const CaseInput problem = periodic_case(given, remark);
   if (!remark.empty()) say(comm, remark);
@@ -135,6 +134,22 @@ void run_periodic(MPI_Comm comm, const CaseInput& given) {
     throw;
   }
   write_state(problem, search.mesh, found, run, output);
+}
+
+}  // namespace
+
+// Forces of a pair in motion are known when they are computed.
+void run_periodic(MPI_Comm comm, const CaseInput& given) {
+  const std::string whole_face = "grid.whole_face";
+  try {
+    search(comm, given);
+  } catch (const EdgesReached& error) {
+    if (given.parameters.text(whole_face) == "yes") throw;
+    say(comm, error.what(), ": the search begins again with films over the whole face (", whole_face, ": yes)");
+    ParameterValues values = given.parameters;
+    values.set(whole_face, "yes", "the choice of rows by the program");
+    search(comm, make_case(values));
+  }
 }
 
 }  // namespace gearfilm

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <utility>
 
+#include "contact/line_contact.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -106,6 +107,8 @@ double hertz_ellipticity(double radius_ratio) {
 
 HertzContact hertz_contact(const ContactSolids& solids, double load) {
   assert(load > 0.0 && solids.reduced_modulus > 0.0);
+  if (solids.line) return line_contact(solids, load);
+  if (solids.face) return finite_line_contact(solids, load);
   HertzContact contact;
   contact.ellipticity = hertz_ellipticity(solids.radius_x / solids.radius_y);
   const bool exchanged = contact.ellipticity > 1.0;

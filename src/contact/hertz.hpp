@@ -7,17 +7,23 @@
 // a is the half-axis along x (entrainment), b along y; R_x > R_y (a > b) is solved with the axes exchanged.
 #pragma once
 
+#include <memory>
+
+#include "contact/face.hpp"
+
 namespace gearfilm {
 
 /// 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2 [Pa].
 double reduced_modulus(double youngs_modulus_1, double poisson_ratio_1, double youngs_modulus_2,
                        double poisson_ratio_2);
 
-/// The bodies of a point contact.
+/// The bodies of a contact.
 struct ContactSolids {
-  double radius_x = 0.0;         ///< R_x [m]
-  double radius_y = 0.0;         ///< R_y [m]
-  double reduced_modulus = 0.0;  ///< E' [Pa]
+  double radius_x = 0.0;               ///< R_x [m]
+  double radius_y = 0.0;               ///< R_y [m]; infinite without crowning
+  double reduced_modulus = 0.0;        ///< E' [Pa]
+  std::shared_ptr<const Face> face{};  ///< the whole face, which is loaded; null where the contact ends within it
+  bool line = false;                   ///< endless along the face, with loads by unit length
 };
 
 /// Contact ellipse and pressure under a load w.
@@ -32,7 +38,8 @@ struct HertzContact {
 /// Ellipticity kappa = a/b for D = R_x/R_y, to round-off. Throws InputError unless 1e-6 <= D <= 1e6.
 double hertz_ellipticity(double radius_ratio);
 
-/// Hertz solution for a load w [N] > 0.
+/// Hertz solution for a load w [N] > 0; of a line contact, or beneath the mean line load of a face, that of
+/// line_contact.hpp.
 HertzContact hertz_contact(const ContactSolids& solids, double load);
 
 /// Load [N] that gives the approach [m] of the two bodies; zero for approach <= 0. Inverse of hertz_contact.

@@ -1,6 +1,7 @@
-// Moes' dimensionless groups of an elastohydrodynamic point contact.
+// Moes' dimensionless groups of an elastohydrodynamic point contact, and of a line contact or a loaded face.
 //
 //   M = w/(E' R_x^2) (2 eta_0 u_m/(E' R_x))^(-3/4)      load
+//   M = w'/(E' R_x) (2 eta_0 u_m/(E' R_x))^(-1/2)       load by unit length
 //   L = alpha_B E' (2 eta_0 u_m/(E' R_x))^(1/4)         lubricant
 //   D = R_x/R_y                                         radius ratio
 // Source: Moes 1992 (Wear 159, doi 10.1016/0043-1648(92)90287-7); u_m is the mean (entrainment) velocity.

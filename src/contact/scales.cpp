@@ -1,9 +1,12 @@
 // The scales of the dimensionless problem, eqs (20)-(26) of doi 10.1016/j.triboint.2013.01.017:
 //   X = x/a, P = p/p_h, H = h R_x*/a^2, T = t u_m*/a
+// Without an ellipse a and p_h are those of the mean line load: then 2 pi C_h = 1.
 #include "contact/scales.hpp"
 
 #include <cassert>
 #include <numbers>
+
+#include "contact/line_contact.hpp"
 
 namespace gearfilm {
 
@@ -18,6 +21,7 @@ Scales make_scales(const ContactSolids& solids, const Lubricant& oil, const Cont
   scales.solids = solids;
   scales.operation = operation;
   scales.oil = oil;
+  const bool ellipse = has_ellipse(solids);
   scales.hertz = hertz_contact(solids, operation.load);
 
   const double a = scales.hertz.a;
@@ -31,7 +35,9 @@ Scales make_scales(const ContactSolids& solids, const Lubricant& oil, const Cont
   scales.C_h = 2.0 * scales.pressure * R_x / (pi * solids.reduced_modulus * a);
   scales.radius_ratio = R_x / solids.radius_y;
   scales.approach = scales.hertz.approach / scales.thickness;
-  scales.static_force = 2.0 * pi / (3.0 * scales.hertz.ellipticity);
+  const double width = solids.line ? a : a * a;
+  scales.static_force =
+      ellipse ? 2.0 * pi / (3.0 * scales.hertz.ellipticity) : operation.load / (scales.pressure * width);
   return scales;
 }
 

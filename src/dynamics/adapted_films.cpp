@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/meshed_films.hpp"
+#include "film/face_pressure.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "gearfilm/error.hpp"
 #include "mesh/dry_force.hpp"
@@ -105,6 +106,11 @@ std::vector<double> MeshedFilms::rescaled_pressures(const std::vector<double>& d
     std::vector<double> own = values_of(contacts_[k].fields, field::pressure);
     if (before[k] > 0.0 && after[k] > 0.0) {
       const ContactConditions conditions = mesh_.contact(contacts_[k].number, T_).conditions;
+      if (mesh_.scales.face_law) {
+        own = rescaled_face_pressure(*discretisation_, mesh_.scales, conditions, before[k], after[k], own);
+        all.insert(all.end(), own.begin(), own.end());
+        continue;
+      }
       const HertzContact ellipse = dry_contact(mesh_.scales, conditions, before[k]);
       own = rescaled_hertz_pressure(discretisation_->grid(), mesh_.scales, ellipse, std::cbrt(after[k] / before[k]),
                                     own, conditions.nearest.X);

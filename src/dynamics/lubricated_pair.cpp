@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "film/face_pressure.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "mesh/reverse_flanks.hpp"
 #include "numerics/tuned.hpp"
@@ -69,7 +70,10 @@ void LubricatedPair::predict_for_load_share(Vec state, double T0, double T1) con
   if (mesh_.inertia > 0.0 || !share_) return;
   const auto approach_at = [&](double T) {
     const double share = share_at(T), compliance = mesh_.compliance(numbers_, T)(0, 0);
-    return mesh_.scales.approach * std::cbrt(share * share) + compliance * share * mesh_.scales.static_force;
+    const FaceLaw* face = mesh_.scales.face_law.get();
+    const double force = share * mesh_.scales.static_force;
+    const double contact = face ? face->approach(force, 1.0) : mesh_.scales.approach * std::cbrt(share * share);
+    return contact + compliance * force;
   };
   const double sinking = approach_at(T1) - approach_at(T0);
   set_motion(state, {motion(state).H0() - sinking, -sinking / (T1 - T0)});
@@ -101,6 +105,13 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     const double ratio = std::max<double>(smallest_ratio, std::sqrt(std::max<double>(0.0, approach) / before.approach));
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
+    if (const FaceLaw* face = mesh_.scales.face_law.get()) {
+      const double after = face->force(approach / mesh_.scales.thickness, 0.0, conditions.dry_radius());
+      system_.set_field(guess, k,
+                        rescaled_face_pressure(*films_[k]->discretisation(), mesh_.scales, conditions, force,
+                                               std::max(after, 0.01 * force), system_.field(last, k)));
+      continue;
+    }
     system_.set_field(
         guess, k,
         rescaled_hertz_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));

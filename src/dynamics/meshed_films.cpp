@@ -175,6 +175,31 @@ void MeshedFilms::balance_at_rest() {
   if (numbers.size() > 1) settle(LoadCondition::force(force, compliance));
 }
 
+// One by one, beneath the forces of the others as they are: dry forces along a face are off by as much as bends teeth
+// by more than a film.
+void MeshedFilms::follow_neighbours(const Compliance& compliance) {
+  constexpr int most_sweeps = 10;
+  constexpr double settled = 1e-4;  // of a force
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0.0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      std::vector<double> carried = forces();
+      const double before = carried[k];
+      carried[k] = 0.0;
+      const double displaced = compliance.displacements(motion_.H0(), carried)[k];
+      std::vector<double>& pressure = values_of(contacts_[k].fields, field::pressure);
+      const StationaryResult moved = located(label(contacts_[k].number), [&] {
+        return continue_stationary(*present_films()[k], LoadCondition::displacement(displaced, compliance.alone(k)),
+                                   options_.films, {pressure, displaced});
+      });
+      pressure = moved.solution.pressure;
+      const double after = moved.quantities.pressure_integral;
+      change = std::max(change, std::abs(after - before) / std::max(after, settled * mesh_.scales.static_force));
+    }
+    if (change < settled) break;
+  }
+}
+
 // From films that are near.
 void MeshedFilms::settle(const LoadCondition& load) {
   const ScopedStage stage("Stationary film");
@@ -195,7 +220,10 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
     const std::vector<double> dry = DryContacts(DryForce(mesh_), mesh_, numbers, T_).forces(motion_.H0());
     for (int number : numbers) contacts_.push_back(enter(number, numbers, dry));
     const Compliance compliance = mesh_.compliance(numbers, T_);
-    if (compliance.coupled()) settle(LoadCondition::displacement(motion_.H0(), compliance));
+    if (compliance.coupled()) {
+      if (mesh_.scales.face_law) follow_neighbours(compliance);
+      settle(LoadCondition::displacement(motion_.H0(), compliance));
+    }
   } else {
     balance_at_rest();
   }

@@ -96,6 +96,7 @@ private:
   ActiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
   /// Makes the present films stationary together.
+  void follow_neighbours(const Compliance& compliance);
   void settle(const LoadCondition& load);
   /// Takes the present films within a time to the present motion from where they were displaced before, by number.
   void follow(const std::map<int, double>& before, double duration);

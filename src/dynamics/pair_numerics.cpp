@@ -7,7 +7,24 @@
 
 namespace gearfilm {
 
+namespace {
+
+/// Over the whole face; half of it where both halves are alike.
+RowAxis rows_over_face(const Face& face, const RowGrading& grading, double a) {
+  std::vector<double> kinks = face.kinks();
+  for (double& y : kinks) y /= a;
+  return graded_rows(0.5 * face.width / a, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
+}
+
+}  // namespace
+
 GridShape grid_shape(const PairNumerics& numerics, const Scales& scales) {
+  const Domain& domain = numerics.domain;
+  if (scales.solids.line) return {numerics.nx, domain.x_min, domain.x_max, RowAxis::line()};
+  if (numerics.face_rows) {
+    return {numerics.nx, domain.x_min, domain.x_max,
+            rows_over_face(*scales.solids.face, *numerics.face_rows, scales.length)};
+  }
   return grid_shape(numerics.domain, scales.hertz.ellipticity, numerics.nx, numerics.ny);
 }
 
@@ -21,14 +38,16 @@ SharedDiscretisation discretise(const Grid& grid, const PairNumerics& numerics, 
 
 Steps steps_of(const PairNumerics& numerics) {
   const Domain& domain = numerics.domain;
-  return {(domain.x_max - domain.x_min) / (numerics.nx - 1), 2.0 * domain.y_half / (numerics.ny - 1)};
+  const bool equal_rows = numerics.ny > 1 && !numerics.face_rows;
+  return {(domain.x_max - domain.x_min) / (numerics.nx - 1),
+          equal_rows ? 2.0 * domain.y_half / (numerics.ny - 1) : 0.0};
 }
 
 std::optional<PairNumerics> coarser(const PairNumerics& numerics) {
   constexpr int fewest_x = 33, fewest_y = 9;
   PairNumerics coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
-  coarse.ny = (numerics.ny - 1) / 2 + 1;
+  if (!coarse.face_rows) coarse.ny = (numerics.ny - 1) / 2 + 1;
   coarse.steps.lengthen(2.0);
   return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
 }
@@ -40,8 +59,9 @@ SlightlyCoarser slightly_coarser(const PairNumerics& numerics) {
   };
   PairNumerics coarse = numerics;
   coarse.nx = fewer(numerics.nx);
-  coarse.ny = fewer(numerics.ny);
+  if (!coarse.face_rows) coarse.ny = fewer(numerics.ny);
   const double ratio = (numerics.nx - 1.0) / (coarse.nx - 1.0);
+  if (coarse.face_rows) coarse.face_rows->lengthen(ratio);
   coarse.steps.lengthen(ratio);
   return {coarse, ratio};
 }

@@ -8,15 +8,17 @@
 #include "film/discretisation.hpp"
 #include "film/expected_errors.hpp"
 #include "grid/domain.hpp"
+#include "grid/graded_rows.hpp"
 #include "solver/stationary.hpp"
 
 namespace gearfilm {
 
 struct PairNumerics {
-  Domain domain;       ///< at first
-  MarginRule margins;  ///< by which it follows the contacts
-  int nx = 0;          ///< nodes along X
-  int ny = 0;          ///< nodes along Y
+  Domain domain;                          ///< at first
+  MarginRule margins;                     ///< by which it follows the contacts
+  int nx = 0;                             ///< nodes along X
+  int ny = 0;                             ///< nodes along Y
+  std::optional<RowGrading> face_rows{};  ///< over the whole face in the place of ny equal rows
   FilmDiscretisation discretisation = FilmDiscretisation::fitted;
   SolverOptions solver;
   StepOptions steps;
@@ -29,7 +31,7 @@ GridShape grid_shape(const PairNumerics& numerics, const Scales& scales);
 /// What all films on the first grid, or on another, share. Collective.
 SharedDiscretisation discretise(MPI_Comm comm, const PairNumerics& numerics, const Scales& scales);
 SharedDiscretisation discretise(const Grid& grid, const PairNumerics& numerics, const Scales& scales);
-/// Steps along X and Y of the first grid, and of time.
+/// Steps along X and Y of the first grid, and of time; zero along Y where rows are graded, or single.
 Steps steps_of(const PairNumerics& numerics);
 
 /// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.

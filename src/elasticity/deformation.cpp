@@ -1,34 +1,16 @@
 #include "elasticity/deformation.hpp"
 
-#include <cmath>
-
 #include "elasticity/dense_y_convolution.hpp"
 #include "elasticity/fft_y_convolution.hpp"
 #include "parallel/events.hpp"
 
 namespace gearfilm {
-namespace {
-
-double love_corner(double x, double y) { return x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)); }
-
-}  // namespace
-
-double love_kernel(double x, double h_x, const Strip& strip) {
-  const double x_low = x - 0.5 * h_x, x_high = x + 0.5 * h_x;
-  return love_corner(x_high, strip.upper) - love_corner(x_low, strip.upper) - love_corner(x_high, strip.lower) +
-         love_corner(x_low, strip.lower);
-}
-
-double love_kernel(double x, double y, double h_x, double h_y) {
-  return love_kernel(x, h_x, {y - 0.5 * h_y, y + 0.5 * h_y});
-}
-
 // The kernel is evaluated in double: differences of nearly equal corners.
 template <class Real>
-Deformation<Real>::Deformation(const Grid& grid, double C_h)
-    : C_h_(C_h), h_x_(grid.h_x()), rows_(grid.row_axis()), spectra_(grid) {
+Deformation<Real>::Deformation(const Grid& grid, double C_h, std::shared_ptr<const EndFaceCompliance> ends)
+    : C_h_(C_h), h_x_(grid.h_x()), rows_(grid.row_axis()), ends_(std::move(ends)), spectra_(grid) {
   const Influence kernel = [this](int i, int j) { return coefficient(i, j); };
-  if (!rows_.has_equal_steps()) {
+  if (!rows_.has_equal_steps() || ends_) {
     const RowInfluence of_rows = [this](int i, int row, int source) { return coefficient(i, row, source); };
     across_ = std::make_unique<DenseYConvolution<Real>>(grid, of_rows, spectra_);
   } else if (DenseYConvolution<Real>::serve(spectra_.waves(), grid.rows())) {
@@ -41,10 +23,12 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h)
 // A row of symmetry counts half where it is transformed, and meets its own image.
 template <class Real>
 double Deformation<Real>::coefficient(int i, int row, int source) const {
+  if (rows_.single()) return C_h_ * line_kernel(i * h_x_, h_x_);
   const Strip strip = rows_.strip(source);
   const double y = rows_.y(row);
   double sum = love_kernel(i * h_x_, h_x_, {strip.lower - y, strip.upper - y});
   if (rows_.mirrored()) sum += love_kernel(i * h_x_, h_x_, {-strip.upper - y, -strip.lower - y});
+  if (ends_ && i < ends_->lags()) sum += (source == rows_.mirror_row() ? 2.0 : 1.0) * (*ends_)(i, row, source);
   return C_h_ * sum;
 }
 

@@ -11,26 +11,24 @@
 //   sum_l ( K(j-l) + K(j+l) ) q(l) .
 //
 // Rows at unequal distances have cells that reach half-way to their neighbours, and so a kernel for each pair of rows.
+// What the ends of a face change (end_faces.hpp) is added to these. A single row is that of a line contact.
 //
 // Rows are transformed in x (x_spectra.hpp; local, the grid is cut in y). In y few or unequal rows are summed over
 // (dense_y_convolution.hpp), many equal ones are transformed too (fft_y_convolution.hpp).
 #pragma once
 
+#include "elasticity/end_faces.hpp"
+#include "elasticity/love.hpp"
 #include "elasticity/y_convolution.hpp"
 
 namespace gearfilm {
-
-/// Deformation at distance (x, y) from the centre of a cell h_x by h_y under unit pressure, without C_h.
-double love_kernel(double x, double y, double h_x, double h_y);
-/// Deformation at distance x from the middle line of a cell h_x wide that lies in a strip of Y relative to the place,
-/// under unit pressure, without C_h.
-double love_kernel(double x, double h_x, const Strip& strip);
 
 /// The operator K on one grid. All processes of the grid call it together.
 template <class Real>
 class Deformation {
 public:
-  Deformation(const Grid& grid, double C_h);
+  /// ends: null where both are far away.
+  Deformation(const Grid& grid, double C_h, std::shared_ptr<const EndFaceCompliance> ends = {});
 
   /// deformation = K pressure on the own nodes; ghosts are neither read nor written.
   void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
@@ -41,13 +39,15 @@ public:
     const double h_y = rows_.equal_step();
     return C_h_ * love_kernel(i * h_x_, j * h_y, h_x_, h_y);
   }
-  /// Deformation at a row, i lines away from unit pressure on the cell of a source row and on its mirror image.
+  /// Deformation at a row, i lines away from unit pressure on the cell of a source row and on its mirror image, with
+  /// what ends of the face add.
   double coefficient(int i, int row, int source) const;
 
 private:
   double C_h_;
   double h_x_;
   RowAxis rows_;
+  std::shared_ptr<const EndFaceCompliance> ends_;
   // Work space of apply() within.
   mutable XSpectra<Real> spectra_;
   std::unique_ptr<YConvolution<Real>> across_;

@@ -8,7 +8,7 @@ namespace gearfilm {
 NearestPoint nearest_point(const Scales& scales, const ContactConditions& conditions) {
   constexpr int places = 40;                      // on either side
   constexpr double step = 0.1, half_width = 0.5;  // [a]
-  if (!conditions.local.flanks) return {};
+  if (!conditions.local.flanks) return {.drop = scales.face_law ? -scales.face_law->nearest() : 0.0};
   const auto gap = [&](double X) {
     return 0.5 * X * X / conditions.relative_radius + conditions.local(X * scales.length) / scales.thickness;
   };
@@ -36,7 +36,18 @@ ContactSolids solids_of(const Scales& scales, const ContactConditions& condition
 }
 
 HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
-  return hertz_contact(solids_of(scales, conditions), scales.force(pressure_integral));
+  if (!scales.face_law) return hertz_contact(solids_of(scales, conditions), scales.force(pressure_integral));
+  const FaceContact dry = scales.face_law->at_force(pressure_integral, conditions.dry_radius());
+  return {.ellipticity = scales.hertz.ellipticity,
+          .a = scales.length * dry.half_width,
+          .b = scales.hertz.b,
+          .pressure = scales.pressure * dry.pressure,
+          .approach = scales.thickness * dry.approach};
+}
+
+ContactLaw contact_law(const Scales& scales, const ContactConditions& conditions) {
+  if (scales.face_law) return ContactLaw::of_face(scales.face_law, conditions.dry_radius());
+  return ContactLaw::of_ellipse(force_at_unit_approach(scales, conditions));
 }
 
 double force_at_unit_approach(const Scales& scales, const ContactConditions& conditions) {

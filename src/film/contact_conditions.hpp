@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "contact/contact_law.hpp"
 #include "contact/scales.hpp"
 #include "gear/local_profile.hpp"
 
@@ -12,7 +13,7 @@ namespace gearfilm {
 /// Where flanks that have a shape of their own along the contact come nearest to each other.
 struct NearestPoint {
   double X = 0.0;
-  double drop = 0.0;                        ///< of the gap, from X = 0 [-]
+  double drop = 0.0;                        ///< of the gap, from X = 0 in the middle of the face [-]
   std::optional<double> relative_radius{};  ///< of the parabola there, R_x/R_x*; absent: as without
   /// Largest ratio, either way, of R_x of that parabola to R_x of the involutes.
   static constexpr double widest_ratio = 10.0;
@@ -41,10 +42,15 @@ NearestPoint nearest_point(const Scales& scales, const ContactConditions& condit
 /// The reference contact's solids with the radius R_x of the moment.
 ContactSolids solids_of(const Scales& scales, const ContactConditions& conditions);
 
-/// Pressure integral of the dry contact that one unit of H presses together, without its offset [-].
+/// Pressure integral of an elliptic dry contact that one unit of H presses together, without its offset [-].
 double force_at_unit_approach(const Scales& scales, const ContactConditions& conditions);
 
-/// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI].
+/// How the dry contact answers to an approach [-].
+ContactLaw contact_law(const Scales& scales, const ContactConditions& conditions);
+
+/// Hertz contact of the given radius under the pressure integral F (in units of F*: the reference load) [SI]. Along a
+/// whole face a is the largest half-width of a row that is not beside an end, the pressure likewise, and the approach
+/// is counted from where the flanks meet.
 HertzContact dry_contact(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
 
 }  // namespace gearfilm

@@ -18,6 +18,13 @@ namespace {
 /// diverge.
 double longest_level_step(const Scales& scales) { return 1.2 * inlet_rise(ExpectedFilm(scales)); }
 
+/// Own rows whose films count. At free ends of a face, where P = 0, the film beneath the edge itself is thinner than
+/// any step of rows resolves, and it carries nothing: it is no film of the model.
+RowRange rows_with_film(const Grid& grid, const Scales& scales) {
+  const Face* face = scales.solids.face.get();
+  return face && face->end == EndFace::free ? grid.inner_rows() : RowRange{0, grid.y_count()};
+}
+
 }  // namespace
 
 ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
@@ -210,8 +217,9 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
     maxima[central_pressure] = at_centre(state_.total_pressure);
     maxima[central_film] = at_centre(state_.thickness);
   }
+  const RowRange rows = rows_with_film(grid_, scales_);
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int j = 0; j < grid_.y_count(); ++j) {
+    for (int j = rows.begin; j < rows.end; ++j) {
       maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.total_pressure.row(i)[j]);
       maxima[negative_film] = std::max(maxima[negative_film], -state_.thickness.row(i)[j]);
     }

@@ -7,6 +7,7 @@
 
 #include "contact/scales.hpp"
 #include "elasticity/deformation.hpp"
+#include "elasticity/row_contact.hpp"
 #include "film/reynolds.hpp"
 #include "grid/gather.hpp"
 #include "grid/halo.hpp"
@@ -18,8 +19,8 @@ namespace gearfilm {
 /// deformed.
 class Discretisation {
 public:
-  /// C_h as in Scales.
-  Discretisation(Grid grid, double C_h, FilmDiscretisation of_films);
+  /// C_h as in Scales; ends of the face, where the rows reach them.
+  Discretisation(Grid grid, double C_h, FilmDiscretisation of_films, EndFaces ends = {});
   Discretisation(const Discretisation&) = delete;
   Discretisation& operator=(const Discretisation&) = delete;
 
@@ -30,6 +31,9 @@ public:
   /// K in either precision.
   template <class Real>
   const Deformation<Real>& prepare_deformation();
+
+  /// The dry contact on the rows of a whole face; of scales that have one.
+  RowContact& prepare_row_contact(const Scales& scales);
 
   /// Every second node along either direction or one, cut likewise among the processes; null where that would leave a
   /// process fewer than two rows, or where there are too few nodes.
@@ -47,8 +51,12 @@ public:
   const Gather& prepare_gather();
 
 private:
+  std::shared_ptr<const EndFaceCompliance> prepare_ends();
+
   Grid grid_;
   double C_h_;
+  EndFaces ends_;
+  std::shared_ptr<const EndFaceCompliance> end_compliance_;
   Halo halo_;
   ReynoldsEquation equation_;
   std::unique_ptr<const Deformation<double>> deformation_;
@@ -56,6 +64,7 @@ private:
   std::array<std::unique_ptr<Discretisation>, 3> coarser_;  ///< by Coarsening
   std::unique_ptr<Discretisation> replicated_;
   std::unique_ptr<const Gather> gather_;
+  std::unique_ptr<RowContact> row_contact_;
 };
 
 using SharedDiscretisation = std::shared_ptr<Discretisation>;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact/line_contact.hpp"
+#include "film/face_pressure.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -30,17 +32,23 @@ int cells_to(double present, double wanted, double step, int block) {
 DomainMargins required_margins(const MarginRule& rule, const Scales& scales, const ContactConditions& conditions,
                                double pressure_integral, const std::string& where, double growth) {
   if (pressure_integral <= 0.0) return {};
+  if (!has_ellipse(scales.solids)) {
+    const double a = largest_half_width(scales, conditions, pressure_integral);
+    return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
+            .outlet = outlet * growth * a + conditions.nearest.X,
+            .side = 0.0};
+  }
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
   const double a = ellipse.a / scales.length, b = ellipse.b / scales.length;
   if (b > rule.face) {
     std::ostringstream message;
-    message
-        << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
-        << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
-        << 2e3 * rule.face * scales.length
-        << " mm wide: the load reaches the edges of the teeth, which are not modelled; raise crowning or face width, "
-           "or lower the load";
-    throw SolveError(message.str());
+    message << where << ": the Hertz ellipse under " << pressure_integral / scales.static_force
+            << " times the static load is " << 2e3 * ellipse.b << " mm long, and the face is "
+            << 2e3 * rule.face * scales.length
+            << " mm wide: the load reaches the edges of the teeth; set grid.whole_face to yes for films over the whole "
+               "face, "
+               "or raise crowning or face width";
+    throw EdgesReached(message.str());
   }
   return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
           .outlet = outlet * growth * a + conditions.nearest.X,
@@ -57,18 +65,20 @@ bool fits(const GridShape& shape, const DomainMargins& needed) {
 
 GridShape widened(const GridShape& shape, const DomainMargins& needed, const MarginRule& rule) {
   const RowAxis& rows = shape.row_axis;
-  const double h_x = shape.h_x(), h_y = rows.equal_step(), half_width = rows.half_width();
-  const int block_x = block_of(shape.nx - 1), block_y = block_of(rows.cells_outwards());
+  const double h_x = shape.h_x(), half_width = rows.half_width();
+  const int block_x = block_of(shape.nx - 1);
   const auto spared = [](double present, double wanted) { return wanted > present ? in_spare * wanted : present; };
   GridShape wide = shape;
   const int before = cells_to(-shape.x_min, spared(-shape.x_min, needed.inlet), h_x, block_x);
   const int after = cells_to(shape.x_max, spared(shape.x_max, needed.outlet), h_x, block_x);
-  // Beyond the face there is no tooth: less than a block serves there.
-  int across = cells_to(half_width, spared(half_width, needed.side), h_y, block_y);
-  while (across > 0 && half_width + (across - 1) * h_y >= rule.face) --across;
   wide.nx += before + after;
   wide.x_min -= before * h_x;
   wide.x_max += after * h_x;
+  if (needed.side <= half_width) return wide;
+  const double h_y = rows.equal_step();
+  // Beyond the face there is no tooth: less than a block serves there.
+  int across = cells_to(half_width, spared(half_width, needed.side), h_y, block_of(rows.cells_outwards()));
+  while (across > 0 && half_width + (across - 1) * h_y >= rule.face) --across;
   if (across > 0) wide.row_axis = rows.extended(across);
   return wide;
 }

@@ -8,9 +8,16 @@
 #include <string>
 
 #include "film/contact_conditions.hpp"
+#include "gearfilm/error.hpp"
 #include "grid/grid.hpp"
 
 namespace gearfilm {
+
+/// A contact that ends within the face at first has come to its edges: films over the whole face go on.
+class EdgesReached : public SolveError {
+public:
+  using SolveError::SolveError;
+};
 
 /// By what the edges follow.
 struct MarginRule {
@@ -29,7 +36,7 @@ struct DomainMargins {
 };
 
 /// What a contact under a pressure integral must have at least, growth: with half-axes that are about to be so many
-/// times as long. Throws SolveError, naming `where`, if its ellipse reaches the edges of the teeth.
+/// times as long. Throws EdgesReached, naming `where`, if its ellipse reaches the edges of the teeth.
 DomainMargins required_margins(const MarginRule& rule, const Scales& scales, const ContactConditions& conditions,
                                double pressure_integral, const std::string& where, double growth = 1.0);
 /// What several contacts on one grid need.

@@ -21,14 +21,14 @@ constexpr int lines_between(int i, int k) { return i < k ? k - i : i - k; }
 
 template <class Real>
 LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation)
-    : halo_(halo),
+    : Smoother<Real>(grid),
+      halo_(halo),
       nx_(grid.nx()),
       rows_(grid.y_count()),
       inverse_h_x2_(1.0 / (grid.h_x() * grid.h_x())),
       long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       band_(static_cast<std::size_t>(nx_) * band_width * rows_),
       distributive_(grid),
-      full_film_(grid),
       spread_(grid) {
   const double inverse_h_y2 = 1.0 / (grid.h_y() * grid.h_y());
   const double w_x = 0.5 * inverse_h_x2_ / (inverse_h_x2_ + inverse_h_y2);

@@ -23,25 +23,19 @@
 
 #include <array>
 
-#include "film/film_stencil.hpp"
-#include "elasticity/deformation.hpp"
-#include "grid/halo.hpp"
+#include "film/smoother.hpp"
 
 namespace gearfilm {
 
 template <class Real>
-class LineSmoother {
+class LineSmoother final : public Smoother<Real> {
 public:
   using Part = PartOf<Real>;
 
   LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation);
 
-  /// Builds and factors the bands of all lines. oscillation: |s| of a film that oscillates, else 0.
-  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0);
-  /// 1 where Reynolds' equation holds, else 0.
-  const Field<Part>& full_film() const { return full_film_; }
-  /// change += one damped relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
-  void relax(Field<Real>& residual, Field<Real>& change);
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) override;
+  void relax(Field<Real>& residual, Field<Real>& change) override;
 
 private:
   static constexpr int half_width = 3;
@@ -79,7 +73,7 @@ private:
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
   Field<Part> distributive_;  ///< 1 where the unknown is a distributive change
-  Field<Part> full_film_;
+  using Smoother<Real>::full_film_;
   Field<Real> spread_;  ///< distributive changes, with ghosts
 };
 

@@ -10,7 +10,9 @@ namespace gearfilm {
 namespace {
 
 /// How to coarsen a level, if at all. Where long cells keep their rows they are not coarsened once that ends along X.
+/// Where rows are relaxed whole, they leave nothing to a coarser level.
 std::optional<Coarsening> coarsening_of(const Grid& grid, bool keep_rows, int fewest_nodes, double longest_step) {
+  if (grid.keeps_rows()) return {};
   const auto serves = [&](int nodes) { return (nodes - 1) / 2 + 1 >= fewest_nodes; };
   const bool in_x = grid.can_coarsen(Coarsening::x_only) && serves(grid.nx()) && 2.0 * grid.h_x() <= longest_step;
   const bool in_y = !(keep_rows && needs_all_rows(grid)) && grid.can_coarsen(Coarsening::y_only) && serves(grid.ny());
@@ -216,8 +218,8 @@ void FilmMultigrid<Real>::build_cycle() {
       if (whole_) {
         configure_gathered(coarse, matrix);
       } else {
-        configure_smoother(coarse, matrix, shell,
-                             options_.levels == 1 ? options_.smoothing_sweeps : options_.coarse_sweeps);
+        const bool once = options_.levels == 1 || grid.keeps_rows();
+        configure_smoother(coarse, matrix, shell, once ? options_.smoothing_sweeps : options_.coarse_sweeps);
       }
     } else {
       KSP smoother = nullptr;

@@ -1,8 +1,8 @@
 // The linearised film of one contact on all its levels: its products, and its multigrid preconditioner.
 //
 // One V-cycle of PETSc's PCMG. Its levels are shells: the operator of every level is the film linearised about the
-// state injected from the finest one (film_stencil.hpp) with that level's own convolution, its smoother the
-// distributive line relaxation (line_smoother.hpp), its transfers those of transfer.hpp. Where cells are long across,
+// state injected from the finest one (film_stencil.hpp) with that level's own convolution, its smoother that
+// of smoother.hpp, its transfers those of transfer.hpp. Where cells are long across,
 // levels have half the lines and all rows: what the smoother leaves there are long waves along X of single rows. One
 // level means the smoother alone. Where a coarser grid would leave a process fewer than two rows, every process goes on
 // with the whole rest of the hierarchy itself: the same cycle for any number of processes.

@@ -9,7 +9,7 @@ MultigridLevel<Real>::MultigridLevel(Discretisation& discretisation)
     : discretisation_(discretisation),
       deformation_(discretisation.prepare_deformation<Real>()),
       linear_(grid()),
-      smoother_(grid(), discretisation.halo(), deformation_),
+      smoother_(make_smoother<Real>(grid(), discretisation.halo(), deformation_)),
       change_(grid()),
       deformed_(grid()),
       rows_(grid()) {}
@@ -17,7 +17,7 @@ MultigridLevel<Real>::MultigridLevel(Discretisation& discretisation)
 template <class Real>
 void MultigridLevel<Real>::update(const FilmState& state, double shift) {
   linearise(discretisation_.equation(), shift, state, linear_);
-  smoother_.factor(linear_, state);
+  smoother_->factor(linear_, state);
 }
 
 template <class Real>
@@ -53,7 +53,7 @@ void MultigridLevel<Real>::smooth(std::span<const double> right_side, std::span<
         for (int j = 0; j < grid().y_count(); ++j) rows[j] = static_cast<Real>(right[j]) - rows[j];
       }
     }
-    smoother_.relax(rows_, change_);
+    smoother_->relax(rows_, change_);
   }
   change_.store(change);
 }
@@ -65,7 +65,7 @@ void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, std::span<const d
   fine.rows_.load(fine_residual);
   fine.discretisation_.halo().exchange(fine.rows_);
   rows_.fill(Real(0));
-  restrict_residual(fine.grid(), grid(), fine.rows_, smoother_.full_film(), rows_);
+  restrict_residual(fine.grid(), grid(), fine.rows_, smoother_->full_film(), rows_);
   rows_.store(residual);
 }
 
@@ -76,7 +76,7 @@ void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, std::span<const 
   change_.load(correction);
   discretisation_.halo().exchange(change_);
   fine.change_.load(fine_change);
-  add_interpolated(grid(), fine.grid(), change_, fine.smoother_.full_film(), fine.change_);
+  add_interpolated(grid(), fine.grid(), change_, fine.smoother_->full_film(), fine.change_);
   fine.change_.store(fine_change);
 }
 

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "film/line_smoother.hpp"
-#include "film/transfer.hpp"
 #include "film/discretisation.hpp"
+#include "film/smoother.hpp"
+#include "film/transfer.hpp"
 
 namespace gearfilm {
 
@@ -40,7 +40,7 @@ private:
   const Discretisation& discretisation_;
   const Deformation<Real>& deformation_;
   FilmStencil<Real> linear_;
-  LineSmoother<Real> smoother_;
+  std::unique_ptr<Smoother<Real>> smoother_;
   Field<Real> change_;
   Field<Real> deformed_;
   Field<Real> rows_;

@@ -1,6 +1,6 @@
 #include "film/oscillating_film.hpp"
 
-#include "film/line_smoother.hpp"
+#include "film/smoother.hpp"
 
 namespace gearfilm {
 
@@ -8,7 +8,7 @@ struct OscillatingFilm::Work {
   explicit Work(Discretisation& on)
       : deformation(on.prepare_deformation<double>()),
         linear(on.grid()),
-        smoother(on.grid(), on.halo(), deformation),
+        smoother(make_smoother<std::complex<double>>(on.grid(), on.halo(), deformation)),
         change(on.grid()),
         deformed(on.grid()),
         rows(on.grid()),
@@ -17,7 +17,7 @@ struct OscillatingFilm::Work {
 
   const Deformation<double>& deformation;
   FilmStencil<std::complex<double>> linear;
-  LineSmoother<std::complex<double>> smoother;
+  std::unique_ptr<Smoother<std::complex<double>>> smoother;
   Field<std::complex<double>> change, deformed, rows;
   Field<double> part, deformed_part;  ///< real or imaginary
 };
@@ -52,7 +52,7 @@ OscillatingFilm::~OscillatingFilm() = default;
 
 void OscillatingFilm::update(const FilmState& state, std::complex<double> s) {
   linearise(discretisation_.equation(), s, state, work_->linear);
-  work_->smoother.factor(work_->linear, state, std::abs(s));
+  work_->smoother->factor(work_->linear, state, std::abs(s));
 }
 
 void OscillatingFilm::multiply(std::span<const double> change, std::span<double> rows) {
@@ -89,7 +89,7 @@ void OscillatingFilm::relax(std::span<const double> rows, std::span<double> chan
   Work& work = *work_;
   load_parts(rows, work.rows);
   work.change.fill(0.0);
-  work.smoother.relax(work.rows, work.change);
+  work.smoother->relax(work.rows, work.change);
   store_parts(work.change, change);
 }
 

@@ -1,6 +1,6 @@
 // The film linearised about a state at rest, oscillating as exp(s T) with complex s:
 //   (A + s B) p + (a + s b) H_0 ,      A = dG/dP ,  a = dG/dH ,  B, b: the same of rho H at full nodes
-// and one relaxation of it, line_smoother.hpp. Oil carries away what film it was given at the inlet, in waves of the
+// and one relaxation of it, smoother.hpp. Oil carries away what film it was given at the inlet, in waves of the
 // length 2 pi U/|Im s|. Where conductance is small the operator nearly vanishes on them; a real shift, of whatever
 // size, does not, so that nothing made for time steps stands for it there.
 // Arrays are compact, [real parts, imaginary parts]: 2 nx*y_count values of this process.

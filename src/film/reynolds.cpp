@@ -96,9 +96,9 @@ ReynoldsEquation::ReynoldsEquation(const Grid& on_grid, double C_h, FilmDiscreti
   for (int j = 0; j < grid.y_count(); ++j) {
     const double before = grid.row_axis().step(grid.y_begin() + j - 1),
                  after = grid.row_axis().step(grid.y_begin() + j);
-    const double width = 0.5 * (before + after);
-    south.push_back(1.0 / (width * before));
-    north.push_back(1.0 / (width * after));
+    const double width = 0.5 * (before + after), across = grid.row_axis().single() ? 0.0 : 1.0;
+    south.push_back(across / (width * before));
+    north.push_back(across / (width * after));
   }
 }
 

@@ -49,7 +49,7 @@ struct ReynoldsEquation {
   double inverse_h_x2;
   double carrying;                   ///< conductance over U of a face through which as much oil is carried as conducted
   std::vector<double> south, north;  ///< by own row, of the flow from the row before and to the next one:
-                                     ///< 1/(h_y h_south), 1/(h_y h_north)
+                                     ///< 1/(h_y h_south), 1/(h_y h_north); zero in a line contact
 };
 
 /// Computes G on the own nodes, compact, and sets state.full_film and state.row_scale. RequiredModel the ghosts of the

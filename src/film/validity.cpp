@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact/line_contact.hpp"
+#include "film/face_pressure.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -10,6 +12,16 @@ namespace gearfilm {
 void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions, double pressure_integral,
                   const std::string& where) {
   if (pressure_integral <= 0.0) return;
+  const GridShape& shape = grid.shape();
+  if (!has_ellipse(scales.solids)) {
+    const double half_width = largest_half_width(scales, conditions, pressure_integral);
+    if (half_width < std::min(shape.x_max, -shape.x_min)) return;
+    std::ostringstream message;
+    message << where << ": the dry contact under " << pressure_integral / scales.static_force
+            << " times the static load is " << half_width << " a wide on either side, and the grid reaches from "
+            << shape.x_min << " to " << shape.x_max << "; set grid_x_min and grid_x_max beyond it";
+    throw SolveError(message.str());
+  }
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
   const auto require = [&](double half_axis, double edge, const std::string& side, const std::string& option) {
     if (half_axis < std::abs(edge)) return;
@@ -20,7 +32,6 @@ void check_domain(const Grid& grid, const Scales& scales, const ContactCondition
             << std::copysign(1.1 * half_axis, edge);
     throw SolveError(message.str());
   };
-  const GridShape& shape = grid.shape();
   require(ellipse.b / scales.hertz.b, scales.hertz.ellipticity * shape.row_axis.half_width(), "side", "grid_y_half");
   require(ellipse.a / scales.hertz.a + conditions.nearest.X, shape.x_max, "outlet", "grid_x_max");
   require(ellipse.a / scales.hertz.a - conditions.nearest.X, shape.x_min, "inlet", "grid_x_min");
@@ -32,6 +43,12 @@ void check_validity(const ContactFilm& film, const FilmQuantities& quantities, c
   }
   if (quantities.smallest_film <= 0.0) {
     std::ostringstream message;
+    if (film.scales().solids.face && film.scales().solids.face->end != EndFace::free) {
+      message << where << ": smallest film " << quantities.smallest_film * film.scales().thickness
+              << " m is not positive: the flanks touch at the end of the face, beneath which the solids go on; give an "
+                 "end relief, or end_face: free";
+      throw SolveError(message.str());
+    }
     message << where << ": smallest film " << quantities.smallest_film * film.scales().thickness
             << " m is not positive; use a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
                "grid_y_half)";

@@ -167,6 +167,13 @@ double LineOfAction::radius_x(double xi) const {
   return pinion * wheel / (pinion + wheel);
 }
 
+// R_x is a parabola over the path, largest midway between the base circles: its ends have the smallest.
+std::array<double, 2> LineOfAction::relative_radii() const {
+  const double top = std::clamp(0.5 * (radius_wheel(0.0) - radius_pinion(0.0)), entry_, exit_);
+  const double reference = radius_x(0.0);
+  return {std::min(radius_x(entry_), radius_x(exit_)) / reference, radius_x(top) / reference};
+}
+
 double LineOfAction::entrainment_velocity(double xi, double pinion_speed) const {
   // u_m = Omega_1 [R_b1 tan(alpha') + (1-tau) xi/2]
   return pinion_speed * (radius_pinion(0.0) + (1.0 - speed_ratio_) * xi / 2.0);

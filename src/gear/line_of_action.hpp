@@ -5,6 +5,7 @@
 // Source: Barbieri, Lubrecht, Pellicano 2013, doi 10.1016/j.triboint.2013.01.017, eqs (13)-(19).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gear/gear_pair.hpp"
@@ -33,6 +34,8 @@ public:
   double radius_wheel(double xi) const;
   double radius_x(double xi) const;
   /// Reduced radius across the face from both crownings, R_y [m]; infinity for uncrowned gears.
+  /// The smallest and the largest R_x on the path of contact over that of the pitch point.
+  std::array<double, 2> relative_radii() const;
   double radius_y() const { return radius_y_; }
 
   /// Entrainment u_m = (u_1+u_2)/2 and sliding u_1-u_2 [m/s] at the pinion's angular speed omega_1 [rad/s].

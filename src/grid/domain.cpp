@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/film_formulas.hpp"
+#include "contact/line_contact.hpp"
 
 namespace gearfilm {
 namespace {
@@ -13,7 +13,7 @@ constexpr double starvation = 0.003;
 }  // namespace
 
 ExpectedFilm::ExpectedFilm(const Scales& scales)
-    : film(nijenbanning_venner_moes_central(scales.solids, scales.oil, scales.operation) / scales.thickness),
+    : film(expected_central_film(scales.solids, scales.oil, scales.operation) / scales.thickness),
       lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
       ellipticity(scales.hertz.ellipticity) {}
 

@@ -22,7 +22,8 @@ struct Domain {
 /// Source: Table 1 of doi 10.1016/j.triboint.2013.01.017.
 constexpr Domain paper_domain(double M) { return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1}; }
 
-/// The film to be expected in the reference contact, by the formula of Nijenbanning, Venner and Moes.
+/// The film to be expected in the reference contact, by the formula of Nijenbanning, Venner and Moes, of a line contact
+/// by that of Moes.
 struct ExpectedFilm {
   explicit ExpectedFilm(const Scales& scales);
 

@@ -74,7 +74,7 @@ OwnedVec Grid::create_vec() const {
 
 bool Grid::can_coarsen(Coarsening along) const {
   const bool in_x = (nx() - 1) % 2 == 0 && (nx() - 1) / 2 + 1 >= 5;
-  const bool in_y = row_axis().can_coarsen();
+  const bool in_y = row_axis().can_coarsen() || (along == Coarsening::both && keeps_rows());
   return (in_x || along == Coarsening::y_only) && (in_y || along == Coarsening::x_only);
 }
 
@@ -88,7 +88,7 @@ Grid Grid::coarsened(Coarsening along) const {
   GridShape shape = shape_;
   std::vector<int> ranges(y_ranges_);
   if (along != Coarsening::y_only) shape.nx = (nx() - 1) / 2 + 1;
-  if (along != Coarsening::x_only) {
+  if (along == Coarsening::y_only || (along == Coarsening::both && !keeps_rows())) {
     shape.row_axis = row_axis().coarsened();
     for (int& first : ranges) first = (first + 1) / 2;
   }

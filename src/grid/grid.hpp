@@ -42,7 +42,7 @@ GridShape rectangle(int nx, int ny, double x_min, double x_max, double y_half, E
 /// The grid of a domain whose y extent is given in units of b = a/ellipticity.
 GridShape grid_shape(const Domain& domain, double ellipticity, int nx, int ny, Edge lower = Edge::symmetry);
 
-/// In which directions only every second node is kept.
+/// In which directions only every second node is kept; graded rows, and a single one, are kept in `both`.
 enum class Coarsening { both, x_only, y_only };
 
 class Grid {
@@ -92,6 +92,8 @@ public:
   /// A PETSc vector laid out like compact fields.
   OwnedVec create_vec() const;
 
+  /// Whether rows are graded or single: coarser grids have all of them.
+  bool keeps_rows() const { return !row_axis().has_equal_steps(); }
   /// True when every second node, those on the edges among them, is a grid of at least 5 x 3 nodes again.
   bool can_coarsen(Coarsening along = Coarsening::both) const;
   /// Rows that the process with the fewest would own on the coarsened grid.
@@ -115,9 +117,10 @@ private:
 
 /// True of the slender contacts that gears have: twice as far across as along X to the next node, or farther. Lines
 /// x = const. are few then, and the edge of the contact moves by many cells from one row to the next.
-inline bool has_long_cells(const Grid& grid) { return grid.h_y() >= 2.0 * grid.h_x(); }
+inline bool has_long_cells(const Grid& grid) { return grid.keeps_rows() || grid.h_y() >= 2.0 * grid.h_x(); }
 
-/// Where cells are still longer, halving the rows loses what neighbouring rows differ in: coarser grids keep them all.
-inline bool needs_all_rows(const Grid& grid) { return grid.h_y() >= 8.0 * grid.h_x(); }
+/// Where cells are still longer, halving the rows loses what neighbouring rows differ in, and where rows are graded it
+/// loses the places that they are graded to: coarser grids keep them all.
+inline bool needs_all_rows(const Grid& grid) { return grid.keeps_rows() || grid.h_y() >= 8.0 * grid.h_x(); }
 
 }  // namespace gearfilm

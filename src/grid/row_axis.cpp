@@ -50,8 +50,16 @@ RowAxis RowAxis::equal(int whole, double half_width, Edge lower) {
   return between(-half_width, half_width, whole, lower, Edge::ambient);
 }
 
+RowAxis RowAxis::line() {
+  RowAxis axis;
+  axis.y_ = {0.0};
+  axis.lower_ = Edge::ambient;
+  return axis;
+}
+
 double RowAxis::step(int row) const {
   if (equal_step_) return *equal_step_;
+  if (single()) return 1.0;
   const int first = std::clamp(row, 0, count() - 2);
   return y_[first + 1] - y_[first];
 }
@@ -62,6 +70,7 @@ double RowAxis::equal_step() const {
 }
 
 RowRange RowAxis::inner(RowRange rows) const {
+  if (single()) return rows;
   const int begin = std::max(rows.begin, mirrored() ? 0 : 1);
   return {begin, std::max(begin, std::min(rows.end, count() - 1))};
 }
@@ -89,7 +98,7 @@ double RowAxis::whole_y(int whole_row) const {
   return mirrored() && whole_row < count() - 1 ? -y : y;
 }
 
-bool RowAxis::can_coarsen() const { return count() % 2 == 1 && (whole_count() - 1) / 2 + 1 >= 3; }
+bool RowAxis::can_coarsen() const { return has_equal_steps() && count() % 2 == 1 && (whole_count() - 1) / 2 + 1 >= 3; }
 
 RowAxis RowAxis::coarsened() const {
   std::vector<double> y;
@@ -97,7 +106,10 @@ RowAxis RowAxis::coarsened() const {
   return {std::move(y), lower_, upper_};
 }
 
-RowAxis RowAxis::refined() const { return between(y_.front(), y_.back(), 2 * count() - 1, lower_, upper_); }
+RowAxis RowAxis::refined() const {
+  if (!equal_step_) return *this;
+  return between(y_.front(), y_.back(), 2 * count() - 1, lower_, upper_);
+}
 
 RowAxis RowAxis::with_whole_count(int whole) const {
   return between(y_.front(), y_.back(), mirrored() ? (whole + 1) / 2 : whole, lower_, upper_);
@@ -110,15 +122,19 @@ RowAxis RowAxis::extended(int more) const {
 }
 
 bool same_lattice(const RowAxis& a, const RowAxis& b) {
+  if (!a.has_equal_steps() || !b.has_equal_steps()) return a == b;
   const double rows = rows_apart(a, b);
   return a.lower() == b.lower() && a.upper() == b.upper() &&
          std::abs(a.equal_step() - b.equal_step()) <= 1e-9 * a.equal_step() &&
          std::abs(rows - std::round(rows)) < same_row;
 }
 
-int rows_between(const RowAxis& a, const RowAxis& b) { return static_cast<int>(std::lround(rows_apart(a, b))); }
+int rows_between(const RowAxis& a, const RowAxis& b) {
+  return a.has_equal_steps() ? static_cast<int>(std::lround(rows_apart(a, b))) : 0;
+}
 
 RowAxis enclosing(const RowAxis& a, const RowAxis& b) {
+  if (!a.has_equal_steps()) return a;
   const int below = -rows_between(a, b), above = b.count() - a.count() - below;
   if (below >= 0 && above >= 0) return b;
   return std::max(below, above) > 0 ? a.extended(std::max(below, above)) : a;

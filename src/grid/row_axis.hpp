@@ -35,6 +35,8 @@ public:
   /// Equal rows of a domain from -half_width to half_width [a] that has `whole` of them: with a lower edge of symmetry
   /// those at Y >= 0, and `whole` is odd.
   static RowAxis equal(int whole, double half_width, Edge lower = Edge::symmetry);
+  /// The one row of a line contact, whose integrals are those by unit length.
+  static RowAxis line();
 
   int count() const { return static_cast<int>(y_.size()); }
   double y(int row) const { return y_[row]; }
@@ -42,7 +44,8 @@ public:
   Edge lower() const { return lower_; }
   Edge upper() const { return upper_; }
   bool mirrored() const { return lower_ == Edge::symmetry; }
-  /// From a row to the next, for -1 <= row < count: beyond an edge as before it.
+  bool single() const { return count() == 1; }
+  /// From a row to the next, for -1 <= row < count: beyond an edge as before it; of a single row its unit length.
   double step(int row) const;
   bool has_equal_steps() const { return equal_step_.has_value(); }
   /// The one distance between equal rows. Throws std::logic_error where they are not equal.
@@ -52,7 +55,7 @@ public:
   /// The row in which fields are mirrored, or -1 where none is.
   int mirror_row() const { return mirrored() ? 0 : -1; }
   /// Whether P = 0 in this row.
-  bool is_ambient(int row) const { return row == count() - 1 || (row == 0 && !mirrored()); }
+  bool is_ambient(int row) const { return !single() && (row == count() - 1 || (row == 0 && !mirrored())); }
   /// Those of the given rows in which P is an unknown.
   RowRange inner(RowRange rows) const;
   /// Rows from a row to the mirror image of another one, where there is an image.
@@ -71,10 +74,10 @@ public:
   int stored_row(int whole_row) const;
   double whole_y(int whole_row) const;
 
-  /// Whether every second row, the edges among them, are at least three of the whole domain.
+  /// Whether rows are equal and every second one, the edges among them, are at least three of the whole domain.
   bool can_coarsen() const;
   RowAxis coarsened() const;
-  /// Equal rows between the same edges: twice as close, or so many in the whole domain.
+  /// Equal rows between the same edges: twice as close (others stay as they are), or so many in the whole domain.
   RowAxis refined() const;
   RowAxis with_whole_count(int whole) const;
   /// The axis with so many more rows of the same step at every ambient edge. Throws std::logic_error where rows are not
@@ -92,7 +95,8 @@ private:
   std::optional<double> equal_step_{};
 };
 
-/// Whether equal rows have the same step and edges, and lie at the same places where both axes have any.
+/// Whether equal rows have the same step and edges, and lie at the same places where both axes have any; whether others
+/// are the same.
 bool same_lattice(const RowAxis& a, const RowAxis& b);
 /// Rows from the first one of a to the first one of b, on one lattice.
 int rows_between(const RowAxis& a, const RowAxis& b);

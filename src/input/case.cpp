@@ -6,9 +6,11 @@
 #include <numbers>
 
 #include "contact/moes.hpp"
+#include "elasticity/row_contact.hpp"
 #include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_checks.hpp"
+#include "input/case_face.hpp"
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
@@ -60,10 +62,6 @@ std::optional<double> read_equivalent_mass(const ParameterValues& values, const 
 }
 
 ContactSolids solids_at_pitch(const ParameterValues& values, const LineOfAction& line) {
-  if (!std::isfinite(line.radius_y()))
-    values.refuse("pinion.crowning",
-                  "and 'wheel.crowning' are both 0 m, a line contact, which is not modelled; give at least one "
-                  "crowning > 0");
   return {.radius_x = line.radius_x(0.0),
           .radius_y = line.radius_y(),
           .reduced_modulus = reduced_modulus(values.real("pinion.youngs_modulus"), values.real("pinion.poisson_ratio"),
@@ -98,7 +96,14 @@ ReferenceContact set_gear_pair(CaseInput& result) {
   if (values.has("pinion.inertia")) {
     result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
   }
-  const ContactSolids solids = solids_at_pitch(values, *result.pair.line);
+  ContactSolids solids = solids_at_pitch(values, *result.pair.line);
+  set_face(values, read_face_of_pair(values), result.pair.tooth_force, solids);
+  const std::string load_model = "gear.load_model";
+  if (solids.face && values.text(load_model) != "point") {
+    values.refuse(load_model, "is " + values.text(load_model) +
+                                  ", but the contact reaches the ends of the face or feels their shape, and no point "
+                                  "load stands for it; set it to point");
+  }
   return {solids, in_file_of(values, [&] {
             return ContactOperation{
                 .load = reference_load(result, solids),
@@ -122,10 +127,19 @@ double read_reduced_modulus(const ParameterValues& values) {
 }
 
 ReferenceContact read_bare_contact(const ParameterValues& values) {
-  return {.solids = {.radius_x = values.real("contact.radius_x"),
-                     .radius_y = values.real("contact.radius_y"),
-                     .reduced_modulus = read_reduced_modulus(values)},
-          .operation = {.load = values.real("contact.load"),
+  const bool line = values.text("case.kind") == "line";
+  const std::string radius_y = "contact.radius_y", width = "contact.face_width";
+  if (!line && !values.has(radius_y) && !values.has(width)) {
+    throw InputError(values.file() + ": " + quoted(radius_y) + " is missing; give it, or " + quoted(width) +
+                     " of a contact without crowning");
+  }
+  ContactSolids solids{.radius_x = values.real("contact.radius_x"),
+                       .radius_y = line ? HUGE_VAL : values.real_if_given(radius_y).value_or(HUGE_VAL),
+                       .reduced_modulus = read_reduced_modulus(values),
+                       .line = line};
+  if (!line) set_face(values, read_face_of_contact(values), values.real("contact.load"), solids);
+  return {.solids = solids,
+          .operation = {.load = values.real(line ? "contact.line_load" : "contact.load"),
                         .entrainment_velocity = values.real("contact.entrainment_velocity")}};
 }
 
@@ -319,17 +333,32 @@ void set_march(CaseInput& result) {
 
 }  // namespace
 
+namespace {
+
+/// For the radii of a path of contact, or about that of a bare contact.
+std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
+  std::array<double, 2> radii = {0.9, 1.1};
+  if (problem.pair.line) {
+    radii = problem.pair.line->relative_radii();
+    radii[1] = std::max(radii[1], 1.01 * radii[0]);
+  }
+  return std::make_shared<const FaceLaw>(face_law(problem.scales, radii));
+}
+
+}  // namespace
+
 CaseInput make_case(const ParameterValues& values) {
   CaseInput result;
   result.parameters = values;
   result.name = read_name(values);
-  result.kind = values.text("case.kind") == "contact" ? CaseKind::contact : CaseKind::gear_pair;
+  result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
   const ReferenceContact reference =
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
+    if (result.scales.solids.face) result.scales.face_law = law_of_face(result);
     check_strain(result);
   });
   result.traction = read_traction(values);

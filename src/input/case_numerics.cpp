@@ -4,17 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/line_contact.hpp"
 #include "dynamics/mesh_march.hpp"
 #include "gearfilm/error.hpp"
+#include "input/case_face.hpp"
 #include "mesh/natural_frequency.hpp"
 
 namespace gearfilm {
 namespace {
 
 Domain read_domain(const ParameterValues& values, const Scales& scales) {
-  Domain domain = values.text("grid.domain") == "paper"
-                      ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
-                      : domain_of(ExpectedFilm(scales));
+  const bool paper = values.text("grid.domain") == "paper" && has_ellipse(scales.solids);
+  Domain domain = paper ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
+                        : domain_of(ExpectedFilm(scales));
   domain.x_min = values.real_if_given("grid.x_min").value_or(domain.x_min);
   domain.x_max = values.real_if_given("grid.x_max").value_or(domain.x_max);
   domain.y_half = values.real_if_given("grid.y_half").value_or(domain.y_half);
@@ -57,6 +59,9 @@ void set_nodes(CaseInput& result) {
   };
   result.numerics.nx = nodes("grid.nx", nodes_along(domain.x_max - domain.x_min, steps.x));
   result.numerics.ny = nodes("grid.ny", nodes_across(2.0 * domain.y_half, steps.y));
+  if (result.scales.solids.line || result.numerics.face_rows) {
+    result.numerics.ny = grid_shape(result.numerics, result.scales).ny();
+  }
 }
 
 // Under more force the ellipse comes nearer to the inlet, but needs no longer one: half of what is there at first
@@ -134,7 +139,7 @@ double natural_period(const CaseInput& problem) {
 }
 
 double largest_speed_ratio(const ParameterValues& values) {
-  if (values.text("case.kind") == "contact" || !values.has("ramp.to_rpm")) return 1.0;
+  if (values.text("case.kind") != "gear_pair" || !values.has("ramp.to_rpm")) return 1.0;
   return std::max(1.0, values.real("ramp.to_rpm") / values.real("pinion.speed_rpm"));
 }
 
@@ -151,6 +156,7 @@ void set_film_numerics(CaseInput& result) {
   result.numerics.margins = margin_rule(result);
   result.numerics.discretisation =
       values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;
+  if (result.scales.solids.face) result.numerics.face_rows = read_row_grading(values, *result.scales.solids.face);
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance")),
                             read_multigrid_options(values)};

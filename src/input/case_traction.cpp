@@ -11,7 +11,7 @@ namespace {
 
 /// Keys of both bodies: sections pinion and wheel of a pair, section contact of a bare contact.
 std::array<std::string, 2> body_keys(const ParameterValues& values, const std::string& name) {
-  if (values.text("case.kind") == "contact") return {"contact." + name + "_1", "contact." + name + "_2"};
+  if (values.text("case.kind") != "gear_pair") return {"contact." + name + "_1", "contact." + name + "_2"};
   return {"pinion." + name, "wheel." + name};
 }
 
@@ -61,7 +61,7 @@ bool shears_in_film(const ParameterValues& values, const ShearLaw& law) {
 // A surface that stands still or runs against the film is warmed by what lies before it.
 void check_sliding(const ParameterValues& values) {
   const std::string sliding = "contact.sliding_velocity";
-  if (values.text("case.kind") != "contact") return;
+  if (values.text("case.kind") == "gear_pair") return;
   const double largest = 2.0 * values.real("contact.entrainment_velocity");
   if (std::abs(values.real(sliding)) < largest) return;
   values.refuse(sliding, "is " + format_value(values.real(sliding)) +

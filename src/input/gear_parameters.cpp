@@ -58,47 +58,54 @@ Records one_gear_records(const std::string& subscript) {
 }
 
 Records pinion_records() {
-  Records records = joined(one_gear_records("1"), heated_body_records("1"));
+  Records records = joined(one_gear_records("1"), lead_records(), heated_body_records("1"));
   records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
   records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
   return section("pinion", Scope::gear_pair, std::move(records));
 }
 
 Records wheel_records() {
-  return section("wheel", Scope::gear_pair, joined(one_gear_records("2"), heated_body_records("2")));
+  return section("wheel", Scope::gear_pair, joined(one_gear_records("2"), lead_records(), heated_body_records("2")));
 }
 
 Records gear_records() {
   return section(
       "gear", Scope::gear_pair,
-      {number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
-       number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
-       number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
-       number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
-       optional(
-           "from both inertias; without them no vibration",
-           number("equivalent_mass", "m_ge", "kg", closed(1e-9, 1e9), "mass of both gears along the line of action")),
-       choice("load_model", {"point", "line_equivalent"},
-              "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
-              "half-axis a of the line contact under that force"),
-       choice(
-           "tooth_compliance", {"none", "weber", "sainsot", "table"},
-           "bending of the teeth: rigid; beam on the foundation of Weber and Banaschek; beam on the ring of Sainsot, "
-           "Velex and Duverger; from gear.compliance_file"),
-       optional("none", word("compliance_file",
-                             "position on the line of action [m] and compliance of a pair of teeth [m/N], one point a "
-                             "line; a name in a case file is relative to that file")),
-       preset(1.0, number("compliance_factor", "", "-", left_open(0, 100),
-                          "factor on the compliance of computed teeth and foundations")),
-       preset(0.0, number("mesh_compliance", "c_s", "m/N", closed(0, 1e-3),
-                          "compliance of shafts and bearings along the line of action, under the sum of the forces")),
-       choice("profile_local", {"offset", "field"},
-              "flanks act on films as one gap at the contact's place, or as a shape along the contact too"),
-       choice("body_coupling", {"yes", "no"}, "teeth bent by their neighbours' forces, where bores are given"),
-       optional("reverse flanks never touch",
-                number("backlash", "j_n", "m", closed(0, 0.1),
-                       "normal backlash along the line of action: the teeth are thinner by it, and beyond it "
-                       "their reverse flanks touch, dry"))});
+      joined(
+          end_face_records(),
+          Records{
+              preset(0.0, number("misalignment", "", "m", closed(-1e-2, 1e-2),
+                                 "by how much both flanks part over the face, towards positive y")),
+              number("module", "m_n", "m", closed(1e-5, 0.1), "normal module"),
+              number("pressure_angle_deg", "alpha", "deg", closed(5, 45), "pressure angle of the basic rack"),
+              number("centre_distance", "a_w", "m", closed(1e-4, 20), "working centre distance"),
+              number("face_width", "F_w", "m", closed(1e-5, 5), "face width"),
+              optional("from both inertias; without them no vibration",
+                       number("equivalent_mass", "m_ge", "kg", closed(1e-9, 1e9),
+                              "mass of both gears along the line of action")),
+              choice("load_model", {"point", "line_equivalent"},
+                     "load of the contact: the tooth force T_g1/R_b1 as it is, or the point load whose ellipse has the "
+                     "half-axis a of the line contact under that force"),
+              choice("tooth_compliance", {"none", "weber", "sainsot", "table"},
+                     "bending of the teeth: rigid; beam on the foundation of Weber and Banaschek; beam on the ring of "
+                     "Sainsot, "
+                     "Velex and Duverger; from gear.compliance_file"),
+              optional("none",
+                       word("compliance_file",
+                            "position on the line of action [m] and compliance of a pair of teeth [m/N], one point a "
+                            "line; a name in a case file is relative to that file")),
+              preset(1.0, number("compliance_factor", "", "-", left_open(0, 100),
+                                 "factor on the compliance of computed teeth and foundations")),
+              preset(0.0,
+                     number("mesh_compliance", "c_s", "m/N", closed(0, 1e-3),
+                            "compliance of shafts and bearings along the line of action, under the sum of the forces")),
+              choice("profile_local", {"offset", "field"},
+                     "flanks act on films as one gap at the contact's place, or as a shape along the contact too"),
+              choice("body_coupling", {"yes", "no"}, "teeth bent by their neighbours' forces, where bores are given"),
+              optional("reverse flanks never touch",
+                       number("backlash", "j_n", "m", closed(0, 0.1),
+                              "normal backlash along the line of action: the teeth are thinner by it, and beyond it "
+                              "their reverse flanks touch, dry"))}));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace gearfilm {
 enum class ParameterType { integer, real, choice, text };
 
 /// The kind of case a parameter belongs to.
-enum class Scope { any, gear_pair, contact };
+enum class Scope { any, gear_pair, contact, line, bare };  // bare: contact or line
 
 /// required: in the scope, must be given. preset: has a default value. optional: may be absent.
 enum class Presence { required, preset, optional };

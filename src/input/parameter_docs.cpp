@@ -9,6 +9,8 @@ namespace {
 std::string describe_scope(Scope scope) {
   if (scope == Scope::gear_pair) return "for case.kind: gear_pair";
   if (scope == Scope::contact) return "for case.kind: contact";
+  if (scope == Scope::line) return "for case.kind: line";
+  if (scope == Scope::bare) return "for case.kind: contact or line";
   return "for every case";
 }
 

@@ -77,6 +77,17 @@ inline Records section(const std::string& name, Scope scope, Records records) {
   return records;
 }
 
+/// A key that had another name.
+inline Parameter former(std::string name, Parameter parameter) {
+  parameter.former = std::move(name);
+  return parameter;
+}
+
+/// Relief of a flank at both ends of its face, or of the gap of two; and what the solids have at the ends.
+std::vector<Parameter> end_relief_records(const std::string& of_what);
+std::vector<Parameter> end_face_records();
+/// The flank of one gear along the face.
+std::vector<Parameter> lead_records();
 /// Sections pinion, wheel and gear.
 std::vector<Parameter> gear_pair_records();
 /// Section lubricant.

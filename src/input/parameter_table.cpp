@@ -19,9 +19,12 @@ namespace {
 Records case_records() {
   return section("case", Scope::any,
                  {optional("name of the case file", word("name", "name of the case in its results")),
-                  choice("kind", {"gear_pair", "contact"},
-                         "a pair of spur gears, or one bare contact given by its radii and load")});
+                  choice("kind", {"gear_pair", "contact", "line"},
+                         "a pair of spur gears, one bare contact given by its radii and load, or a line contact, "
+                         "endless across, given by its radius and line load")});
 }
+
+const std::string face_width_meaning = "width of the face, which the gap along it and the ends belong to";
 
 Records contact_records() {
   const std::string unless_reduced = "needed without contact.reduced_modulus";
@@ -29,7 +32,6 @@ Records contact_records() {
   const Range ratio = right_open(0, 0.5);
   Records records = {
       number("radius_x", "R_x", "m", closed(1e-6, 1000), "reduced radius along the entrainment"),
-      number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"),
       optional(
           "from the moduli and ratios of both bodies",
           number("reduced_modulus", "E'", "Pa", modulus, "reduced modulus, 2/E' = (1-nu_1^2)/E_1 + (1-nu_2^2)/E_2")),
@@ -37,12 +39,26 @@ Records contact_records() {
       optional(unless_reduced, number("poisson_ratio_1", "nu_1", "-", ratio, "Poisson's ratio, body 1")),
       optional(unless_reduced, number("youngs_modulus_2", "E_2", "Pa", modulus, "Young's modulus, body 2")),
       optional(unless_reduced, number("poisson_ratio_2", "nu_2", "-", ratio, "Poisson's ratio, body 2")),
-      number("load", "w", "N", closed(1e-9, 1e9), "load"),
       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces"),
       preset(0.0, number("sliding_velocity", "u_1 - u_2", "m/s", closed(-2e4, 2e4),
                          "velocity of body 1 less that of body 2"))};
   for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body));
-  return section("contact", Scope::contact, std::move(records));
+  const Records finite = joined(
+      Records{
+          number("load", "w", "N", closed(1e-9, 1e9), "load"),
+          optional("none: no crowning, with contact.face_width",
+                   former("crowning_radius",
+                          number("radius_y", "R_y", "m", closed(1e-6, 1000), "reduced radius across the entrainment"))),
+          optional("the contact has no ends", number("face_width", "F", "m", closed(1e-6, 10), face_width_meaning))},
+      end_relief_records("of the gap"),
+      Records{preset(0.0, number("misalignment", "", "m", closed(-1e-2, 1e-2),
+                                 "by how much the gap opens over the face, towards +y")),
+              preset(0.0, number("logarithmic_profile", "c_L", "m", closed(0.0, 1e-3),
+                                 "factor of a logarithmic profile, -c_L ln(1 - (2 y/F)^2)"))},
+      end_face_records());
+  return joined(
+      section("contact", Scope::bare, std::move(records)), section("contact", Scope::contact, finite),
+      section("contact", Scope::line, {number("line_load", "w'", "N/m", closed(1e-9, 1e9), "load by unit length")}));
 }
 
 Records grid_records() {
@@ -67,6 +83,13 @@ Records grid_records() {
                 whole("ny", "N_y", odd(9, 16385),
                       "nodes across the entrainment, boundaries included; the films being symmetric, those on "
                       "one side and in the middle are computed")),
+       choice("whole_face", {"auto", "yes"},
+              "rows over the whole face: where the contact under the static load reaches its ends, kinks or slope, or "
+              "always; a contact that ends well within the face has a small domain about it"),
+       optional("by the end of the face: 0.06, at free ends without relief 0.03",
+                number("first_row", "", "a", closed(1e-3, 1.0), "distance of rows at the ends of a loaded face")),
+       preset(1.35, number("row_growth", "", "-", closed(1.02, 3.0), "ratio of two distances of rows on it")),
+       preset(2.5, number("largest_row", "", "a", closed(0.05, 20.0), "largest distance of rows on it")),
        optional(by_domain, number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
        optional(by_domain, number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
        optional(by_domain, number("y_half", "", "b", left_open(1, 100), "half the width of the domain"))});

@@ -7,7 +7,11 @@
 namespace gearfilm {
 namespace {
 
-std::string kind_name(Scope scope) { return scope == Scope::gear_pair ? "gear_pair" : "contact"; }
+std::string kind_name(Scope scope) {
+  if (scope == Scope::gear_pair) return "gear_pair";
+  if (scope == Scope::bare) return "contact or line";
+  return scope == Scope::line ? "line" : "contact";
+}
 
 }  // namespace
 
@@ -34,9 +38,13 @@ void ParameterValues::complete() {
   if (!has("output.dir")) set("output.dir", "output/" + text("case.name"), by_default);
 }
 
-Scope ParameterValues::scope() const { return text("case.kind") == "contact" ? Scope::contact : Scope::gear_pair; }
+Scope ParameterValues::scope() const {
+  if (text("case.kind") == "line") return Scope::line;
+  return text("case.kind") == "contact" ? Scope::contact : Scope::gear_pair;
+}
 
 bool ParameterValues::in_scope(const Parameter& parameter) const {
+  if (parameter.scope == Scope::bare) return scope() != Scope::gear_pair;
   return parameter.scope == Scope::any || parameter.scope == scope();
 }
 

@@ -9,14 +9,10 @@
 
 namespace gearfilm {
 
-DryForce::DryForce(const MeshModel& mesh) {
-  // R_x is a parabola over the path, largest midway between the base circles: its ends have the smallest.
-  const LineOfAction& line = mesh.path.line();
-  const double from_pinion = line.radius_pinion(0.0), from_wheel = line.radius_wheel(0.0);
-  const double top = std::clamp(0.5 * (from_wheel - from_pinion), line.entry(), line.exit());
-  const double reference = mesh.scales.solids.radius_x;
-  const double low = std::log(std::min(line.radius_x(line.entry()), line.radius_x(line.exit())) / reference);
-  const double high = std::log(line.radius_x(top) / reference);
+DryForce::DryForce(const MeshModel& mesh) : face_(mesh.scales.face_law) {
+  if (face_) return;
+  const auto [smallest, largest] = mesh.path.line().relative_radii();
+  const double low = std::log(smallest), high = std::log(largest);
   const bool local = mesh.teeth.local(0.0).flanks != nullptr;
   const double beyond = local ? std::log(NearestPoint::widest_ratio) : 0.0;
   const double middle = 0.5 * (low + high), half_range = std::max(0.5 * (high - low) + beyond, 1e-3);
@@ -25,23 +21,23 @@ DryForce::DryForce(const MeshModel& mesh) {
                 }};
 }
 
-double DryForce::at_unit_approach(const ContactConditions& conditions) const {
-  return std::exp(logarithm_(std::log(conditions.dry_radius())));
+ContactLaw DryForce::law(const ContactConditions& conditions) const {
+  if (face_) return ContactLaw::of_face(face_, conditions.dry_radius());
+  return ContactLaw::of_ellipse(std::exp(logarithm_(std::log(conditions.dry_radius()))));
 }
 
 DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T)
     : compliance_(mesh.compliance(numbers, T)), coupled_(compliance_.coupled()) {
   for (const int number : numbers) {
     const ContactConditions conditions = mesh.contact(number, T).conditions;
-    contacts_.push_back({conditions.dry_gap(), force.at_unit_approach(conditions)});
+    contacts_.push_back({conditions.dry_gap(), force.law(conditions)});
   }
 }
 
 void DryContacts::stand_for(const std::vector<double>& forces, const std::vector<double>& displacements) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     if (forces[k] <= 0.0) continue;
-    const double root = std::cbrt(forces[k] / contacts_[k].unit_force);
-    contacts_[k].gap = -displacements[k] - root * root;
+    contacts_[k].gap = -displacements[k] - contacts_[k].law.approach(forces[k]);
   }
 }
 
@@ -57,7 +53,7 @@ std::vector<double> DryContacts::forces(double H0) const {
       for (std::size_t j = 0; j < contacts_.size(); ++j) {
         if (j != k) approach -= compliance_(k, j) * forces[j];
       }
-      const double force = force_on_spring(contacts_[k].unit_force, compliance_(k, k), approach);
+      const double force = contacts_[k].law.force(approach, compliance_(k, k));
       change = std::max(change, std::abs(force - forces[k]));
       largest = std::max(largest, force);
       forces[k] = force;
@@ -81,10 +77,7 @@ double DryContacts::largest_approach(double H0) const {
 // (D + C) dF = 1, D_k = d(q F^(2/3))/dF: with S = 1/D, which is zero without a force, (I + S C) dF = S.
 double DryContacts::stiffness(const std::vector<double>& forces) const {
   Eigen::VectorXd own(static_cast<Eigen::Index>(forces.size()));
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const double root = std::cbrt(contacts_[k].unit_force);
-    own[k] = 1.5 * root * root * std::cbrt(forces[k]);
-  }
+  for (std::size_t k = 0; k < forces.size(); ++k) own[k] = contacts_[k].law.stiffness(forces[k]);
   if (!coupled_) {
     double sum = 0.0;
     for (std::size_t k = 0; k < forces.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));

@@ -1,7 +1,8 @@
-// The forces of dry contacts of a mesh: Hertz contacts on teeth that bend.
+// The forces of dry contacts of a mesh: elastic contacts (contact/contact_law.hpp) on teeth that bend.
 //
-//   q_k F_k^(2/3) + c_kk F_k = -H_0 - e_k - sum_{j != k} c_kj F_j ,   q_k = k(R_x)^(-2/3), k the force at unit approach
-// ln k is a smooth function of ln R_x: a series has it to round-off over the radii of a path of contact.
+//   approach(F_k) + c_kk F_k = -H_0 - e_k - sum_{j != k} c_kj F_j
+// Of ellipses approach = (F/k)^(2/3), k the force at unit approach: ln k is a smooth function of ln R_x, and a series
+// has it to round-off over the radii of a path of contact.
 #pragma once
 
 #include <vector>
@@ -15,10 +16,11 @@ class DryForce {
 public:
   explicit DryForce(const MeshModel& mesh);
 
-  /// k of a contact [-]. Relative error below 1e-12.
-  double at_unit_approach(const ContactConditions& conditions) const;
+  /// The law of a contact [-]; k to a relative error below 1e-12.
+  ContactLaw law(const ContactConditions& conditions) const;
 
 private:
+  std::shared_ptr<const FaceLaw> face_;
   Chebyshev<20> logarithm_;  ///< of k over ln Rbar
 };
 
@@ -42,8 +44,8 @@ public:
 
 private:
   struct Contact {
-    double gap = 0.0;         ///< e_k [-]
-    double unit_force = 0.0;  ///< k [-]
+    double gap = 0.0;  ///< e_k [-]
+    ContactLaw law;
   };
 
   std::vector<Contact> contacts_;

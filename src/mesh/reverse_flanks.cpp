@@ -12,11 +12,12 @@ ReverseForce reverse_flank_force(const MeshModel& mesh, double H0, double T) {
     if (approach <= 0.0) continue;
     const ContactConditions conditions =
         meshed_contact(mesh.path.line(), mesh.scales, mesh.path.pinion_speed(), xi).conditions;
-    const double unit_force = force_at_unit_approach(mesh.scales, conditions);
+    const ContactLaw law = contact_law(mesh.scales, conditions);
     const double compliance = mesh.teeth.compliance(xi) * mesh.compliance_scale();
-    const double force = force_on_spring(unit_force, compliance, approach);
+    const double force = law.force(approach, compliance);
+    if (force <= 0.0) continue;
     sum.value += force;
-    sum.slope += 1.0 / (2.0 / 3.0 / std::cbrt(unit_force * unit_force * force) + compliance);
+    sum.slope += 1.0 / (1.0 / law.stiffness(force) + compliance);
   }
   return sum;
 }

@@ -48,7 +48,7 @@ std::optional<CoarserSwing> swing_on_coarser(const MeshModel& mesh, const PairNu
   numerics.ny = shape.ny();
   const SlightlyCoarser coarser = slightly_coarser(numerics);
   shape.nx = coarser.numerics.nx;
-  shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
+  if (!fine->grid().keeps_rows()) shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
   if (shape.rows() < 2 * fine->grid().processes()) return {};
   return swing_on(mesh, own, discretise(Grid(fine->grid().comm(), shape), own, mesh.scales), coarser.ratio, watcher);
 }
@@ -84,7 +84,7 @@ FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, Restin
   SwingOptions options{.watcher = watcher};
   if (coarser) options.guess = coarser->mode.rate;
   return {.mode = swinging_mode(rest.pair(), rest.state(), options),
-          .steps = {grid.h_x(), grid.h_y() * mesh.scales.hertz.ellipticity},
+          .steps = {grid.h_x(), grid.keeps_rows() ? 0.0 : grid.h_y() * mesh.scales.hertz.ellipticity},
           .coarser = coarser};
 }
 

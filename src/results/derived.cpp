@@ -6,6 +6,7 @@
 #include <span>
 
 #include "contact/film_formulas.hpp"
+#include "contact/line_contact.hpp"
 #include "contact/moes.hpp"
 #include "gear/tooth_space.hpp"
 #include "input/case_numerics.hpp"
@@ -44,6 +45,8 @@ struct Derived {
 double mesh_frequency_of(const CaseInput& problem) {
   return mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed);
 }
+
+Summary if_finite(double value) { return std::isfinite(value) ? Summary(value) : absent(); }
 
 template <class Value>
 Summary of_line(const Derived& at, Value value) {
@@ -90,7 +93,7 @@ constexpr auto contact_members = std::to_array<Member<Derived>>({
     {"R_x", "R_x", "m", "reduced radius in the direction of rolling, at the pitch point or of the bare contact",
      [](const Derived& at) -> Summary { return at.scales.solids.radius_x; }},
     {"R_y", "R_y", "m", "reduced radius along the face",
-     [](const Derived& at) -> Summary { return at.scales.solids.radius_y; }},
+     [](const Derived& at) -> Summary { return if_finite(at.scales.solids.radius_y); }},
     {"E_prime", "E'", "Pa", "reduced modulus",
      [](const Derived& at) -> Summary { return at.scales.solids.reduced_modulus; }},
     {"load", "w*", "N", "static force along the line of action, or the point load that stands for it",
@@ -105,11 +108,12 @@ constexpr auto contact_members = std::to_array<Member<Derived>>({
      [](const Derived& at) -> Summary { return at.scales.hertz.ellipticity; }},
     {"a", "a", "m", "half axis of the ellipse in the direction of rolling",
      [](const Derived& at) -> Summary { return at.scales.hertz.a; }},
-    {"b", "b", "m", "half axis along the face", [](const Derived& at) -> Summary { return at.scales.hertz.b; }},
+    {"b", "b", "m", "half axis along the face, or half the width of a face that is loaded as a whole",
+     [](const Derived& at) -> Summary { return if_finite(at.scales.hertz.b); }},
     {"p_hertz", "p_h", "Pa", "largest pressure of the dry contact",
      [](const Derived& at) -> Summary { return at.scales.hertz.pressure; }},
     {"hertz_approach", "delta", "m", "approach of the dry bodies",
-     [](const Derived& at) -> Summary { return at.scales.hertz.approach; }},
+     [](const Derived& at) -> Summary { return at.scales.solids.line ? absent() : Summary(at.scales.hertz.approach); }},
     {"M", "M", "-", "Moes' group of the load", [](const Derived& at) -> Summary { return at.groups.M; }},
     {"L", "L", "-", "Moes' group of the lubricant", [](const Derived& at) -> Summary { return at.groups.L; }},
     {"D", "D", "-", "R_x/R_y", [](const Derived& at) -> Summary { return at.groups.D; }},
@@ -151,13 +155,17 @@ constexpr auto motion_members = std::to_array<Member<Derived>>({
      }},
 });
 
+Summary of_formula(const Derived& at, const char* name) { return at.films.contains(name) ? at.films[name] : absent(); }
+
 constexpr auto formula_members = std::to_array<Member<Derived>>({
     {"hamrock_dowson_h_central", "", "m", "central film, formula of Hamrock and Dowson",
-     [](const Derived& at) -> Summary { return at.films["hamrock_dowson_h_central"]; }},
+     [](const Derived& at) -> Summary { return of_formula(at, "hamrock_dowson_h_central"); }},
     {"hamrock_dowson_h_min", "", "m", "smallest film, formula of Hamrock and Dowson",
-     [](const Derived& at) -> Summary { return at.films["hamrock_dowson_h_min"]; }},
+     [](const Derived& at) -> Summary { return of_formula(at, "hamrock_dowson_h_min"); }},
     {"nijenbanning_venner_moes_h_central", "", "m", "central film, formula of Nijenbanning, Venner and Moes",
-     [](const Derived& at) -> Summary { return at.films["nijenbanning_venner_moes_h_central"]; }},
+     [](const Derived& at) -> Summary { return of_formula(at, "nijenbanning_venner_moes_h_central"); }},
+    {"moes_line_h_central", "", "m", "central film of a line contact under the mean line load, formula of Moes",
+     [](const Derived& at) -> Summary { return of_formula(at, "moes_line_h_central"); }},
     {"thermal_loading", "", "-", "thermal loading parameter of the inlet",
      [](const Derived& at) -> Summary { return at.heating["thermal_loading"]; }},
     {"murch_wilson_thermal_factor", "", "-", "factor of the film by heat in the inlet, Murch and Wilson",
@@ -166,40 +174,37 @@ constexpr auto formula_members = std::to_array<Member<Derived>>({
      [](const Derived& at) -> Summary { return at.heating["gupta_thermal_factor"]; }},
 });
 
-constexpr auto numerics_members =
-    std::to_array<Member<Derived>>(
-        {
-            {"nx", "", "-", "nodes in X on which a run would begin",
-             [](const Derived& at) -> Summary { return at.numerics.nx; }},
-            {"ny", "", "-", "nodes in Y", [](const Derived& at) -> Summary { return at.numerics.ny; }},
-            {"x_min", "", "a", "inlet end of the domain",
-             [](const Derived& at) -> Summary { return at.numerics.domain.x_min; }},
-            {"x_max", "", "a", "outlet end of the domain",
-             [](const Derived& at) -> Summary { return at.numerics.domain.x_max; }},
-            {"y_half", "", "b", "half width of the domain",
-             [](const Derived& at) -> Summary { return at.numerics.domain.y_half; }},
-            {"expected_error_h_central", "", "-", "relative error of the central film that such a grid leads to expect",
-             [](const Derived& at) -> Summary { return at.errors.central; }},
-            {"expected_error_h_min", "", "-", "relative error of the smallest film",
-             [](const Derived& at) -> Summary {
-               return std::isfinite(at.errors.smallest) ? Summary(at.errors.smallest) : absent();
-             }},
-            {"dT", "dT", "-", "time step over a/u_m",
-             [](const Derived& at) -> Summary {
-               return of_gears(at, [](const CaseInput& problem) { return problem.numerics.steps.dT; });
-             }},
-            {"steps_in_mesh_period", "", "-", "time steps in a mesh period",
-             [](const Derived& at) -> Summary {
-               return of_gears(
-                   at, [](const CaseInput& problem) { return mesh_period(problem) / problem.numerics.steps.dT; });
-             }},
-            {"steps_in_free_oscillation", "", "-", "time steps in a free oscillation",
-             [](const Derived& at) -> Summary {
-               return at.problem.pair.line && at.problem.pair.equivalent_mass
-                          ? Summary(natural_period(at.problem) / at.numerics.steps.dT)
-                          : absent();
-             }},
-        });
+constexpr auto numerics_members = std::to_array<Member<Derived>>({
+    {"nx", "", "-", "nodes in X on which a run would begin",
+     [](const Derived& at) -> Summary { return at.numerics.nx; }},
+    {"ny", "", "-", "nodes in Y", [](const Derived& at) -> Summary { return at.numerics.ny; }},
+    {"x_min", "", "a", "inlet end of the domain",
+     [](const Derived& at) -> Summary { return at.numerics.domain.x_min; }},
+    {"x_max", "", "a", "outlet end of the domain",
+     [](const Derived& at) -> Summary { return at.numerics.domain.x_max; }},
+    {"y_half", "", "b", "half width of the domain",
+     [](const Derived& at) -> Summary {
+       return has_ellipse(at.scales.solids) ? Summary(at.numerics.domain.y_half) : absent();
+     }},
+    {"expected_error_h_central", "", "-", "relative error of the central film that such a grid leads to expect",
+     [](const Derived& at) -> Summary { return if_finite(at.errors.central); }},
+    {"expected_error_h_min", "", "-", "relative error of the smallest film",
+     [](const Derived& at) -> Summary { return if_finite(at.errors.smallest); }},
+    {"dT", "dT", "-", "time step over a/u_m",
+     [](const Derived& at) -> Summary {
+       return of_gears(at, [](const CaseInput& problem) { return problem.numerics.steps.dT; });
+     }},
+    {"steps_in_mesh_period", "", "-", "time steps in a mesh period",
+     [](const Derived& at) -> Summary {
+       return of_gears(at, [](const CaseInput& problem) { return mesh_period(problem) / problem.numerics.steps.dT; });
+     }},
+    {"steps_in_free_oscillation", "", "-", "time steps in a free oscillation",
+     [](const Derived& at) -> Summary {
+       return at.problem.pair.line && at.problem.pair.equivalent_mass
+                  ? Summary(natural_period(at.problem) / at.numerics.steps.dT)
+                  : absent();
+     }},
+});
 
 /// In the order in which they are shown.
 const std::vector<Member<Derived>>& derived_members() {
@@ -219,6 +224,7 @@ const std::vector<Member<Derived>>& derived_members() {
 }  // namespace
 
 Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation) {
+  if (!has_ellipse(solids)) return {{"moes_line_h_central", expected_central_film(solids, oil, operation)}};
   return {{"hamrock_dowson_h_central", hamrock_dowson_central(solids, oil, operation)},
           {"hamrock_dowson_h_min", hamrock_dowson_minimum(solids, oil, operation)},
           {"nijenbanning_venner_moes_h_central", nijenbanning_venner_moes_central(solids, oil, operation)}};

@@ -1,6 +1,7 @@
 #include "results/steady_result.hpp"
 
 #include "film/domain_margins.hpp"
+#include "film/face_quantities.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "output/run_identity.hpp"
@@ -56,6 +57,38 @@ constexpr auto film_members = std::to_array<Member<StationaryResult>>({
      [](const StationaryResult& of) -> Summary { return total(of).krylov; }},
     {"convolutions_all_grids", "", "-", "convolutions, on all grids of the start",
      [](const StationaryResult& of) -> Summary { return total(of).convolutions; }},
+});
+
+/// A film along a whole face.
+struct AlongFace {
+  const Scales& scales;
+  const StationaryResult& result;
+  FaceQuantities face;
+
+  /// [m^3/s]
+  double flow(double side_flow) const {
+    return scales.operation.entrainment_velocity * scales.thickness * scales.length * side_flow;
+  }
+};
+
+constexpr auto face_members = std::to_array<Member<AlongFace>>({
+    {"h_min_y", "y", "m", "place of the smallest film along the face",
+     [](const AlongFace& of) -> Summary { return of.scales.length * of.face.smallest_film_at(); }},
+    {"h_min_inner", "h", "m", "smallest film of rows that are farther than a from both ends",
+     [](const AlongFace& of) -> Summary { return of.scales.thickness * of.face.smallest_film_beyond(1.0); }},
+    {"h_corner", "h", "m",
+     "film beneath the edges of the face, where no pressure is; a number of the grid where it is not positive",
+     [](const AlongFace& of) -> Summary { return of.scales.thickness * of.face.corner_film(); }},
+    {"p_max_y", "y", "m", "place of the largest pressure along the face",
+     [](const AlongFace& of) -> Summary { return of.scales.length * of.face.largest_pressure_at(); }},
+    {"tilting_moment", "M", "N m", "moment of the pressure about the middle of the face, int int p y dx dy",
+     [](const AlongFace& of) -> Summary { return of.scales.force(of.face.tilting_moment) * of.scales.length; }},
+    {"approach", "", "m", "approach of the bodies, without what their ends give way as a whole",
+     [](const AlongFace& of) -> Summary { return -of.scales.thickness * of.result.solution.H0; }},
+    {"side_flow_lower", "", "m^3/s", "oil that leaves at the end of negative y beside the contact, x > -a",
+     [](const AlongFace& of) -> Summary { return of.flow(of.face.side_flow_lower); }},
+    {"side_flow_upper", "", "m^3/s", "the same at the end of positive y",
+     [](const AlongFace& of) -> Summary { return of.flow(of.face.side_flow_upper); }},
 });
 
 /// A film that feels its heat or its shear, beside the one that does not.
@@ -136,6 +169,19 @@ void add_coupling(const CaseInput& problem, const SolvedContact& solved, Summary
   }
 }
 
+/// Row by row of the whole face.
+void write_face(ResultsFile& file, const std::string& group, const Scales& scales, const FaceQuantities& face) {
+  const auto write = [&](const char* name, const char* unit, double in_si, const std::vector<double>& values) {
+    std::vector<double> scaled(values);
+    for (double& value : scaled) value *= in_si;
+    file.rows(group, name, unit, static_cast<int>(scaled.size()), 1, scaled);
+  };
+  write("line_load", "N/m", scales.pressure * scales.length, face.line_load);
+  write("h_central_of_row", "m", scales.thickness, face.central_film);
+  write("h_min_of_row", "m", scales.thickness, face.smallest_film);
+  write("p_max_of_row", "Pa", scales.pressure, face.largest_pressure);
+}
+
 ContactProblem contact_problem(const CaseInput& problem, const SteadyPosition& position) {
   return {.scales = problem.scales,
           .conditions = position.contact.conditions,
@@ -203,6 +249,9 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
   result.summary = film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities);
   add_errors(problem.scales, solved.errors, result.summary);
   add_coupling(problem, solved, result.summary);
+  if (problem.scales.solids.face) {
+    add_members(face_members, AlongFace{problem.scales, solved.result, face_quantities(*solved.film)}, result.summary);
+  }
   return result;
 }
 
@@ -222,13 +271,14 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
   }
+  if (problem.scales.solids.face) write_face(file, group, scales, face_quantities(film));
   file.attribute(group, "xi", problem.steady.position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);
   file.attribute(group, "force", summary["force"].get<double>());
   file.attribute(group, "H0", summary["H0"].get<double>());
   file.attribute(group, "a", scales.hertz.a);
-  file.attribute(group, "b", scales.hertz.b);
+  if (!scales.solids.line) file.attribute(group, "b", scales.hertz.b);
   file.attribute(group, "p_hertz", scales.hertz.pressure);
   file.finish();
   write_xdmf(comm, problem.run.directory / "results.xmf", "results.h5",
@@ -243,6 +293,8 @@ std::string steady_markdown() {
              "error bars of films and pressures (`NAME_error`, `NAME_extrapolated`), and the `predictions` of "
              "formulas.",
              film_members) +
+         members_markdown("The film along a whole face", "Where a contact reaches the ends of the face.",
+                          face_members) +
          members_markdown("The effect of heat on the film", "With `thermal.model: film`.", heat_members) +
          members_markdown("The effect of shear on the film",
                           "With `friction.in_film: yes` and without heat in the film.", shear_members);

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "contact/film_formulas.hpp"
+#include "contact/line_contact.hpp"
+#include "film/face_pressure.hpp"
 #include "film/transfer.hpp"
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
@@ -54,9 +56,36 @@ bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolutio
   return true;
 }
 
-/// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
-FilmSolution dry_guess(const ContactFilm& film, const LoadCondition& load) {
+/// Along a whole face or a line: dry pressure, with the dry contact's gap at the film that the formula expects.
+FilmSolution dry_guess_of_rows(ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
+  FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
+  const double expected = ExpectedFilm(scales).film, compliance = load.compliance(0, 0);
+  const auto approach_under = [&](double force) {
+    return face_pressure(*film.discretisation(), scales, film.conditions(), force, guess.pressure);
+  };
+  if (load.kind == LoadCondition::Kind::force) {
+    approach_under(load.value);
+    guess.H0 = expected - film.quantities(guess.pressure, 0.0).central_film - compliance * load.value;
+    return guess;
+  }
+  if (!scales.face_law) return guess;
+  const double wanted = expected - load.value - film.conditions().gap_offset;
+  const ContactLaw law = contact_law(scales, film.conditions());
+  double force = law.force(expected - load.value - film.conditions().dry_gap(), compliance);
+  // The law is smooth, the rows are what they are: a correction leaves less than a film.
+  for (int n = 0; n < 2 && force > 0.0; ++n) {
+    const double lacking = wanted - approach_under(force) - compliance * force;
+    force = std::clamp(force + lacking / (1.0 / law.stiffness(force) + compliance), 0.5 * force, 2.0 * force);
+  }
+  if (force > 0.0) approach_under(force);
+  return guess;
+}
+
+/// Dry pressure, with the dry contact's flat gap at the film that the formula expects.
+FilmSolution dry_guess(ContactFilm& film, const LoadCondition& load) {
+  const Scales& scales = film.scales();
+  if (!has_ellipse(scales.solids)) return dry_guess_of_rows(film, load);
   const ContactSolids solids = solids_of(scales, film.conditions());
   const double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
@@ -99,7 +128,13 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
   return fine;
 }
 
-[[noreturn]] void report_failure(const Grid& grid, const StationaryNewton& newton) {
+bool ends_of_half_space(const ContactFilm& film) {
+  const Face* face = film.scales().solids.face.get();
+  return face && face->end == EndFace::half_space;
+}
+
+[[noreturn]] void report_failure(const ContactFilm& film, const StationaryNewton& newton) {
+  const Grid& grid = film.grid();
   const SolveCounts& counts = newton.counts();
   std::ostringstream message;
   message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
@@ -107,6 +142,10 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
           << describe(newton.worst(0))
           << "; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
              "grid_y_half), or raise solver_newton_max_iterations";
+  if (ends_of_half_space(film)) {
+    message << "; flanks whose solids go on beyond the end of the face may touch there, with no film: give an end "
+               "relief, or end_face: free";
+  }
   throw SolveError(message.str());
 }
 
@@ -142,7 +181,7 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
       result.solution = dry_guess(present, load);
       solved = solve_from(newton, load, result.solution);
     }
-    if (!solved && n == 0) report_failure(present.grid(), newton);
+    if (!solved && n == 0) report_failure(present, newton);
     result.by_grid.push_back(newton.counts());
     if (n == 1 && solved) result.before = newton.quantities().front();
     if (n == 0) result.quantities = newton.quantities().front();
@@ -187,7 +226,7 @@ FilmSolution solve_together(const std::vector<ContactFilm*>& films, const LoadCo
                             const SolverOptions& options, FilmSolution guess) {
   StationaryNewton newton(films, options.newton);
   if (load.kind == LoadCondition::Kind::displacement) guess.H0 = load.value;
-  if (!solve_from(newton, load, guess)) report_failure(films.front()->grid(), newton);
+  if (!solve_from(newton, load, guess)) report_failure(*films.front(), newton);
   return guess;
 }
 

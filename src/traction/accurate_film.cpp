@@ -27,7 +27,7 @@ GridShape refined(const GridShape& shape, double factor) {
   GridShape fine = shape;
   fine.nx = std::max(shape.nx, std::min(nodes_along(shape.nx - 1, 1.0 / factor), most_nodes));
   const int ny = std::max(shape.ny(), std::min(nodes_across(shape.ny() - 1, 1.0 / factor), most_nodes));
-  if (ny > shape.ny()) fine.row_axis = shape.row_axis.with_whole_count(ny);
+  if (shape.row_axis.has_equal_steps() && ny > shape.ny()) fine.row_axis = shape.row_axis.with_whole_count(ny);
   return fine;
 }
 

@@ -172,7 +172,7 @@ TEST(FlanksAsAField, have_their_nearest_point_and_its_radius) {
   EXPECT_NEAR(conditions.nearest.drop * mesh.scales.thickness, 0.5 * sigma * sigma * R, 0.05e-6);
   EXPECT_GT(conditions.nearest.drop, 0.0);
   const DryForce dry(mesh);
-  EXPECT_NEAR(dry.at_unit_approach(conditions) / force_at_unit_approach(mesh.scales, conditions), 1.0, 1e-9);
+  EXPECT_NEAR(dry.law(conditions).force(1.0, 0.0) / force_at_unit_approach(mesh.scales, conditions), 1.0, 1e-9);
 }
 
 // Their force is the derivative's, begins at the backlash, and the films' rows know it.

@@ -58,9 +58,13 @@ inline FilmCase circular_contact() {
 struct SolvedFilm {
   SolvedFilm(MPI_Comm comm, const FilmCase& film_case, int nx, int ny, const SolverOptions& options = {},
              Edge lower = Edge::symmetry, FilmDiscretisation by = FilmDiscretisation::fitted)
-      : grid(comm, film_case.shape(nx, ny, lower)),
-        film(discretise(grid, film_case.scales, by), film_case.scales, options.multigrid),
-        result(solve_stationary(film, LoadCondition::force(film_case.scales.static_force), options)) {}
+      : SolvedFilm(comm, film_case.scales, film_case.shape(nx, ny, lower), options, by) {}
+
+  SolvedFilm(MPI_Comm comm, const Scales& scales, const GridShape& shape, const SolverOptions& options = {},
+             FilmDiscretisation by = FilmDiscretisation::fitted)
+      : grid(comm, shape),
+        film(discretise(grid, scales, by), scales, options.multigrid),
+        result(solve_stationary(film, LoadCondition::force(scales.static_force), options)) {}
 
   Grid grid;
   ContactFilm film;

@@ -44,8 +44,9 @@ inline TractionModel heated(int points = 17) {
   return model;
 }
 
-/// |G(x + e v) - G(x) - e J v| falls like e^2 at a state of a film, with the film's corrections as they are.
-inline void expect_second_order(const ContactFilm& corrected, const FilmSolution& state) {
+/// |G(x + e v) - G(x) - e J v| falls like e^2 at a state of a film, with the film's corrections as they are. v: changes
+/// of all pressures, and of H_0.
+inline void expect_second_order(const ContactFilm& corrected, const FilmSolution& state, double change_H0 = 0.0) {
   ContactFilm film(corrected.discretisation(), corrected.scales(), {.precision = Precision::double_precision});
   move_surfaces(film, corrected.conditions());
   film.set_flow_factors(corrected.flow_factors());
@@ -54,12 +55,12 @@ inline void expect_second_order(const ContactFilm& corrected, const FilmSolution
   for (std::size_t n = 0; n < change.size(); ++n) change[n] *= std::sin(0.7 * static_cast<double>(n));
   film.residual(pressure, state.H0, {}, at_state);
   film.linearise(pressure, state.H0, {}, 0.0);
-  film.multiply(change, 0.0, slope);
+  film.multiply(change, change_H0, slope);
   double before = 0.0;
   for (const double step : {4e-3, 2e-3, 1e-3}) {
     std::vector<double> moved(pressure), remainder(pressure.size());
     for (std::size_t n = 0; n < moved.size(); ++n) moved[n] += step * change[n];
-    film.residual(moved, state.H0, {}, remainder);
+    film.residual(moved, state.H0 + step * change_H0, {}, remainder);
     for (std::size_t n = 0; n < remainder.size(); ++n) remainder[n] -= at_state[n] + step * slope[n];
     double size = film.merit(remainder);
     MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);

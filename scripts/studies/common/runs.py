@@ -48,9 +48,9 @@ class Run:
         return self.errors.strip().rpartition("\n")[2]
 
 
-def attempt(command, case, folder, *options, time_limit=None):
+def attempt(command, case, folder, *options, time_limit=None, launcher=LAUNCHER):
     """One run, however it ends; longer than its time limit [s] it is ended, with the status OUT_OF_TIME."""
-    words = [*LAUNCHER, PROGRAM, command, str(case), "-output_dir", str(folder), *map(str, options)]
+    words = [*launcher, PROGRAM, command, str(case), "-output_dir", str(folder), *map(str, options)]
     begin = time.monotonic()
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=time_limit)
@@ -64,6 +64,14 @@ def attempt(command, case, folder, *options, time_limit=None):
     place = folder / "summary.json"
     summary = json.loads(place.read_text(encoding="utf-8")) if status != 1 and place.exists() else None
     return Run(words, status, seconds, errors, summary)
+
+
+def timed(*words, **options):
+    """A run as attempt() makes it, and the seconds of processors that it took, which other programs hardly change."""
+    before = os.times()
+    run = attempt(*words, **options)
+    after = os.times()
+    return run, after.children_user + after.children_system - before.children_user - before.children_system
 
 
 def solved(command, case, folder, *options):

@@ -1,7 +1,8 @@
 """Figure 4: crowned teeth, the equivalent body, the domain of computation, and a section through film and pressure."""
+from studies.common.gears import need_gears
 from studies.common.plotting import BLUE, DARK, GREEN, GREY, PALE, VERMILLION, numpy, pyplot
-from studies.paper.sketching import (BODY_SHADE, FONT, OIL_SHADE, arrow, bare_axes, dimension, label, need_gears,
-                                     plot_line, show_window)
+from studies.common.sketching import (BODY_SHADE, OIL_SHADE, SMALL, arrow, dimension, label, plot_line, show_window,
+                                      true_scale_axes)
 
 CROWN = 0.13           # of half the face width, in the sketch of two teeth
 FOOT = 0.6             # height of a tooth there
@@ -105,14 +106,14 @@ def draw_domain(axes, summary):
     axes.axis("on")
     axes.set_xlim(-y_half * b, y_half * b)
     axes.set_ylim(x_min, x_max)
-    axes.set_xticks([-b, 0, b], ["$-b$", "$y = 0$", "$b$"], fontsize=FONT)
-    axes.set_yticks([-a, 0, a], ["$-a$", "$x = 0$", "$a$"], fontsize=FONT)
+    axes.set_xticks([-b, 0, b], ["$-b$", "$y = 0$", "$b$"], fontsize=SMALL)
+    axes.set_yticks([-a, 0, a], ["$-a$", "$x = 0$", "$a$"], fontsize=SMALL)
     edges, sides = axes.secondary_yaxis("right"), axes.secondary_xaxis("top")
-    edges.set_yticks([x_min, x_max], [f"${x_min:g}\\,a$ inlet", f"${x_max:g}\\,a$ outlet"], fontsize=FONT)
-    sides.set_xticks([-y_half * b, y_half * b], [f"$-{y_half:g}\\,b$", f"${y_half:g}\\,b$"], fontsize=FONT)
+    edges.set_yticks([x_min, x_max], [f"${x_min:g}\\,a$ inlet", f"${x_max:g}\\,a$ outlet"], fontsize=SMALL)
+    sides.set_xticks([-y_half * b, y_half * b], [f"$-{y_half:g}\\,b$", f"${y_half:g}\\,b$"], fontsize=SMALL)
     for place in (-0.55 * b, 0.55 * b):
         arrow(axes, (place, x_min + 0.1), (place, -1.05 * a), linewidth=1.6)
-    axes.set_xlabel("oil enters from below with $u_m$; $p = 0$ on the boundary", fontsize=FONT)
+    axes.set_xlabel("oil enters from below with $u_m$; $p = 0$ on the boundary", fontsize=SMALL)
 
 
 def draw_pressure(axes, summary):
@@ -123,9 +124,9 @@ def draw_pressure(axes, summary):
     axes.fill_between(X, pressure, color=BLUE, alpha=BODY_SHADE, linewidth=0)
     axes.plot(X, pressure, color=BLUE)
     axes.set_ylim(0, 1.2)
-    axes.set_ylabel("$p/p_h$", fontsize=FONT)
+    axes.set_ylabel("$p/p_h$", fontsize=SMALL)
     axes.set_title(rf"section along $y = 0$; Hertz pressure, $p_h = {1e-9 * summary['p_hertz']:.2f}$ GPa",
-                   fontsize=FONT)
+                   fontsize=SMALL)
     axes.tick_params(labelbottom=False)
 
 
@@ -152,8 +153,8 @@ def draw_film(axes, summary):
     label(axes, (-0.5, -0.5 * PLANE_SHOWN), "plane")
     axes.set_xlim(x_min, x_max)
     axes.set_ylim(1.15 * H_0, top)
-    axes.set_ylabel("$H = h\\,R_x/a^2$", fontsize=FONT)
-    axes.set_xlabel("$X = x/a$", fontsize=FONT)
+    axes.set_ylabel("$H = h\\,R_x/a^2$", fontsize=SMALL)
+    axes.set_xlabel("$X = x/a$", fontsize=SMALL)
 
 
 def draw_contact(summary):
@@ -163,9 +164,9 @@ def draw_contact(summary):
     domain_height = 6.4 * 0.5 * (x_max - x_min) * summary["kappa"] / y_half  # inches
     figure = pyplot.figure(figsize=(8, 7.4 + domain_height), constrained_layout=True)
     grid = figure.add_gridspec(4, 2, height_ratios=[2.3, domain_height, 0.9, 2.0])
-    draw_crowned_teeth(bare_axes(figure, grid[0, 0], "crowned teeth along their width (exaggerated)"))
-    draw_paraboloid(bare_axes(figure, grid[0, 1], "equivalent paraboloid on a plane"))
-    draw_domain(bare_axes(figure, grid[1, :], f"usual domain for M = {summary['M']:.0f} and ellipse of contact, "
+    draw_crowned_teeth(true_scale_axes(figure, grid[0, 0], "crowned teeth along their width (exaggerated)"))
+    draw_paraboloid(true_scale_axes(figure, grid[0, 1], "equivalent paraboloid on a plane"))
+    draw_domain(true_scale_axes(figure, grid[1, :], f"usual domain for M = {summary['M']:.0f} and ellipse of contact, "
                           "at true scale"), summary)
     pressure = figure.add_subplot(grid[2, :])
     film = figure.add_subplot(grid[3, :], sharex=pressure)
@@ -173,5 +174,5 @@ def draw_contact(summary):
     draw_pressure(pressure, summary)
     figure.align_ylabels([pressure, film])
     for axes in (pressure, film):
-        axes.tick_params(labelsize=FONT - 1)
+        axes.tick_params(labelsize=SMALL - 1)
     return figure

@@ -1,9 +1,10 @@
 """Figure 1: the gear pair as a vibrating system, from the geometry that `gearfilm info` tells."""
 from typing import NamedTuple
 
+from studies.common.gears import need_gears
 from studies.common.plotting import BLUE, DARK, GREEN, GREY, PALE, VERMILLION, numpy, pyplot
-from studies.paper.sketching import (BODY_SHADE, OIL_SHADE, Frame, arrow, bare_axes, dimension, label, need_gears,
-                                     plot_circle, plot_line, pointed_label, polar)
+from studies.common.sketching import (BODY_SHADE, OIL_SHADE, Frame, arrow, dimension, label, plot_circle, plot_line,
+                                      pointed_label, polar, true_scale_axes)
 
 SPAN = 1.38            # of the line of action between the discs, drawn apart, in R_b1 + R_b2
 PLATES = (0.40, 0.86)  # ends of the contacts on it
@@ -102,7 +103,7 @@ def draw_pair(summary):
     radii = numpy.array([summary["base_radius_pinion"], summary["base_radius_wheel"]])
     radii = radii / radii.sum()
     figure = pyplot.figure(figsize=(8, 6.6), constrained_layout=True)
-    axes = bare_axes(figure, 111)
+    axes = true_scale_axes(figure, 111)
     draw_disc(axes, Disc(numpy.array([0.0, -radii[0]]), radii[0], 1, BLUE, 1))
     draw_disc(axes, Disc(numpy.array([SPAN, radii[1]]), radii[1], -1, VERMILLION, 2))
     draw_contacts(axes, Frame(numpy.zeros(2), numpy.array([1.0, 0.0])), *PLATES)

@@ -1,9 +1,9 @@
 """How data flow through the program, with the folders of src that hold each part."""
-from matplotlib.patches import FancyBboxPatch
+from studies.common.boxes import PLACE, Box, chart, draw_box, link, link_around, link_down
+from studies.common.plotting import BLUE, GREY
+from studies.common.sketching import NORMAL, label
 
-from boxes import ROOM, Box, chart, draw_box, link, link_down
-from gearfilm.drawing.canvas import BLUE, GREY
-from sketch import NORMAL, label
+from matplotlib.patches import FancyBboxPatch  # after plotting, which says what is missing
 
 HEIGHT = 772
 LIBRARIES_AT = 748
@@ -40,7 +40,7 @@ def draw_film_system(axes):
     """A frame around films and bodies, and what they exchange."""
     draw_frame(axes, 80, 409, 600, 132)
     label(axes, (96, 527), "film system", fontsize=NORMAL, fontweight="bold", ha="left")
-    label(axes, (192, 526), "solver", family="monospace", color=ROOM, ha="left")
+    label(axes, (192, 526), "solver", family="monospace", color=PLACE, ha="left")
     right, left = FILMS.side("e"), BODIES.side("w")
     for rise, begin, end, text in ((14, right, left, "forces"), (-14, left, right, "gaps")):
         link(axes, (begin[0], begin[1] + rise), (end[0], end[1] + rise))
@@ -54,9 +54,9 @@ def draw_callers(axes):
                                   facecolor="#F7F7F7", edgecolor=GREY, linewidth=1.3))
     middle = left + 0.5 * width
     for height, text, style in ((180, "commands", {"fontsize": NORMAL, "fontweight": "bold"}),
-                                (272, "app, bench", {"family": "monospace", "color": ROOM}),
+                                (272, "app, bench", {"family": "monospace", "color": PLACE}),
                                 (455, "C++ library", {"fontsize": NORMAL, "fontweight": "bold"}),
-                                (552, "interface", {"family": "monospace", "color": ROOM})):
+                                (552, "interface", {"family": "monospace", "color": PLACE})):
         label(axes, (middle, height), text, rotation=90, **style)
 
 
@@ -76,7 +76,7 @@ def draw_data_flow():
     link(axes, STEPS.side("e", -0.2), HEAT.side("w", -0.2))
     link(axes, HEAT.side("n"), (HEAT.x, 409))
     label(axes, (HEAT.x, 0.5 * (HEAT.side("n")[1] + 409)), "flow factors", (-6, 0), ha="right")
-    link(axes, ORBITS.side("w"), (76, ORBITS.y), (76, MARCH.y), MARCH.side("w"))
+    link_around(axes, ORBITS.side("w"), MARCH.side("w"), 76)
     label(axes, (84, 0.5 * (MARCH.y + ORBITS.y)), "next start", ha="left")
     link(axes, MARCH.side("e"), (462, MARCH.y), (462, 93), (400, 93), (400, RESULTS.side("n")[1]))
     label(axes, (470, 0.5 * (MARCH.y + ORBITS.y)), "history, films, checkpoints", ha="left")

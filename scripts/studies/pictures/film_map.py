@@ -1,10 +1,9 @@
 """Colours of films in maps: those of the package, and a pale one where oil is thick."""
 import copy
 
-import numpy
-from matplotlib import pyplot
+from studies.common.plotting import numpy, pyplot
 
-from gearfilm.drawing.canvas import COLOUR_MAP
+from gearfilm.drawing.canvas import COLOUR_MAP  # after plotting, which says what is missing
 
 LEVELS = numpy.linspace(1.8, 3.6, 10)  # µm
 THICK = "#E6EEF3"

@@ -1,15 +1,14 @@
 """Animation of the mesh cycle: the gears turn, films and pressures of their contacts beside them."""
-import numpy
-from matplotlib import pyplot
+from studies.common.plotting import BLUE, DARK, GREEN, PURPLE, VERMILLION, add_grid, numpy, pyplot
+from studies.common.sketching import LARGE, SMALL, arrow, bare_axes, label, new_figure
+from studies.pictures.film_map import LEVELS, THICK, film_colours
+from studies.pictures.gears_in_mesh import draw_gears_in_mesh
+
+# After plotting, which says what is missing.
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import Collection
 from matplotlib.colors import BoundaryNorm
 from PIL import Image
-
-from gearfilm.drawing.canvas import BLUE, DARK, GREEN, PURPLE, VERMILLION, add_grid
-from film_map import LEVELS, THICK, film_colours
-from gears import DrawnPair
-from sketch import LARGE, SMALL, arrow, bare_axes, label, new_figure
 
 HEIGHT = 5.2        # inches
 DELAY = 50          # ms, of a frame
@@ -34,7 +33,7 @@ class MeshCycle:
 
     def _add_gears(self):
         axes = bare_axes(self.figure, [0.005, 0.395, 0.46, 0.535])
-        self.drawn = DrawnPair(axes, self.pair.gears, (0.3, 0), (10.2, 7.7))
+        self.drawn = draw_gears_in_mesh(axes, self.pair.gears, (0.3, 0), (10.2, 7.7))
         self.spots = [axes.plot([], [], marker="o", markersize=10, color=tone, markeredgecolor="white", zorder=6)[0]
                       for tone in TONES]
         label(axes, (0.5, 1), "gears in mesh", (0, 9), xycoords="axes fraction", fontsize=LARGE)

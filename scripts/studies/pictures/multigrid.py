@@ -1,10 +1,7 @@
 """The multigrid cycle of one film: its grids, what is transferred between them, and the line smoother."""
-import numpy
-from matplotlib import pyplot
-
-from boxes import Box, chart, draw_box, link
-from gearfilm.drawing.canvas import BLUE, DARK, GREEN, GREY, PALE, VERMILLION
-from sketch import LARGE, NORMAL, SMALL, arrow, label
+from studies.common.boxes import Box, chart, draw_box, link
+from studies.common.plotting import BLUE, DARK, GREEN, GREY, PALE, VERMILLION, numpy, pyplot
+from studies.common.sketching import LARGE, NORMAL, SMALL, arrow, label
 
 HEIGHT = 735
 GRID_AT, GRID_SIZE = 92, (150, 62)

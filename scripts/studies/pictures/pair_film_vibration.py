@@ -1,12 +1,10 @@
 """A gear pair, the film of one of its contacts, and the vibration of the pair, side by side."""
-import numpy
-from matplotlib import pyplot
-from matplotlib.patches import ConnectionPatch, FancyArrowPatch, FancyBboxPatch
+from studies.common.plotting import BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, add_grid, numpy, pyplot
+from studies.common.sketching import LARGE, SMALL, arrow, bare_axes, label, new_figure
+from studies.pictures.film_map import LEVELS, film_colours
+from studies.pictures.gears_in_mesh import draw_gears_in_mesh
 
-from film_map import LEVELS, film_colours
-from gearfilm.drawing.canvas import BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, add_grid
-from gears import DrawnPair
-from sketch import LARGE, SMALL, arrow, bare_axes, label, new_figure
+from matplotlib.patches import ConnectionPatch, FancyArrowPatch, FancyBboxPatch  # after plotting
 
 HEIGHT = 3.7        # inches
 MOMENT = 35         # of the cycle: two contacts are in mesh
@@ -18,7 +16,7 @@ FRAME = (0.322, 0.012, 0.338, 0.888)  # of the film's panels, in the figure
 
 def draw_gears(figure, pair, films):
     axes = bare_axes(figure, [0.005, 0.13, 0.295, 0.755])
-    DrawnPair(axes, pair.gears, (1.9, 0.4), (7.1, 8.4)).turn(films[0].xi)
+    draw_gears_in_mesh(axes, pair.gears, (1.9, 0.4), (7.1, 8.4)).turn(films[0].xi)
     for film, colour in zip(films, (GREEN, PURPLE)):
         axes.plot(*pair.gears.at(film.xi), marker="o", markersize=7, color=colour, markeredgecolor="white", zorder=6)
     spot = pair.gears.at(films[0].xi)

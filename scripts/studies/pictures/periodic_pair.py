@@ -1,8 +1,7 @@
 """The periodic state that the pictures show: one mesh cycle of it, which may be repeated."""
-import numpy
-
 import gearfilm
-from gears import gear_pair
+from studies.common.gears import gear_pair
+from studies.common.plotting import numpy
 
 FRAMES = 40  # stored films in a mesh cycle
 OPTIONS = {"output.snapshot_interval": 1 / FRAMES, "periodic.multipliers": False}

@@ -1,9 +1,9 @@
 """One time step of the coupled films and motion: prediction, Newton's method, linear solves, what follows a failure."""
-from matplotlib.patches import FancyBboxPatch
+from studies.common.boxes import Box, answers, chart, draw_box, link, link_around, link_down
+from studies.common.plotting import BLUE
+from studies.common.sketching import NORMAL, label
 
-from boxes import Box, chart, draw_box, link, link_down
-from gearfilm.drawing.canvas import BLUE
-from sketch import NORMAL, label
+from matplotlib.patches import FancyBboxPatch  # after plotting, which says what is missing
 
 HEIGHT, BOTTOM = 702, 30
 MAIN, SIDE, EDGE = 218, 600, 786  # middles of both columns; where failures go up
@@ -43,12 +43,10 @@ def draw_time_step():
         draw_box(axes, box)
     link_down(axes, START, PREDICT, RESIDUAL, SMALL_ENOUGH, LINEAR, CHANGE, GOES_ON)
     link(axes, SMALL_ENOUGH.side("e"), (ACCEPTED.side("w")[0], SMALL_ENOUGH.y))
-    link(axes, GOES_ON.side("w"), (30, GOES_ON.y), (30, RESIDUAL.y), RESIDUAL.side("w"))
-    link(axes, GOES_ON.side("e"), (EDGE, GOES_ON.y), (EDGE, AGAIN.y), AGAIN.side("e"))
+    link_around(axes, GOES_ON.side("w"), RESIDUAL.side("w"), 30)
+    link_around(axes, GOES_ON.side("e"), AGAIN.side("e"), EDGE)
     link(axes, AGAIN.side("w"), PREDICT.side("e"))
     link(axes, LINEAR.side("e"), (CYCLE.side("w")[0], LINEAR.y), arrowstyle="<|-|>")
-    for box, yes, no in ((SMALL_ENOUGH, "e", "s"), (GOES_ON, "w", "e")):
-        for side, text in ((yes, "yes"), (no, "no")):
-            shift = {"e": (4, 7), "w": (-4, 7), "s": (-6, -7)}[side]
-            label(axes, box.side(side), text, shift, ha="left" if side == "e" else "right")
+    answers(axes, SMALL_ENOUGH, yes="e", no="s")
+    answers(axes, GOES_ON, yes="w", no="e")
     return figure

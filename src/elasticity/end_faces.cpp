@@ -1,0 +1,230 @@
+#include "elasticity/end_faces.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "elasticity/fftw.hpp"
+#include "elasticity/love.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+/// f of the stress at depth z, for y >= 0.
+double stress_corner(double x, double y, double z, double nu) {
+  if (y == 0.0) return 0.0;  // both arcs tend to +-pi/2
+  const double rho = std::sqrt(x * x + y * y + z * z);
+  return -z * x * y / ((y * y + z * z) * rho) + 2.0 * nu * std::atan(x * y / (z * rho)) +
+         (1.0 - 2.0 * nu) * (std::atan(x / y) - std::atan(z * x / (y * rho)));
+}
+
+/// Rows as one end sees them: nodes and edges of cells at their distances from it, the nearest first.
+struct FromEnd {
+  std::vector<double> nodes, edges;
+
+  int rows() const { return static_cast<int>(nodes.size()); }
+};
+
+/// Of the whole axis, mirror images included.
+FromEnd from_end(const RowAxis& axis, bool upper) {
+  const int count = axis.whole_count();
+  const auto distance = [&](int row) {
+    const int last = count - 1;
+    return upper ? axis.whole_y(last) - axis.whole_y(last - row) : axis.whole_y(row) - axis.whole_y(0);
+  };
+  FromEnd seen;
+  for (int row = 0; row < count; ++row) {
+    seen.nodes.push_back(distance(row));
+    seen.edges.push_back(row == 0 ? 0.0 : 0.5 * (distance(row - 1) + distance(row)));
+  }
+  seen.edges.push_back(distance(count - 1));
+  return seen;
+}
+
+/// Cells of rows cut into parts that grow by a third with the distance from the end, where p' changes that fast, and
+/// the rows to which they belong.
+struct FineCells {
+  explicit FineCells(const FromEnd& rows) {
+    constexpr double growth = 1.35;
+    double smallest = 0.1 * rows.edges[1];
+    for (int row = 0; row < rows.rows(); ++row) {
+      std::vector<double> inner;  // from the far edge to the near one
+      for (double edge = rows.edges[row + 1] / growth; edge > std::max(rows.edges[row] * std::sqrt(growth), smallest);
+           edge /= growth) {
+        inner.push_back(edge);
+      }
+      edges.insert(edges.end(), inner.rbegin(), inner.rend());
+      edges.push_back(rows.edges[row + 1]);
+      row_of.resize(edges.size() - 1, row);
+    }
+  }
+  int count() const { return static_cast<int>(row_of.size()); }
+  double middle(int cell) const { return 0.5 * (edges[cell] + edges[cell + 1]); }
+
+  std::vector<double> edges = {0.0};
+  std::vector<int> row_of;
+};
+
+/// Even sequences of so many values, the distances 0, 1, ..., and their transforms, for all targets and sources.
+class EvenTransforms {
+public:
+  EvenTransforms(int targets, int sources, int count)
+      : targets_(targets),
+        sources_(sources),
+        count_(count),
+        values_(static_cast<std::size_t>(targets) * sources * count) {
+    const fftw_r2r_kind kind = FFTW_REDFT00;
+    const int pairs = targets * sources;
+    plan_ = fftw::Plan<double>(fftw_plan_many_r2r(1, &count_, pairs, values_.data(), nullptr, pairs, 1, values_.data(),
+                                                  nullptr, pairs, 1, &kind, fftw::effort));
+  }
+  int targets() const { return targets_; }
+  int sources() const { return sources_; }
+  /// The matrix of a distance or a wave number, [target][source].
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> at(int k) {
+    return {values_.data() + static_cast<std::size_t>(k) * targets_ * sources_, targets_, sources_};
+  }
+  void transform() { plan_.execute(); }
+
+private:
+  int targets_, sources_, count_;
+  fftw::Buffer<double> values_;
+  fftw::Plan<double> plan_;
+};
+
+/// Fills [distance][target][source] from a corner function of (x, edge of a source cell, target): differences over the
+/// cells.
+template <class Corner>
+void fill_from_corners(EvenTransforms& transforms, int count, double h_x, Corner corner) {
+  const int rows = transforms.targets(), edges = transforms.sources() + 1;
+  std::vector<double> before(static_cast<std::size_t>(rows) * edges), behind(before);
+  const auto find = [&](double x, std::vector<double>& corners) {
+    for (int row = 0; row < rows; ++row) {
+      for (int edge = 0; edge < edges; ++edge)
+        corners[static_cast<std::size_t>(row) * edges + edge] = corner(x, edge, row);
+    }
+  };
+  find(-0.5 * h_x, before);
+  for (int lag = 0; lag < count; ++lag) {
+    find((lag + 0.5) * h_x, behind);
+    auto matrix = transforms.at(lag);
+    for (int row = 0; row < rows; ++row) {
+      const std::size_t first = static_cast<std::size_t>(row) * edges;
+      for (int source = 0; source + 1 < edges; ++source) {
+        matrix(row, source) =
+            behind[first + source + 1] - behind[first + source] - before[first + source + 1] + before[first + source];
+      }
+    }
+    before.swap(behind);
+  }
+}
+
+/// What an end adds under one body, [distance][target][source] in the order that the end sees.
+void fill_free_end(EvenTransforms& added, const FromEnd& rows, int count, double h_x, double nu) {
+  const FineCells cells(rows);
+  EvenTransforms both(rows.rows(), cells.count(), count), stress(cells.count(), cells.count(), count);
+  fill_from_corners(added, count, h_x,
+                    [&](double x, int edge, int row) { return love_corner(x, rows.edges[edge] - rows.nodes[row]); });
+  fill_from_corners(both, count, h_x, [&](double x, int edge, int row) {
+    return love_corner(x, cells.edges[edge] - rows.nodes[row]) + love_corner(x, cells.edges[edge] + rows.nodes[row]);
+  });
+  fill_from_corners(stress, count, h_x, [&](double x, int edge, int cell) {
+    return stress_corner(x, cells.edges[edge], cells.middle(cell), nu) / pi;
+  });
+  for (EvenTransforms* kernel : {&added, &both, &stress}) kernel->transform();
+  Eigen::MatrixXd of_rows = Eigen::MatrixXd::Zero(cells.count(), rows.rows());  // the same pressure on all parts
+  for (int cell = 0; cell < cells.count(); ++cell) of_rows(cell, cells.row_of[cell]) = 1.0;
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(cells.count(), cells.count());
+  const double scale = 1.0 / (2.0 * (count - 1));
+  for (int k = 0; k < count; ++k) {
+    const Eigen::MatrixXd S = stress.at(k), system = identity - S * S;
+    // (K + K_mirrored) (1 - S^2)^-1 - K
+    added.at(k) = scale * (both.at(k) * system.partialPivLu().solve(of_rows) - added.at(k));
+  }
+  added.transform();
+}
+
+/// The mirror image of the pressure times a factor.
+void fill_mirror(EvenTransforms& added, const FromEnd& rows, int count, double h_x, double factor) {
+  fill_from_corners(added, count, h_x, [&](double x, int edge, int row) {
+    return factor * love_corner(x, rows.edges[edge] + rows.nodes[row]);
+  });
+}
+
+}  // namespace
+
+EndFaces ends_of(const Face& face) { return {face.end, face.ending, face.mirror_factor}; }
+
+// Periods of the transforms are four times the padded length: images of a load that is so far away bend nothing.
+EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& ends)
+    : rows_(shape.rows()), lags_(shape.nx), values_(static_cast<std::size_t>(rows_) * rows_ * lags_, 0.0) {
+  const RowAxis& axis = shape.row_axis;
+  const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx, true) + 1;
+  const auto add = [&](bool upper, double share, EvenTransforms& added) {
+    const auto seen = [&](int whole_row) { return upper ? whole - 1 - whole_row : whole_row; };
+    for (int i = 0; i < lags_; ++i) {
+      const auto matrix = added.at(i);
+      for (int row = 0; row < rows_; ++row) {
+        const int target = seen(axis.mirrored() ? row + rows_ - 1 : row);
+        for (int source = 0; source < whole; ++source) {
+          values_[(static_cast<std::size_t>(row) * rows_ + axis.stored_row(source)) * lags_ + i] +=
+              share * matrix(target, seen(source));
+        }
+      }
+    }
+  };
+  const auto add_end = [&](bool upper, auto fill, double share, int lags) {
+    EvenTransforms added(whole, whole, lags);
+    fill(added, from_end(axis, upper));
+    add(upper, share, added);
+    // Rows that are their own mirror image look alike from both ends.
+    if (axis.mirrored()) add(!upper, share, added);
+  };
+  for (const bool upper : {true, false}) {
+    if (!upper && axis.mirrored()) continue;
+    if (ends.kind == EndFace::mirror) {
+      const auto fill = [&](EvenTransforms& added, const FromEnd& rows) {
+        fill_mirror(added, rows, lags_, shape.h_x(), ends.mirror_factor);
+      };
+      add_end(upper, fill, 1.0, lags_ + 1);
+    }
+    if (ends.kind != EndFace::free) continue;
+    for (const EndingBody& body : ends.bodies) {
+      const auto fill = [&](EvenTransforms& added, const FromEnd& rows) {
+        fill_free_end(added, rows, count, shape.h_x(), body.poisson_ratio);
+      };
+      add_end(upper, fill, body.share, count);
+    }
+  }
+  leave_out_rigid_part(shape);
+}
+
+// Beneath the half-ellipse of a line contact of the half-width 1.
+void EndFaceCompliance::leave_out_rigid_part(const GridShape& shape) {
+  const RowAxis& axis = shape.row_axis;
+  double displaced = 0.0, load = 0.0, width = 0.0;
+  const int reach = std::min(lags_ - 1, static_cast<int>(1.0 / shape.h_x()));
+  // Rows at the ends stand for half a strip.
+  const auto width_of = [&](int row) { return (axis.is_ambient(row) ? 0.5 : 1.0) * axis.weight(row); };
+  for (int row = 0; row < rows_; ++row) width += width_of(row);
+  for (int i = -reach; i <= reach; ++i) {
+    const double x = i * shape.h_x(), pressure = std::sqrt(std::max(0.0, 1.0 - x * x));
+    load += pressure * shape.h_x() * width;
+    for (int row = 0; row < rows_; ++row) {
+      double sum = 0.0;
+      for (int source = 0; source < rows_; ++source) sum += (*this)(std::abs(i), row, source);
+      displaced += width_of(row) / width * pressure * sum;
+    }
+  }
+  const double by_force = displaced / load;
+  for (int row = 0; row < rows_; ++row) {
+    for (int source = 0; source < rows_; ++source) {
+      double* values = &values_[(static_cast<std::size_t>(row) * rows_ + source) * lags_];
+      for (int i = 0; i < lags_; ++i) values[i] -= by_force * shape.h_x() * width_of(source);
+    }
+  }
+}
+
+}  // namespace gearfilm

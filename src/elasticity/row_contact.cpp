@@ -1,0 +1,227 @@
+#include "elasticity/row_contact.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearfilm/error.hpp"
+#include "grid/graded_rows.hpp"
+
+namespace gearfilm {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double narrowest = 1e-6;  // half-width of a row without load [a]
+
+/// Nodes and weights of (1 - xi^2)^(1/2) in 2/pi on [-1, 1].
+struct Quadrature {
+  explicit Quadrature(int count) {
+    for (int n = 1; n <= count; ++n) {
+      const double angle = pi * n / (count + 1), sine = std::sin(angle);
+      nodes.push_back(std::cos(angle));
+      weights.push_back(2.0 * sine * sine / (count + 1));
+    }
+  }
+  std::vector<double> nodes, weights;
+};
+
+/// Enough nodes for what changes within `length` over a width of two.
+const Quadrature& quadrature_for(double length) {
+  static const std::vector<Quadrature> all = [] {
+    std::vector<Quadrature> list;
+    for (const int count : {4, 8, 16, 32, 64, 128, 256}) list.emplace_back(count);
+    return list;
+  }();
+  std::size_t n = 0;
+  for (double resolved = 2.0; resolved > length && n + 1 < all.size(); resolved *= 0.5) ++n;
+  return all[n];
+}
+
+}  // namespace
+
+RowContact::RowContact(const Scales& scales, const RowAxis& rows) : rows_(rows), C_h_(scales.C_h) {
+  for (int row = 0; row < rows.count(); ++row) {
+    const double y = rows.y(row);
+    gaps_.push_back(0.5 * scales.radius_ratio * y * y + (*scales.solids.face)(y * scales.length) / scales.thickness);
+    weights_.push_back(rows.is_ambient(row) ? 0.0 : rows.weight(row));
+  }
+  const int whole = rows.whole_count();
+  for (int n = 0; n < whole; ++n) {
+    const double y = rows.whole_y(n);
+    const double before = n > 0 ? 0.5 * (rows.whole_y(n - 1) + y) : y;
+    const double behind = n + 1 < whole ? 0.5 * (rows.whole_y(n + 1) + y) : y;
+    whole_.push_back({y, before, behind, rows.stored_row(n)});
+  }
+  const auto count = static_cast<std::size_t>(rows.count());
+  end_influence_.assign(count * count, 0.0);
+  middle_ = edge_ = end_influence_;
+  half_widths_.assign(count, 1.0);
+}
+
+// Beneath rows of the static half-width.
+void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
+  const auto count = static_cast<std::size_t>(rows_.count());
+  const int half = std::min(ends.lags() - 1, static_cast<int>(1.0 / h_x));
+  double sum = 0.0;
+  std::vector<double> pressure;
+  for (int i = 0; i <= half; ++i) {
+    const double x = i * h_x;
+    pressure.push_back((i == 0 ? 1.0 : 2.0) * std::sqrt(std::max(0.0, 1.0 - x * x)));
+    sum += pressure.back() * h_x;
+  }
+  for (int row = 0; row < rows_.count(); ++row) {
+    for (int source = 0; source < rows_.count(); ++source) {
+      double& influence = end_influence_[static_cast<std::size_t>(row) * count + source];
+      for (int i = 0; i <= half; ++i) influence += pressure[i] / sum * ends(i, row, source);
+    }
+  }
+}
+
+// The logarithm of the distance in the own row is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
+double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) const {
+  const double upper = source.upper - at_y, lower = source.lower - at_y;
+  const Quadrature& rule = quadrature_for(std::min(std::abs(upper), std::abs(lower)) / s);
+  double sum = 0.0;
+  for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
+    const double d = std::max(std::abs(at_x - s * rule.nodes[n]), 1e-12 * s);
+    double value = 0.0;
+    if (own) {
+      value = std::log((upper + std::hypot(upper, d)) * (-lower + std::hypot(lower, d)));
+    } else {
+      const bool above = lower >= 0.0;
+      const double near = above ? lower : -upper, far = above ? upper : -lower;
+      value = std::log((far + std::hypot(far, d)) / (near + std::hypot(near, d)));
+    }
+    sum += rule.weights[n] * value;
+  }
+  if (own) sum -= 2.0 * (std::log(0.5 * s) - 0.5 + (at_x / s) * (at_x / s));
+  return sum;
+}
+
+void RowContact::find_influence() {
+  const int count = rows_.count();
+  std::ranges::fill(middle_, 0.0);
+  std::ranges::fill(edge_, 0.0);
+  for (int row = 0; row < count; ++row) {
+    const double y = rows_.y(row);
+    for (std::size_t n = 0; n < whole_.size(); ++n) {
+      const Place& source = whole_[n];
+      const double s = half_widths_[source.stored];
+      if (rows_.is_ambient(source.stored)) continue;
+      const bool own = source.y == y;
+      const std::size_t at = static_cast<std::size_t>(row) * count + source.stored;
+      middle_[at] += C_h_ * influence(0.0, y, source, own, s);
+      if (half_widths_[row] > narrowest) edge_[at] += C_h_ * influence(half_widths_[row], y, source, own, s);
+    }
+    for (int source = 0; source < count; ++source) {
+      const std::size_t at = static_cast<std::size_t>(row) * count + source;
+      middle_[at] += C_h_ * end_influence_[at];
+      edge_[at] += C_h_ * end_influence_[at];
+    }
+  }
+}
+
+FaceContact RowContact::solve(double force, double relative_radius) {
+  constexpr int most_turns = 100;
+  constexpr double settled = 1e-6;
+  const int count = rows_.count();
+  double approach = 0.0;
+  std::vector<bool> loaded(count, true);
+  for (int turn = 0; turn < most_turns; ++turn) {
+    find_influence();
+    for (int row = 0; row < count; ++row) loaded[row] = loaded[row] && !rows_.is_ambient(row);
+    for (int round = 0; round <= count; ++round) {
+      std::vector<int> set;
+      for (int row = 0; row < count; ++row) {
+        if (loaded[row]) set.push_back(row);
+      }
+      const auto size = static_cast<Eigen::Index>(set.size());
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size + 1, size + 1);
+      Eigen::VectorXd right(size + 1);
+      for (Eigen::Index r = 0; r < size; ++r) {
+        for (Eigen::Index c = 0; c < size; ++c)
+          matrix(r, c) = middle_[static_cast<std::size_t>(set[r]) * count + set[c]];
+        matrix(r, size) = -1.0;
+        matrix(size, r) = weights_[set[r]];
+        right[r] = -gaps_[set[r]];
+      }
+      right[size] = force;
+      const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
+      loads_.assign(count, 0.0);
+      bool changed = false;
+      for (Eigen::Index r = 0; r < size; ++r) {
+        loads_[set[r]] = std::max(0.0, solved[r]);
+        if (solved[r] < 0.0) {
+          loaded[set[r]] = false;
+          changed = true;
+        }
+      }
+      approach = solved[size];
+      if (!changed) break;
+    }
+    double change = 0.0;
+    for (int row = 0; row < count; ++row) {
+      double sinking = 0.0, here = gaps_[row] - approach;
+      for (int source = 0; source < count; ++source) {
+        const std::size_t at = static_cast<std::size_t>(row) * count + source;
+        sinking += (middle_[at] - edge_[at]) * loads_[source];
+        here += middle_[at] * loads_[source];
+      }
+      if (rows_.is_ambient(row)) continue;
+      if (!loaded[row]) {
+        if (here < 0.0) loaded[row] = true;  // taken in again, as wide as a line contact of its load will be
+        half_widths_[row] =
+            loaded[row] ? std::max(half_widths_[row], 0.1 * std::sqrt(force / rows_.half_width())) : narrowest;
+        continue;
+      }
+      const double wanted = std::sqrt(std::max(2.0 * relative_radius * sinking, narrowest * narrowest));
+      const double before = half_widths_[row] > narrowest ? half_widths_[row] : wanted;
+      change = std::max(change, std::abs(wanted - before) * weights_[row] / rows_.half_width());
+      half_widths_[row] = 0.5 * (before + wanted);
+    }
+    if (turn > 2 && change < settled) break;
+    if (turn + 1 == most_turns) throw SolveError("the dry contact along the face is not found");
+  }
+  FaceContact contact{.force = force, .approach = approach};
+  double moment = 0.0;
+  for (int row = 0; row < count; ++row) {
+    const double from_end = rows_.half_width() - std::abs(rows_.y(row));
+    if (!rows_.mirrored()) moment += weights_[row] * rows_.y(row) * loads_[row];
+    if (from_end < 1.0 || loads_[row] == 0.0) continue;
+    contact.half_width = std::max(contact.half_width, half_widths_[row]);
+    contact.pressure = std::max(contact.pressure, 2.0 * loads_[row] / (pi * half_widths_[row]));
+  }
+  contact.arm = moment / force;
+  return contact;
+}
+
+FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
+  constexpr double smallest = 0.01, largest = 8.0;  // of the static force
+  constexpr int points = 12;
+  const Face& face = *scales.solids.face;
+  std::vector<double> kinks = face.kinks();
+  for (double& y : kinks) y /= scales.length;
+  const double half_width = 0.5 * face.width / scales.length;
+  const RowGrading grading{.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width / 32.0)};
+  const RowAxis rows = graded_rows(half_width, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
+  RowContact contact(scales, rows);
+  constexpr int lines = 49;
+  constexpr double reach = 1.5;
+  if (const EndFaces ends = ends_of(face); ends.act()) {
+    const GridShape shape{lines, -reach, reach, rows};
+    contact.add_ends(EndFaceCompliance(shape, ends), shape.h_x());
+  }
+  std::array<std::vector<FaceContact>, 2> contacts;
+  for (std::size_t radius = 0; radius < 2; ++radius) {
+    for (int n = points; n-- > 0;) {
+      const double ratio = smallest * std::pow(largest / smallest, n / (points - 1.0));
+      contacts[radius].insert(contacts[radius].begin(),
+                              contact.solve(ratio * scales.static_force, relative_radii[radius]));
+    }
+  }
+  return {contact.nearest(), relative_radii, contacts};
+}
+
+}  // namespace gearfilm

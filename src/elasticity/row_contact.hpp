@@ -1,0 +1,59 @@
+// The dry contact along a whole face, row by row.
+//
+// The pressure of row l is a semi-ellipse of the half-width s_l that carries the load w_l by unit length,
+//   P(X, Y_l) = 2 w_l/(pi s_l) (1 - X^2/s_l^2)^(1/2) ,
+// and the gap is closed in the middle and at the edges of every loaded row,
+//   l(Y) + D Y^2/2 - c + u(0, Y) = 0 ,   u(0, Y) - u(s, Y) = s^2/(2 Rbar) ,   w >= 0 ,   sum_l w_l (cell of l) = F ,
+// with the deformation u of all rows and of the ends of the face (there alike across a row). The pressure of an elastic
+// ellipse, and that of an endless line, have this form: there the equations are exact but for the steps of rows.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "contact/face_law.hpp"
+#include "contact/scales.hpp"
+#include "elasticity/end_faces.hpp"
+
+namespace gearfilm {
+
+class RowContact {
+public:
+  /// For the scales' face; rows over the whole face or half of it.
+  RowContact(const Scales& scales, const RowAxis& rows);
+  /// Adds what the ends of the face give way, from that of a grid of such rows.
+  void add_ends(const EndFaceCompliance& ends, double h_x);
+
+  /// The contact under a force at a radius, from the one that was solved last. Throws SolveError where it is not found.
+  FaceContact solve(double force, double relative_radius);
+  /// The smallest gap of the rows.
+  double nearest() const { return *std::ranges::min_element(gaps_); }
+  /// Loads by unit length of the rows that were solved last.
+  const std::vector<double>& loads() const { return loads_; }
+  /// Their half-widths.
+  const std::vector<double>& half_widths() const { return half_widths_; }
+
+private:
+  struct Place {
+    double y, lower, upper;  ///< of a row and its cell, in the whole domain
+    int stored;
+  };
+
+  void find_influence();
+  double influence(double at_x, double at_y, const Place& source, bool own, double s) const;
+
+  const RowAxis rows_;
+  double C_h_;
+  std::vector<double> gaps_;     ///< of stored rows
+  std::vector<double> weights_;  ///< of stored rows, images included
+  std::vector<Place> whole_;
+  std::vector<double> end_influence_;  ///< [target][source], of unit load by length
+  std::vector<double> loads_, half_widths_;
+  std::vector<double> middle_, edge_;  ///< u of unit loads in the middle and at the edge of a row, [target][source]
+};
+
+/// The law of the scales' face for forces around the static one, at radii between two.
+FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii);
+
+}  // namespace gearfilm

@@ -1,0 +1,81 @@
+#include "film/face_pressure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gearfilm {
+namespace {
+
+/// Of a row under a load by unit length: s^2 = 2 w 2 pi C_h Rbar/pi.
+double line_half_width(const Scales& scales, const ContactConditions& conditions, double load) {
+  return std::sqrt(4.0 * scales.C_h * conditions.dry_radius() * load);
+}
+
+}  // namespace
+
+std::vector<double> face_gaps(const RowAxis& rows, const Scales& scales) {
+  std::vector<double> gaps;
+  for (const double y : rows.y()) {
+    const double lead = scales.solids.face ? (*scales.solids.face)(y * scales.length) / scales.thickness : 0.0;
+    gaps.push_back(0.5 * scales.radius_ratio * y * y + lead);
+  }
+  return gaps;
+}
+
+double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
+  if (scales.solids.line) return line_half_width(scales, conditions, pressure_integral);
+  return scales.face_law->at_force(pressure_integral, conditions.dry_radius()).half_width;
+}
+
+double face_pressure(Discretisation& discretisation, const Scales& scales, const ContactConditions& conditions,
+                     double pressure_integral, std::span<double> pressure) {
+  const Grid& grid = discretisation.grid();
+  std::vector<double> loads = {pressure_integral}, widths = {line_half_width(scales, conditions, pressure_integral)};
+  double approach = 0.0;
+  if (!scales.solids.line) {
+    RowContact& rows = discretisation.prepare_row_contact(scales);
+    approach = rows.solve(pressure_integral, conditions.dry_radius()).approach;
+    loads = rows.loads();
+    widths = rows.half_widths();
+  }
+  for (int j = 0; j < grid.y_count(); ++j) {
+    const int row = grid.y_begin() + j;
+    const double s = widths[row], top = 2.0 * loads[row] / (std::numbers::pi * s);
+    for (int i = 0; i < grid.nx(); ++i) {
+      const double x = (grid.x(i) - conditions.nearest.X) / s, inside = 1.0 - x * x;
+      const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
+      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;
+    }
+  }
+  return approach;
+}
+
+std::vector<double> rescaled_face_pressure(Discretisation& discretisation, const Scales& scales,
+                                           const ContactConditions& conditions, double before, double after,
+                                           std::span<const double> pressure) {
+  constexpr double narrowest = 0.05;  // half-width whose pressure tells what it would be on a wider row [a]
+  const Grid& grid = discretisation.grid();
+  RowContact& rows = discretisation.prepare_row_contact(scales);
+  rows.solve(before, conditions.dry_radius());
+  const std::vector<double> widths = rows.half_widths();
+  std::vector<double> values(pressure.size());
+  face_pressure(discretisation, scales, conditions, after, values);
+  const double centre = conditions.nearest.X;
+  for (int j = 0; j < grid.y_count(); ++j) {
+    const int row = grid.y_begin() + j;
+    if (widths[row] < narrowest) continue;
+    const double ratio = std::max(rows.half_widths()[row], 0.1 * widths[row]) / widths[row];
+    for (int i = 1; i < grid.nx() - 1; ++i) {
+      const double place =
+          std::clamp((centre + (grid.x(i) - centre) / ratio - grid.x(0)) / grid.h_x(), 0.0, grid.nx() - 1.001);
+      const auto n = static_cast<std::size_t>(place);
+      const auto at = [&](std::size_t line) { return pressure[line * grid.y_count() + j]; };
+      values[static_cast<std::size_t>(i) * grid.y_count() + j] =
+          ratio * std::lerp(at(n), at(n + 1), place - static_cast<double>(n));
+    }
+  }
+  return values;
+}
+
+}  // namespace gearfilm

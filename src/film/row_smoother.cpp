@@ -1,0 +1,106 @@
+#include "film/row_smoother.hpp"
+
+#include <cstdlib>
+
+#include "parallel/events.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deformation)
+    : Smoother<Real>(grid), nx_(grid.nx()), rows_(grid.y_count()), inverse_scale_(grid) {
+  const RowAxis& axis = grid.row_axis();
+  const std::array<int, places> towards = {-1, 0, 1};
+  for (int at = 0; at < places; ++at) {
+    std::vector<Part>& of_rows = influence_[at];
+    for (int row = grid.y_begin(); row < grid.y_begin() + grid.y_count(); ++row) {
+      // Before a row of symmetry lies the image of the next one.
+      const int target = axis.mirrored() ? std::abs(row + towards[at]) : row + towards[at];
+      const bool inside = target >= 0 && target < axis.count();
+      const double images = row == axis.mirror_row() ? 2.0 : 1.0;  // of a row of symmetry it is the row itself
+      std::vector<Part> half;
+      for (int i = 0; i <= nx_ && inside; ++i) {
+        half.push_back(static_cast<Part>(deformation.coefficient(i, target, row) / images));
+      }
+      for (int i = -nx_; i <= nx_; ++i) of_rows.push_back(inside ? half[std::abs(i)] : Part(0));
+    }
+  }
+}
+
+// Column by column, for all lines at once; then the full nodes' rows of it.
+template <class Real>
+void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix) {
+  const std::vector<int>& full = rows_[j].full;
+  std::array<Vector, neighbour_count> v, u;
+  for (int n = 0; n < neighbour_count; ++n) {
+    v[n].resize(nx_);
+    u[n].resize(nx_);
+    for (int i = 0; i < nx_; ++i) {
+      v[n][i] = linear.by_pressure[n].row(i)[j];
+      u[n][i] = linear.by_thickness[n].row(i)[j];
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(full.size());
+  matrix.resize(count, count);
+  Vector column(nx_);
+  const Real *u_ww = u[west_west].data(), *u_w = u[west].data(), *u_c = u[centre].data(), *u_e = u[east].data(),
+             *u_s = u[south].data(), *u_n = u[north].data();
+  for (Eigen::Index m = 0; m < count; ++m) {
+    const int k = full[m];
+    const Part *own = influence(own_row, j) - k, *before = influence(row_before, j) - k,
+               *after = influence(row_after, j) - k;
+    for (int i = full.front(); i <= full.back(); ++i) {
+      column[i] = u_ww[i] * own[i - 2] + u_w[i] * own[i - 1] + u_c[i] * own[i] + u_e[i] * own[i + 1] +
+                  u_s[i] * before[i] + u_n[i] * after[i];
+    }
+    column[k] += v[centre][k];
+    if (k > 0) column[k - 1] += v[east][k - 1];
+    if (k + 1 < nx_) column[k + 1] += v[west][k + 1];
+    if (k + 2 < nx_) column[k + 2] += v[west_west][k + 2];
+    for (Eigen::Index r = 0; r < count; ++r) matrix(r, m) = column[full[r]];
+  }
+}
+
+template <class Real>
+void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double /*oscillation*/) {
+  const ScopedEvent event(Kernel::smoother_factor);
+  for (Row& row : rows_) row.full.clear();
+  for (int i = 0; i < nx_; ++i) {
+    const double* full_here = state.full_film.row(i);  // 0 or 1
+    Part* full_film = this->full_film_.row(i);
+    const Real* scale = linear.by_pressure[centre].row(i);
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      full_film[j] = static_cast<Part>(full_here[j]);
+      inverse_scale_.row(i)[j] = full_here[j] != 0.0 ? Real(0) : Real(1) / scale[j];
+      if (full_here[j] != 0.0) rows_[j].full.push_back(i);
+    }
+  }
+  Matrix matrix;
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    if (rows_[j].full.empty()) continue;
+    assemble(linear, static_cast<int>(j), matrix);
+    rows_[j].factors.compute(matrix);
+  }
+}
+
+template <class Real>
+void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
+  const ScopedEvent event(Kernel::smoother_sweep);
+  for (int i = 1; i < nx_ - 1; ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += inverse_scale_.row(i)[j] * residual.row(i)[j];
+  }
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const std::vector<int>& full = rows_[j].full;
+    if (full.empty()) continue;
+    values_.resize(static_cast<Eigen::Index>(full.size()));
+    for (std::size_t m = 0; m < full.size(); ++m) values_[static_cast<Eigen::Index>(m)] = residual.row(full[m])[j];
+    values_ = rows_[j].factors.solve(values_);
+    for (std::size_t m = 0; m < full.size(); ++m) change.row(full[m])[j] += values_[static_cast<Eigen::Index>(m)];
+  }
+}
+
+template class RowSmoother<float>;
+template class RowSmoother<double>;
+template class RowSmoother<std::complex<double>>;
+
+}  // namespace gearfilm

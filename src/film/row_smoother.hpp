@@ -1,0 +1,55 @@
+// Relaxation of the linearised film row by row, each by a direct solve of its whole matrix.
+//
+// The matrix of a row has all its full nodes: what their pressures change in the row by conduction and wedge, and by
+// the deformation of the row itself and of the rows beside it, however far along X. The changes of other rows are left
+// out: all rows are relaxed at once (block Jacobi), and the number of processes is irrelevant. Krylov's method takes 7
+// to 15 of these where rows are graded towards the ends of a face, as long as they are not finer than 0.02 a.
+#pragma once
+
+#include <Eigen/LU>
+#include <array>
+#include <vector>
+
+#include "film/smoother.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+class RowSmoother final : public Smoother<Real> {
+public:
+  using Part = PartOf<Real>;
+
+  RowSmoother(const Grid& grid, const Deformation<Part>& deformation);
+
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) override;
+  void relax(Field<Real>& residual, Field<Real>& change) override;
+
+private:
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::VectorX<Real>;
+  enum At { row_before, own_row, row_after, places };
+
+  /// Deformation at one of three rows by unit pressure on an own row, at distances of -nx..nx lines; [0] is in the
+  /// middle.
+  const Part* influence(At at, int j) const {
+    return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
+  }
+  void assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix);
+
+  struct Row {
+    std::vector<int> full;  ///< lines of its full nodes
+    Eigen::PartialPivLU<Matrix> factors;
+  };
+
+  int nx_;
+  std::array<std::vector<Part>, places> influence_;
+  std::vector<Row> rows_;
+  Field<Real> inverse_scale_;  ///< of nodes that are not full
+  Vector values_;
+};
+
+extern template class RowSmoother<float>;
+extern template class RowSmoother<double>;
+extern template class RowSmoother<std::complex<double>>;
+
+}  // namespace gearfilm

@@ -1,0 +1,42 @@
+// One relaxation of the linearised film: what its multigrid levels and its oscillations are improved by.
+//
+// Equal rows are relaxed with bands (line_smoother.hpp), rows at unequal distances with their whole matrices
+// (row_smoother.hpp): there nothing is coarsened across, and what a band leaves would stay.
+#pragma once
+
+#include <memory>
+
+#include "elasticity/deformation.hpp"
+#include "film/film_stencil.hpp"
+#include "grid/halo.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+class Smoother {
+public:
+  using Part = PartOf<Real>;
+
+  virtual ~Smoother() = default;
+  Smoother(const Smoother&) = delete;
+  Smoother& operator=(const Smoother&) = delete;
+
+  /// Makes the factors of all rows. oscillation: |s| of a film that oscillates, else 0. full_film() is then 1 where
+  /// Reynolds' equation holds, else 0.
+  virtual void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) = 0;
+  const Field<Part>& full_film() const { return full_film_; }
+  /// change += one relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
+  virtual void relax(Field<Real>& residual, Field<Real>& change) = 0;
+
+protected:
+  explicit Smoother(const Grid& grid) : full_film_(grid) {}
+
+  Field<Part> full_film_;
+};
+
+/// The one that serves the rows of the grid. Grid, halo and deformation must outlive it.
+template <class Real>
+std::unique_ptr<Smoother<Real>> make_smoother(const Grid& grid, const Halo& halo,
+                                              const Deformation<PartOf<Real>>& deformation);
+
+}  // namespace gearfilm

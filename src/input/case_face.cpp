@@ -1,0 +1,148 @@
+#include "input/case_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/hertz.hpp"
+#include "input/point_table.hpp"
+
+namespace gearfilm {
+namespace {
+
+EndFace read_end_face(const ParameterValues& values, const std::string& section) {
+  const std::string& name = values.text(section + ".end_face");
+  if (name == "half_space") return EndFace::half_space;
+  return name == "mirror" ? EndFace::mirror : EndFace::free;
+}
+
+struct Body {
+  double modulus, poisson_ratio;
+  bool ends;  ///< with the face
+};
+
+/// Those that end with it, both as one where they are of one material.
+std::vector<EndingBody> ending_bodies(const std::vector<Body>& bodies) {
+  const auto compliance = [](const Body& body) {
+    return (1.0 - body.poisson_ratio * body.poisson_ratio) / body.modulus;
+  };
+  const double sum = compliance(bodies[0]) + compliance(bodies[1]);
+  std::vector<EndingBody> ending;
+  for (const Body& body : bodies) {
+    if (!body.ends) continue;
+    const double share = compliance(body) / sum;
+    if (!ending.empty() && ending[0].poisson_ratio == body.poisson_ratio) {
+      ending[0].share += share;
+    } else {
+      ending.push_back({share, body.poisson_ratio});
+    }
+  }
+  return ending;
+}
+
+/// The end relief that a section has, if any.
+void read_end_relief(const ParameterValues& values, const std::string& section, double face_width, FaceGap& gap) {
+  const std::string amount = section + ".end_relief", length = section + ".end_relief_length";
+  if (values.real(amount) == 0.0) {
+    if (values.has(length)) values.refuse(length, "is given, but not '" + amount + "'; give both or neither");
+    return;
+  }
+  if (!values.has(length)) values.refuse(amount, "is given without '" + length + "'; give both");
+  if (values.real(length) > 0.5 * face_width) {
+    values.refuse(length, "is " + format_value(values.real(length)) + " m, more than half the face width of " +
+                              format_value(face_width) + " m; give at most " + format_value(0.5 * face_width));
+  }
+  gap.reliefs.push_back({.amount = values.real(amount),
+                         .length = values.real(length),
+                         .power = values.text(section + ".end_relief_shape") == "linear" ? 1 : 2});
+}
+
+}  // namespace
+
+std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values) {
+  const std::string width = "contact.face_width";
+  if (!values.has(width)) {
+    for (const std::string name : {"contact.end_relief", "contact.misalignment", "contact.logarithmic_profile"}) {
+      if (values.real(name) != 0.0) values.refuse(name, "is given without '" + width + "'; give the width of the face");
+    }
+    return {};
+  }
+  Face face;
+  face.width = values.real(width);
+  face.gap.slope = values.real("contact.misalignment") / face.width;
+  face.gap.logarithmic = values.real("contact.logarithmic_profile");
+  read_end_relief(values, "contact", face.width, face.gap);
+  face.end = read_end_face(values, "contact");
+  face.mirror_factor = values.real("contact.end_face_factor");
+  // Steel, where only the reduced modulus is given.
+  constexpr double of_steel = 0.3;
+  const auto poisson_ratio = [&](const std::string& body) {
+    return values.real_if_given("contact.poisson_ratio_" + body).value_or(of_steel);
+  };
+  std::vector<Body> bodies;
+  for (const std::string body : {"1", "2"}) {
+    bodies.push_back({values.real_if_given("contact.youngs_modulus_" + body).value_or(1.0), poisson_ratio(body), true});
+  }
+  face.ending = ending_bodies(bodies);
+  return std::make_shared<const Face>(face);
+}
+
+std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values) {
+  Face face;
+  face.width = values.real("gear.face_width");
+  face.gap.slope = values.real("gear.misalignment") / face.width;
+  face.end = read_end_face(values, "gear");
+  face.mirror_factor = values.real("gear.end_face_factor");
+  std::vector<Body> bodies;
+  for (const std::string gear : {"pinion", "wheel"}) {
+    const std::string own_width = gear + ".face_width", lead = gear + ".lead_file";
+    face.gap.slope += values.real(gear + ".lead_slope") / face.width;
+    read_end_relief(values, gear, face.width, face.gap);
+    if (values.has(lead)) {
+      face.gap.tables.push_back(read_ascending_points(
+          values, lead,
+          "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
+          "[m]"));
+    }
+    const double width = values.real_if_given(own_width).value_or(face.width);
+    if (width < face.width) {
+      values.refuse(own_width, "is " + format_value(width) +
+                                   " m, less than 'gear.face_width', which is that of the "
+                                   "contact; give that of the narrower gear there");
+    }
+    bodies.push_back(
+        {values.real(gear + ".youngs_modulus"), values.real(gear + ".poisson_ratio"), width == face.width});
+  }
+  face.ending = ending_bodies(bodies);
+  return std::make_shared<const Face>(face);
+}
+
+namespace {
+
+bool reaches_ends(const Face& face, const ContactSolids& solids, double load) {
+  constexpr double spare = 1.1;
+  if (!std::isfinite(solids.radius_y) || face.gap.slope != 0.0) return true;
+  return !face.plain_around(0.0, spare * hertz_contact(solids, load).b);
+}
+
+}  // namespace
+
+void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& face, double load,
+              ContactSolids& solids) {
+  const std::string whole = "grid.whole_face";
+  if (!face) {
+    if (values.text(whole) == "yes") values.refuse(whole, "is yes, but no 'contact.face_width' is given; give it");
+    return;
+  }
+  if (values.text(whole) == "yes" || reaches_ends(*face, solids, load)) solids.face = face;
+}
+
+RowGrading read_row_grading(const ParameterValues& values, const Face& face) {
+  const bool sharp = face.gap.reliefs.empty() && face.gap.logarithmic == 0.0;
+  RowGrading grading;
+  grading.first = values.real_if_given("grid.first_row").value_or(sharp ? 0.03 : 0.06);
+  grading.growth = values.real("grid.row_growth");
+  grading.largest = values.real("grid.largest_row");
+  return grading;
+}
+
+}  // namespace gearfilm

@@ -1,0 +1,132 @@
+// Relaxation of whole rows, and the linearised film on graded rows.
+#include "film/row_smoother.hpp"
+
+#include <algorithm>
+
+#include "face_case.hpp"
+#include "film/face_pressure.hpp"
+#include "placed_film.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// A film linearised about a dry pressure, in double precision.
+struct LinearFilm {
+  LinearFilm(MPI_Comm comm, const Scales& scales, const GridShape& shape)
+      : grid(comm, shape), film(discretise(grid, scales), scales, {.precision = Precision::double_precision}) {
+    std::vector<double> pressure(grid.local_size());
+    face_pressure(*film.discretisation(), scales, film.conditions(), scales.static_force, pressure);
+    const double H0 = 0.2 - film.quantities(pressure, 0.0).smallest_film;
+    film.linearise(pressure, H0, {}, shift);
+    full.resize(pressure.size());
+    film.state().full_film.store(full);
+  }
+
+  /// Inner nodes that are not full, of the process that has most.
+  double cavitated() const {
+    const RowRange rows = grid.inner_rows();
+    return maximum((grid.nx() - 2.0) * rows.count() - static_cast<double>(std::ranges::count(full, 1.0)));
+  }
+
+  static constexpr double shift = 5.0;  // of a time step, so that it cannot be forgotten
+  Grid grid;
+  ContactFilm film;
+  std::vector<double> full;  ///< 1 where Reynolds' equation holds
+};
+
+// The rows beside it have no changes, and its cavitated nodes none: what is left of its own is round-off of its matrix.
+TEST(RowSmoother, solves_a_row_whose_neighbours_stand_still) {
+  const Scales scales = face_scales(face_with(EndFace::free, relieved_ends()));
+  for (const Edge lower : {Edge::symmetry, Edge::ambient}) {
+    const RowAxis rows = rows_of_face(scales, few_rows, lower);
+    LinearFilm linear(PETSC_COMM_WORLD, scales, shape_over(rows, 33));
+    const Grid& grid = linear.grid;
+    for (const int row : {lower == Edge::symmetry ? 0 : 1, rows.count() / 2, rows.count() - 2}) {
+      std::vector<double> right(grid.local_size(), 0.0), change(right), product(right);
+      const int j = grid.local_row(row);
+      for (int i = 0; j >= 0 && i < grid.nx(); ++i) {
+        const int n = i * grid.y_count() + j;
+        right[n] = linear.full[n] * noise(i, row);
+      }
+      linear.film.relax(right, change);
+      linear.film.multiply(change, 0.0, product);
+      double off = 0.0, elsewhere = 0.0;
+      for (int n = 0; n < grid.local_size(); ++n) {
+        if (n % grid.y_count() == j) {
+          off = std::max(off, std::abs(product[n] - right[n]));
+        } else {
+          elsewhere = std::max(elsewhere, std::abs(change[n]));
+        }
+      }
+      EXPECT_LT(maximum(off), 1e-10) << row;
+      EXPECT_EQ(maximum(elsewhere), 0.0) << row;
+    }
+  }
+}
+
+// A cavitated row is d v = r, known at once.
+TEST(RowSmoother, solves_cavitated_rows) {
+  const Scales scales = face_scales(face_with(EndFace::half_space, relieved_ends()));
+  LinearFilm linear(PETSC_COMM_WORLD, scales, shape_over(rows_of_face(scales, few_rows, Edge::symmetry), 65));
+  const Grid& grid = linear.grid;
+  std::vector<double> right(grid.local_size(), 0.0), change(right), product(right);
+  for (int i = 1; i < grid.nx() - 1; ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      if (!grid.is_boundary(i, j)) right[i * grid.y_count() + j] = noise(i, grid.y_begin() + j);
+    }
+  }
+  linear.film.relax(right, change);
+  linear.film.multiply(change, 0.0, product);
+  double off = 0.0;
+  for (std::size_t n = 0; n < right.size(); ++n) {
+    if (linear.full[n] == 0.0) off = std::max(off, std::abs(product[n] - right[n]));
+  }
+  EXPECT_LT(maximum(off), 1e-13);
+  EXPECT_GT(linear.cavitated(), 10.0);
+}
+
+// The preconditioner of a single row is one relaxation.
+TEST(RowSmoother, of_a_line_contact_is_the_inverse) {
+  LinearFilm linear(PETSC_COMM_SELF, line_scales(face_load / face_width), shape_over(RowAxis::line(), 129));
+  EXPECT_GT(linear.cavitated(), 5.0);
+  std::vector<double> right(linear.full), change(right.size()), product(right.size());
+  for (std::size_t n = 0; n < right.size(); ++n) right[n] *= noise(static_cast<int>(n), 0);
+  linear.film.precondition(right, change);
+  linear.film.multiply(change, 0.0, product);
+  double off = 0.0;
+  for (std::size_t n = 0; n < right.size(); ++n) {
+    if (linear.full[n] != 0.0) off = std::max(off, std::abs(product[n] - right[n]));
+  }
+  EXPECT_LT(off, 1e-10);
+}
+
+// One solve a Newton iteration, to 1 %. Another program took 7 to 10 where ends are relieved.
+TEST(RowSmoother, leaves_few_krylov_iterations) {
+  const Scales scales = face_scales(face_with(EndFace::half_space, relieved_ends()));
+  const SolvedFilm solved(PETSC_COMM_WORLD, scales, shape_over(rows_of_face(scales, {}, Edge::symmetry), 129));
+  const SolveCounts& counts = solved.result.counts;
+  report("%d rows: %d Newton iterations, %.1f Krylov iterations each", solved.grid.ny(), counts.newton,
+         counts.krylov / static_cast<double>(counts.newton));
+  EXPECT_LE(counts.krylov, 10.0 * counts.newton);
+  EXPECT_LE(counts.newton, 20);
+}
+
+// Misaligned, so that neither end is like the other.
+TEST(FaceJacobian, is_the_slope_of_the_residual_on_graded_rows_with_free_ends) {
+  const FaceGap gap = {.slope = 5e-6 / face_width, .reliefs = relieved_ends().reliefs};
+  const Scales scales = face_scales(face_with(EndFace::free, gap));
+  const SolvedFilm near(PETSC_COMM_WORLD, face_scales(face_with(EndFace::half_space, gap)),
+                        shape_over(rows_of_face(scales, few_rows, Edge::ambient), 65));
+  for (const auto by : {FilmDiscretisation::fitted, FilmDiscretisation::central}) {
+    ContactFilm film(discretise(near.grid, scales, by), scales, {});
+    const FilmSolution at =
+        continue_stationary(film, LoadCondition::force(scales.static_force), {}, near.result.solution).solution;
+    const auto empty = static_cast<double>(std::ranges::count(at.pressure, 0.0));
+    EXPECT_GT(maximum(empty), 2.0 * (near.grid.nx() + near.grid.y_count()));  // more than the boundary
+    expect_second_order(film, at);
+    expect_second_order(film, at, 1e-2);
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm
