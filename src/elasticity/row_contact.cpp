@@ -58,6 +58,7 @@ RowContact::RowContact(const Scales& scales, const RowAxis& rows) : rows_(rows),
   end_influence_.assign(count * count, 0.0);
   middle_ = edge_ = end_influence_;
   half_widths_.assign(count, 1.0);
+  loaded_.assign(count, false);
 }
 
 // Beneath rows of the static half-width.
@@ -123,78 +124,95 @@ void RowContact::find_influence() {
   }
 }
 
-FaceContact RowContact::solve(double force, double relative_radius) {
-  constexpr int most_turns = 100;
-  constexpr double settled = 1e-6;
-  const int count = rows_.count();
-  double approach = 0.0;
-  std::vector<bool> loaded(count, true);
-  for (int turn = 0; turn < most_turns; ++turn) {
-    find_influence();
-    for (int row = 0; row < count; ++row) loaded[row] = loaded[row] && !rows_.is_ambient(row);
-    for (int round = 0; round <= count; ++round) {
-      std::vector<int> set;
-      for (int row = 0; row < count; ++row) {
-        if (loaded[row]) set.push_back(row);
-      }
-      const auto size = static_cast<Eigen::Index>(set.size());
-      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size + 1, size + 1);
-      Eigen::VectorXd right(size + 1);
-      for (Eigen::Index r = 0; r < size; ++r) {
-        for (Eigen::Index c = 0; c < size; ++c)
-          matrix(r, c) = middle_[static_cast<std::size_t>(set[r]) * count + set[c]];
-        matrix(r, size) = -1.0;
-        matrix(size, r) = weights_[set[r]];
-        right[r] = -gaps_[set[r]];
-      }
-      right[size] = force;
-      const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
-      loads_.assign(count, 0.0);
-      bool changed = false;
-      for (Eigen::Index r = 0; r < size; ++r) {
-        loads_[set[r]] = std::max(0.0, solved[r]);
-        if (solved[r] < 0.0) {
-          loaded[set[r]] = false;
-          changed = true;
-        }
-      }
-      approach = solved[size];
-      if (!changed) break;
+// Rows that pull are let go; those that penetrate are taken in again by follow_edges().
+double RowContact::balance(double force) {
+  const auto count = static_cast<std::size_t>(rows_.count());
+  for (int round = 0; round <= rows_.count(); ++round) {
+    std::vector<std::size_t> set;
+    for (std::size_t row = 0; row < count; ++row) {
+      if (loaded_[row]) set.push_back(row);
     }
-    double change = 0.0;
-    for (int row = 0; row < count; ++row) {
-      double sinking = 0.0, here = gaps_[row] - approach;
-      for (int source = 0; source < count; ++source) {
-        const std::size_t at = static_cast<std::size_t>(row) * count + source;
-        sinking += (middle_[at] - edge_[at]) * loads_[source];
-        here += middle_[at] * loads_[source];
-      }
-      if (rows_.is_ambient(row)) continue;
-      if (!loaded[row]) {
-        if (here < 0.0) loaded[row] = true;  // taken in again, as wide as a line contact of its load will be
-        half_widths_[row] =
-            loaded[row] ? std::max(half_widths_[row], 0.1 * std::sqrt(force / rows_.half_width())) : narrowest;
-        continue;
-      }
-      const double wanted = std::sqrt(std::max(2.0 * relative_radius * sinking, narrowest * narrowest));
-      const double before = half_widths_[row] > narrowest ? half_widths_[row] : wanted;
-      change = std::max(change, std::abs(wanted - before) * weights_[row] / rows_.half_width());
-      half_widths_[row] = 0.5 * (before + wanted);
+    const auto size = static_cast<Eigen::Index>(set.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size + 1, size + 1);
+    Eigen::VectorXd right(size + 1);
+    for (Eigen::Index r = 0; r < size; ++r) {
+      for (Eigen::Index c = 0; c < size; ++c) matrix(r, c) = middle_[set[r] * count + set[c]];
+      matrix(r, size) = -1.0;
+      matrix(size, r) = weights_[set[r]];
+      right[r] = -gaps_[set[r]];
     }
-    if (turn > 2 && change < settled) break;
-    if (turn + 1 == most_turns) throw SolveError("the dry contact along the face is not found");
+    right[size] = force;
+    const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
+    loads_.assign(count, 0.0);
+    bool pulls = false;
+    for (Eigen::Index r = 0; r < size; ++r) {
+      loads_[set[r]] = std::max(0.0, solved[r]);
+      if (solved[r] >= 0.0) continue;
+      loaded_[set[r]] = false;
+      pulls = true;
+    }
+    if (!pulls) return solved[size];
   }
+  throw SolveError("no row of the face carries its dry contact");
+}
+
+// Half of the way to the edges at which the gap of each row is closed.
+double RowContact::follow_edges(double force, double approach, double relative_radius) {
+  const auto count = static_cast<std::size_t>(rows_.count());
+  double change = 0.0;
+  for (std::size_t row = 0; row < count; ++row) {
+    if (rows_.is_ambient(static_cast<int>(row))) continue;
+    double sinking = 0.0, gap = gaps_[row] - approach;
+    for (std::size_t source = 0; source < count; ++source) {
+      const std::size_t at = row * count + source;
+      sinking += (middle_[at] - edge_[at]) * loads_[source];
+      gap += middle_[at] * loads_[source];
+    }
+    double& half_width = half_widths_[row];
+    if (!loaded_[row]) {
+      loaded_[row] = gap < 0.0;  // and then narrow at first
+      half_width = loaded_[row] ? std::max(half_width, 0.1 * std::sqrt(force / rows_.half_width())) : narrowest;
+      continue;
+    }
+    const double wanted = std::sqrt(std::max(2.0 * relative_radius * sinking, narrowest * narrowest));
+    const double before = half_width > narrowest ? half_width : wanted;
+    change = std::max(change, std::abs(wanted - before) * weights_[row] / rows_.half_width());
+    half_width = 0.5 * (before + wanted);
+  }
+  return change;
+}
+
+FaceContact RowContact::found(double force, double approach) const {
   FaceContact contact{.force = force, .approach = approach};
   double moment = 0.0;
-  for (int row = 0; row < count; ++row) {
-    const double from_end = rows_.half_width() - std::abs(rows_.y(row));
-    if (!rows_.mirrored()) moment += weights_[row] * rows_.y(row) * loads_[row];
-    if (from_end < 1.0 || loads_[row] == 0.0) continue;
-    contact.half_width = std::max(contact.half_width, half_widths_[row]);
-    contact.pressure = std::max(contact.pressure, 2.0 * loads_[row] / (pi * half_widths_[row]));
+  // Beside the ends dry pressures are numbers of the rows; they count where no other row is loaded.
+  const auto find_largest = [&](double clear) {
+    for (int row = 0; row < rows_.count(); ++row) {
+      if (rows_.half_width() - std::abs(rows_.y(row)) < clear || loads_[row] == 0.0) continue;
+      contact.half_width = std::max(contact.half_width, half_widths_[row]);
+      contact.pressure = std::max(contact.pressure, 2.0 * loads_[row] / (pi * half_widths_[row]));
+    }
+  };
+  find_largest(1.0);
+  if (contact.half_width == 0.0) find_largest(0.0);
+  for (int row = 0; row < rows_.count() && !rows_.mirrored(); ++row) {
+    moment += weights_[row] * rows_.y(row) * loads_[row];
   }
   contact.arm = moment / force;
   return contact;
+}
+
+FaceContact RowContact::solve(double force, double relative_radius) {
+  constexpr int most_turns = 100;
+  constexpr double settled = 1e-6;
+  for (int row = 0; row < rows_.count(); ++row) loaded_[row] = !rows_.is_ambient(row);
+  for (int turn = 0; turn < most_turns; ++turn) {
+    find_influence();
+    const double approach = balance(force);
+    const double change = follow_edges(force, approach, relative_radius);
+    if (turn > 2 && change < settled) return found(force, approach);
+  }
+  throw SolveError("the dry contact along the face is not found");
 }
 
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {

@@ -41,6 +41,11 @@ private:
   };
 
   void find_influence();
+  /// Loads of the rows that carry a force at their half-widths, and the approach.
+  double balance(double force);
+  /// Half-widths of these loads; returns by how much they changed.
+  double follow_edges(double force, double approach, double relative_radius);
+  FaceContact found(double force, double approach) const;
   double influence(double at_x, double at_y, const Place& source, bool own, double s) const;
 
   const RowAxis rows_;
@@ -50,6 +55,7 @@ private:
   std::vector<Place> whole_;
   std::vector<double> end_influence_;  ///< [target][source], of unit load by length
   std::vector<double> loads_, half_widths_;
+  std::vector<bool> loaded_;
   std::vector<double> middle_, edge_;  ///< u of unit loads in the middle and at the edge of a row, [target][source]
 };
 

@@ -8,7 +8,8 @@ namespace gearfilm {
 NearestPoint nearest_point(const Scales& scales, const ContactConditions& conditions) {
   constexpr int places = 40;                      // on either side
   constexpr double step = 0.1, half_width = 0.5;  // [a]
-  if (!conditions.local.flanks) return {.drop = scales.face_law ? -scales.face_law->nearest() : 0.0};
+  const double along_face = scales.face_law ? -scales.face_law->nearest() : 0.0;
+  if (!conditions.local.flanks) return {.drop = along_face};
   const auto gap = [&](double X) {
     return 0.5 * X * X / conditions.relative_radius + conditions.local(X * scales.length) / scales.thickness;
   };
@@ -20,7 +21,7 @@ NearestPoint nearest_point(const Scales& scales, const ContactConditions& condit
     lowest = here;
     nearest.X = X;
   }
-  nearest.drop = -lowest;
+  nearest.drop = along_face - lowest;
   const double curvature =
       (gap(nearest.X + half_width) - 2.0 * lowest + gap(nearest.X - half_width)) / (half_width * half_width);
   const double most = NearestPoint::widest_ratio / conditions.relative_radius;
