@@ -1,7 +1,6 @@
 #include "film/contact_surfaces.hpp"
 
 #include "film/contact_film.hpp"
-#include "film/face_pressure.hpp"
 #include "film/transfer.hpp"
 
 namespace gearfilm {
@@ -13,13 +12,15 @@ ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const Contac
                            .entrainment = std::vector<double>(rows, conditions.entrainment),
                            .sliding = std::vector<double>(rows, conditions.sliding),
                            .of_conditions = true};
-  const std::vector<double> across = face_gaps(grid.row_axis(), scales);
   for (int i = 0; i < grid.nx(); ++i) {
     const double x = grid.x(i);
     const double along = conditions.gap_offset + 0.5 * x * x / conditions.relative_radius +
                          conditions.local(x * scales.length) / scales.thickness;
     double* line = surfaces.gap.data() + static_cast<std::size_t>(i) * rows;
-    for (int j = 0; j < grid.y_count(); ++j) line[j] = along + across[grid.y_begin() + j];
+    for (int j = 0; j < grid.y_count(); ++j) line[j] = along + 0.5 * scales.radius_ratio * grid.y(j) * grid.y(j);
+    if (!scales.solids.face) continue;
+    for (int j = 0; j < grid.y_count(); ++j)
+      line[j] += (*scales.solids.face)(grid.y(j) * scales.length) / scales.thickness;
   }
   return surfaces;
 }

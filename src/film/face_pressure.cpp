@@ -14,15 +14,6 @@ double line_half_width(const Scales& scales, const ContactConditions& conditions
 
 }  // namespace
 
-std::vector<double> face_gaps(const RowAxis& rows, const Scales& scales) {
-  std::vector<double> gaps;
-  for (const double y : rows.y()) {
-    const double lead = scales.solids.face ? (*scales.solids.face)(y * scales.length) / scales.thickness : 0.0;
-    gaps.push_back(0.5 * scales.radius_ratio * y * y + lead);
-  }
-  return gaps;
-}
-
 double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
   if (scales.solids.line) return line_half_width(scales, conditions, pressure_integral);
   return scales.face_law->at_force(pressure_integral, conditions.dry_radius()).half_width;

@@ -9,9 +9,6 @@
 
 namespace gearfilm {
 
-/// Gap along the face of the rows of an axis, crowning included [-].
-std::vector<double> face_gaps(const RowAxis& rows, const Scales& scales);
-
 /// The largest half-width of a row [a]; of a line contact its half-width.
 double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral);
 
