@@ -16,12 +16,14 @@ from studies.paper.figures import FIGURES  # noqa: E402
 # Teeth, outer radii, centre distance as the case files have them.
 CASES = {"barbieri2013": ((28, 43), (46.55e-3, 69.85e-3), 111e-3),
          "wang2004": ((35, 140), (36.50e-3, 141.04e-3), 174.5e-3)}
-NEAR = 2e-2  # mm: outlines are lines through points
+NEAR = 5e-4  # mm: outlines are lines through points
 DRAWINGS = (1, 2, 4, 5, 6)
 
 
 def distance(point, line):
     """From a point to a line through points."""
+    steps = numpy.diff(line, axis=0)
+    line = numpy.concatenate([line[:-1][(steps ** 2).sum(axis=1) > 0], line[-1:]])  # without points that are given twice
     steps = numpy.diff(line, axis=0)
     along = numpy.clip(((point - line[:-1]) * steps).sum(axis=1) / (steps ** 2).sum(axis=1), 0, 1)
     return numpy.hypot(*(line[:-1] + along[:, None] * steps - point).T).min()
