@@ -13,7 +13,7 @@ namespace gearfilm {
 class ContactLaw {
 public:
   static ContactLaw of_ellipse(double force_at_unit_approach);
-  static ContactLaw of_face(std::shared_ptr<const FaceLaw> law, double relative_radius);
+  static ContactLaw of_face(std::shared_ptr<const FaceLaw> face, double relative_radius);
 
   /// The approach of a force, from where the flanks meet.
   double approach(double force) const;

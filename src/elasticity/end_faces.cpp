@@ -51,9 +51,10 @@ struct FineCells {
     double smallest = 0.1 * rows.edges[1];
     for (int row = 0; row < rows.rows(); ++row) {
       std::vector<double> inner;  // from the far edge to the near one
-      for (double edge = rows.edges[row + 1] / growth; edge > std::max(rows.edges[row] * std::sqrt(growth), smallest);
-           edge /= growth) {
+      double edge = rows.edges[row + 1] / growth;
+      while (edge > std::max(rows.edges[row] * std::sqrt(growth), smallest)) {
         inner.push_back(edge);
+        edge /= growth;
       }
       edges.insert(edges.end(), inner.rbegin(), inner.rend());
       edges.push_back(rows.edges[row + 1]);
@@ -153,6 +154,23 @@ void fill_mirror(EvenTransforms& added, const FromEnd& rows, int count, double h
   });
 }
 
+/// Adds what an end adds, in the order that it sees, to values of stored rows, [target][source][distance].
+void add_seen_from_end(const RowAxis& axis, bool upper, double share, int lags, EvenTransforms& added,
+                       std::vector<double>& values) {
+  const int rows = axis.count(), whole = axis.whole_count();
+  const auto seen = [&](int whole_row) { return upper ? whole - 1 - whole_row : whole_row; };
+  for (int i = 0; i < lags; ++i) {
+    const auto matrix = added.at(i);
+    for (int row = 0; row < rows; ++row) {
+      const int target = seen(axis.mirrored() ? row + rows - 1 : row);
+      for (int source = 0; source < whole; ++source) {
+        values[(static_cast<std::size_t>(row) * rows + axis.stored_row(source)) * lags + i] +=
+            share * matrix(target, seen(source));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 EndFaces ends_of(const Face& face) { return {face.end, face.ending, face.mirror_factor}; }
@@ -163,17 +181,7 @@ EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& end
   const RowAxis& axis = shape.row_axis;
   const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx, true) + 1;
   const auto add = [&](bool upper, double share, EvenTransforms& added) {
-    const auto seen = [&](int whole_row) { return upper ? whole - 1 - whole_row : whole_row; };
-    for (int i = 0; i < lags_; ++i) {
-      const auto matrix = added.at(i);
-      for (int row = 0; row < rows_; ++row) {
-        const int target = seen(axis.mirrored() ? row + rows_ - 1 : row);
-        for (int source = 0; source < whole; ++source) {
-          values_[(static_cast<std::size_t>(row) * rows_ + axis.stored_row(source)) * lags_ + i] +=
-              share * matrix(target, seen(source));
-        }
-      }
-    }
+    add_seen_from_end(axis, upper, share, lags_, added, values_);
   };
   const auto add_end = [&](bool upper, auto fill, double share, int lags) {
     EvenTransforms added(whole, whole, lags);

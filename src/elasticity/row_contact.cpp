@@ -81,7 +81,7 @@ void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
 }
 
 // The logarithm of the distance in the own row is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
-double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) const {
+double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) {
   const double upper = source.upper - at_y, lower = source.lower - at_y;
   const Quadrature& rule = quadrature_for(std::min(std::abs(upper), std::abs(lower)) / s);
   double sum = 0.0;
@@ -107,8 +107,7 @@ void RowContact::find_influence() {
   std::ranges::fill(edge_, 0.0);
   for (int row = 0; row < count; ++row) {
     const double y = rows_.y(row);
-    for (std::size_t n = 0; n < whole_.size(); ++n) {
-      const Place& source = whole_[n];
+    for (const Place& source : whole_) {
       const double s = half_widths_[source.stored];
       if (rows_.is_ambient(source.stored)) continue;
       const bool own = source.y == y;

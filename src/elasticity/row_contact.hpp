@@ -46,7 +46,7 @@ private:
   /// Half-widths of these loads; returns by how much they changed.
   double follow_edges(double force, double approach, double relative_radius);
   FaceContact found(double force, double approach) const;
-  double influence(double at_x, double at_y, const Place& source, bool own, double s) const;
+  static double influence(double at_x, double at_y, const Place& source, bool own, double s);
 
   const RowAxis rows_;
   double C_h_;
