@@ -77,7 +77,7 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Stea
       .add("largest pressure", "p_max", 1e-9, "GPa")
       .add("  in the centre", "p_central", 1e-9, "GPa")
       .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
-      .add("force", "force", 1.0, summary.contains("line_load") ? "N/m" : "N")
+      .add("force", "force", 1.0, position.solids.line ? "N/m" : "N")
       .add("tilting moment", "tilting_moment", 1.0, "N m")
       .text("work", worded(summary["newton_iterations"], " Newton and ", summary["krylov_iterations"],
                            " Krylov iterations on this grid, residual ", std::setprecision(3),

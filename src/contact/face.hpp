@@ -25,8 +25,6 @@ struct FaceGap {
   std::vector<EndRelief> reliefs{};                              ///< at both ends alike, of either flank
   double logarithmic = 0.0;                                      ///< c_L [m]
   std::vector<std::vector<std::pair<double, double>>> tables{};  ///< (y, gap) [m] of either flank, linear between
-
-  bool operator==(const FaceGap&) const = default;
 };
 
 /// What the solids have at the ends of the face.
@@ -40,8 +38,6 @@ enum class EndFace : std::uint8_t {
 struct EndingBody {
   double share = 0.5;
   double poisson_ratio = 0.3;
-
-  bool operator==(const EndingBody&) const = default;
 };
 
 struct Face {
@@ -59,8 +55,6 @@ struct Face {
   std::vector<double> kinks() const;
   /// Whether the gap is that of crowning and slope alone up to so far from a place [m].
   bool plain_around(double centre, double half_length) const;
-
-  bool operator==(const Face&) const = default;
 };
 
 }  // namespace gearfilm

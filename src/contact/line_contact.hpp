@@ -18,7 +18,7 @@ namespace gearfilm {
 /// Half-width a and pressure under the load by unit length; b endless, ellipticity and approach zero.
 HertzContact line_contact(const ContactSolids& solids, double load_per_length);
 
-/// The same beneath a load that is spread evenly over the face: b = F/2.
+/// Half-width, pressure and approach beneath a load [N] that is spread evenly over the face; b = F/2.
 HertzContact finite_line_contact(const ContactSolids& solids, double load);
 
 /// Whether it is neither endless nor loaded along a whole face.

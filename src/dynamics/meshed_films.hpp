@@ -95,8 +95,9 @@ private:
   /// A new contact, among those together with it, of which the first ones carry these forces.
   ActiveContact enter(int number, const std::vector<int>& together, std::vector<double> carried);
   void balance_at_rest();
-  /// Makes the present films stationary together.
+  /// Makes each film stationary beneath the forces of the others, until these no longer change.
   void follow_neighbours(const Compliance& compliance);
+  /// Makes the present films stationary together.
   void settle(const LoadCondition& load);
   /// Takes the present films within a time to the present motion from where they were displaced before, by number.
   void follow(const std::map<int, double>& before, double duration);

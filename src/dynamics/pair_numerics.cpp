@@ -7,17 +7,6 @@
 
 namespace gearfilm {
 
-namespace {
-
-/// Over the whole face; half of it where both halves are alike.
-RowAxis rows_over_face(const Face& face, const RowGrading& grading, double a) {
-  std::vector<double> kinks = face.kinks();
-  for (double& y : kinks) y /= a;
-  return graded_rows(0.5 * face.width / a, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
-}
-
-}  // namespace
-
 GridShape grid_shape(const PairNumerics& numerics, const Scales& scales) {
   const Domain& domain = numerics.domain;
   if (scales.solids.line) return {numerics.nx, domain.x_min, domain.x_max, RowAxis::line()};

@@ -27,7 +27,7 @@ struct FromEnd {
   int rows() const { return static_cast<int>(nodes.size()); }
 };
 
-/// Of the whole axis, mirror images included.
+/// The rows of the whole axis, mirror images included, as its upper or its lower end sees them.
 FromEnd from_end(const RowAxis& axis, bool upper) {
   const int count = axis.whole_count();
   const auto distance = [&](int row) {

@@ -218,11 +218,9 @@ FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
   constexpr double smallest = 0.01, largest = 8.0;  // of the static force
   constexpr int points = 12;
   const Face& face = *scales.solids.face;
-  std::vector<double> kinks = face.kinks();
-  for (double& y : kinks) y /= scales.length;
   const double half_width = 0.5 * face.width / scales.length;
   const RowGrading grading{.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width / 32.0)};
-  const RowAxis rows = graded_rows(half_width, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
+  const RowAxis rows = rows_over_face(face, grading, scales.length);
   RowContact contact(scales, rows);
   constexpr int lines = 49;
   constexpr double reach = 1.5;

@@ -48,8 +48,7 @@ Discretisation* Discretisation::prepare_coarser(Coarsening along) {
 }
 
 Discretisation* Discretisation::prepare_sequencing_grid() {
-  return prepare_coarser(!grid_.keeps_rows() && needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only
-                                                                                             : Coarsening::both);
+  return prepare_coarser(needs_all_rows(grid_) && grid_.nx() % 4 == 1 ? Coarsening::x_only : Coarsening::both);
 }
 
 Discretisation* Discretisation::prepare_replicated() {

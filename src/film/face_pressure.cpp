@@ -7,7 +7,7 @@
 namespace gearfilm {
 namespace {
 
-/// Of a row under a load by unit length: s^2 = 2 w 2 pi C_h Rbar/pi.
+/// Half-width s [a] of a row as a line contact under the load w by unit length [p_h a]: s^2 = 4 C_h Rbar w.
 double line_half_width(const Scales& scales, const ContactConditions& conditions, double load) {
   return std::sqrt(4.0 * scales.C_h * conditions.dry_radius() * load);
 }

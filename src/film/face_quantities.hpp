@@ -1,4 +1,5 @@
-// What a film has along the face: row by row, and what its pressure and its flow do at the ends.
+// Quantities of a film along the face: films, pressures and loads of its rows, the tilting moment of its pressure, and
+// the oil that leaves at both ends.
 #pragma once
 
 #include <vector>
@@ -28,7 +29,7 @@ struct FaceQuantities {
   double largest_pressure_at() const;
 };
 
-/// Of the film that was evaluated last. Collective.
+/// The quantities of the film that was evaluated last. Collective.
 FaceQuantities face_quantities(const ContactFilm& film);
 
 }  // namespace gearfilm

@@ -70,4 +70,10 @@ RowAxis graded_rows(double half_width, const std::vector<double>& kinks, const R
   return {std::move(all), lower, Edge::ambient};
 }
 
+RowAxis rows_over_face(const Face& face, const RowGrading& grading, double a) {
+  std::vector<double> kinks = face.kinks();
+  for (double& y : kinks) y /= a;
+  return graded_rows(0.5 * face.width / a, kinks, grading, face.symmetric() ? Edge::symmetry : Edge::ambient);
+}
+
 }  // namespace gearfilm

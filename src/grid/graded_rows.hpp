@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "contact/face.hpp"
 #include "grid/row_axis.hpp"
 
 namespace gearfilm {
@@ -27,5 +28,7 @@ struct RowGrading {
 /// Rows from -half_width to half_width [a] with P = 0 at both ends, or from Y = 0 where the lower edge is one of
 /// symmetry. A row lies in Y = 0. kinks: increasing; those on the face count.
 RowAxis graded_rows(double half_width, const std::vector<double>& kinks, const RowGrading& grading, Edge lower);
+/// Rows over a face with its kinks, in units of a [m]; over half of it where both halves are alike.
+RowAxis rows_over_face(const Face& face, const RowGrading& grading, double a);
 
 }  // namespace gearfilm

@@ -119,8 +119,8 @@ private:
 /// x = const. are few then, and the edge of the contact moves by many cells from one row to the next.
 inline bool has_long_cells(const Grid& grid) { return grid.keeps_rows() || grid.h_y() >= 2.0 * grid.h_x(); }
 
-/// Where cells are still longer, halving the rows loses what neighbouring rows differ in, and where rows are graded it
-/// loses the places that they are graded to: coarser grids keep them all.
-inline bool needs_all_rows(const Grid& grid) { return grid.keeps_rows() || grid.h_y() >= 8.0 * grid.h_x(); }
+/// Where equal cells are still longer, halving the rows loses what neighbouring rows differ in: coarser grids keep them
+/// all.
+inline bool needs_all_rows(const Grid& grid) { return !grid.keeps_rows() && grid.h_y() >= 8.0 * grid.h_x(); }
 
 }  // namespace gearfilm

@@ -10,9 +10,9 @@
 
 namespace gearfilm {
 
-/// Of a bare contact; null where no width of a face is given. Throws InputError where reliefs do not fit.
+/// The face of a bare contact; null where no width of a face is given. Throws InputError where reliefs do not fit.
 std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values);
-/// Of a gear pair.
+/// The face of a gear pair. Throws InputError where reliefs or widths do not fit.
 std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values);
 
 /// Gives the solids the face, where their contact under a load reaches its ends or the kinks of its gap, or feels its
