@@ -3,5 +3,5 @@
 #   scripts/checks/sanitize.sh
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-scripts/setup.sh debug gearfilm unit_tests input_tests film_tests
+scripts/setup.sh debug gearfilm unit_tests input_tests film_tests face_tests
 ctest --preset debug -L 'unit|film|short' -LE slow -E '_np[134]$'
