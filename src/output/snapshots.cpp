@@ -1,6 +1,7 @@
 #include "output/snapshots.hpp"
 
 #include <iomanip>
+#include <utility>
 
 #include "gearfilm/error.hpp"
 
@@ -18,8 +19,8 @@ std::vector<std::string> write_fields(ResultsFile& file, const std::string& grou
   return datasets;
 }
 
-Snapshots::Snapshots(ResultsFile& file, const Scales& scales, std::filesystem::path xdmf)
-    : file_(file), scales_(scales), xdmf_(std::move(xdmf)) {}
+Snapshots::Snapshots(ResultsFile& file, Scales scales, std::filesystem::path xdmf)
+    : file_(file), scales_(std::move(scales)), xdmf_(std::move(xdmf)) {}
 
 const Snapshots::Mesh& Snapshots::mesh_of(const GridShape& shape) {
   for (const auto& known : meshes_) {

@@ -23,7 +23,7 @@ std::vector<std::string> write_fields(ResultsFile& file, const std::string& grou
 class Snapshots {
 public:
   /// xdmf: the file that describes them, rewritten whole at every snapshot.
-  Snapshots(ResultsFile& file, const Scales& scales, std::filesystem::path xdmf);
+  Snapshots(ResultsFile& file, Scales scales, std::filesystem::path xdmf);
 
   void write(const FilmSnapshot& snapshot);
 
