@@ -91,9 +91,10 @@ void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
 }
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
-// by a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
+// by a node or more in a step. Where it grows, and over whole faces, the extrapolated pressures are the better guess.
 void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T1,
                                         const std::vector<FilmQuantities>& quantities) const {
+  if (mesh_.scales.face_law) return;
   const Eigen::VectorXd low = system_.displacements(last), high = system_.displacements(guess);
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
@@ -105,13 +106,6 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
     const double ratio = std::max<double>(smallest_ratio, std::sqrt(std::max<double>(0.0, approach) / before.approach));
     const Grid& grid = films_[k]->grid();
     if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
-    if (const FaceLaw* face = mesh_.scales.face_law.get()) {
-      const double after = face->force(approach / mesh_.scales.thickness, 0.0, conditions.dry_radius());
-      system_.set_field(guess, k,
-                        rescaled_face_pressure(*films_[k]->discretisation(), mesh_.scales, conditions, force,
-                                               std::max(after, 0.01 * force), system_.field(last, k)));
-      continue;
-    }
     system_.set_field(
         guess, k,
         rescaled_hertz_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
@@ -160,10 +154,11 @@ void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord
   if (mesh_.friction_couples_dynamics) friction_.add(T, friction_on_motion(mesh_, contacts));
 }
 
-void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift) {
+void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift, SmootherFactors factors) {
   const bool together = mesh_.inertia == 0.0 || shift == 0.0;
   system_.linearise(state, rate, shift,
-                    together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first);
+                    together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first,
+                    factors);
 }
 
 std::vector<FilmQuantities> LubricatedPair::film_quantities(Vec state, double T) {

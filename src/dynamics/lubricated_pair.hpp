@@ -54,7 +54,8 @@ public:
   /// Puts every contact where it is at time T.
   void place(double T);
   /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step.
-  void linearise(Vec state, const FilmSystem::Rate& rate, double shift);
+  void linearise(Vec state, const FilmSystem::Rate& rate, double shift,
+                 SmootherFactors factors = SmootherFactors::of_this_state);
 
   /// What friction does to the motion in the time step to come: from the contacts of a step that begins or continues a
   /// segment. Where friction acts on it.

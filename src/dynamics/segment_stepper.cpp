@@ -114,7 +114,8 @@ void SegmentStepper::residual(TS, PetscReal T, Vec state, Vec rate, Vec rows) {
 
 void SegmentStepper::linearise(TS, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat) {
   pair_.place(T);
-  pair_.linearise(state, {rate, stage_shift_}, shift);
+  pair_.linearise(state, {rate, stage_shift_}, shift,
+                  failures_ == 0 ? SmootherFactors::of_earlier_states_too : SmootherFactors::of_this_state);
   petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
   petsc_check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
 }

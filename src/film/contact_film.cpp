@@ -118,12 +118,12 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 }
 
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
-                            StateVersion state_version) {
+                            StateVersion state_version, SmootherFactors factors) {
   evaluate(pressure, H0, state_version);
   reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze,
                     displacement_column_);  // for the full nodes
   linearised_ = &linearisation_for(shift);
-  linearised_->update(state_, shift);
+  linearised_->update(state_, shift, factors);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
   const ReynoldsEquation& equation = discretisation_->equation();

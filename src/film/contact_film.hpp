@@ -58,7 +58,7 @@ public:
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
   /// says which nodes are full.
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
-                 StateVersion state_version = 0);
+                 StateVersion state_version = 0, SmootherFactors factors = SmootherFactors::of_this_state);
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
   /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the

@@ -120,9 +120,10 @@ void LineSmoother<Real>::assemble_line(const FilmStencil<Real>& linear, int i, s
 }
 
 template <class Real>
-void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation) {
+void LineSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
+                                SmootherFactors /*factors*/) {
   const ScopedEvent event(Kernel::smoother_factor);
-  choose_unknowns(state, oscillation);
+  choose_unknowns(state, std::is_floating_point_v<Real> ? 0.0 : std::abs(shift));
   for (int i = 1; i < nx_ - 1; ++i) {
     assemble_line(linear, i, std::make_integer_sequence<int, band_width>{});
     add_distant_deformation(state, i);

@@ -34,7 +34,8 @@ public:
 
   LineSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation);
 
-  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) override;
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
+              SmootherFactors factors) override;
   void relax(Field<Real>& residual, Field<Real>& change) override;
 
 private:

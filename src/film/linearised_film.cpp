@@ -31,7 +31,9 @@ public:
     build_cycle();
   }
 
-  void update(const FilmState& state, double shift) override { update_from(0, state, shift); }
+  void update(const FilmState& state, double shift, SmootherFactors factors) override {
+    update_from(0, state, shift, factors);
+  }
 
   void apply(std::span<const double> residual, std::span<double> change) override {
     petsc_check(VecPlaceArray(right_side_, residual.data()));
@@ -87,8 +89,8 @@ private:
   void configure_gathered(KSP ksp, Mat matrix);
   void apply_gathered(Vec in, Vec out);
   /// This level and all coarser ones, which see the state injected.
-  void update_from(std::size_t level, const FilmState& state, double shift);
-  void update_gathered(const FilmState& state, double shift);
+  void update_from(std::size_t level, const FilmState& state, double shift, SmootherFactors factors);
+  void update_gathered(const FilmState& state, double shift, SmootherFactors factors);
   OwnedMat interpolation(Shell& shell) const;
 
   MultigridOptions options_;
@@ -241,18 +243,20 @@ void FilmMultigrid<Real>::build_cycle() {
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double shift) {
-  levels_[level]->update(state, shift);
+void FilmMultigrid<Real>::update_from(std::size_t level, const FilmState& state, double shift,
+                                      SmootherFactors factors) {
+  levels_[level]->update(state, shift, factors);
   if (level + 1 < levels_.size()) {
     const Discretisation& coarser = levels_[level + 1]->discretisation();
-    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), shift);
+    update_from(level + 1, injected_state(levels_[level]->grid(), coarser.grid(), coarser.halo(), state), shift,
+                factors);
   } else if (whole_) {
-    update_gathered(state, shift);
+    update_gathered(state, shift, factors);
   }
 }
 
 template <class Real>
-void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) {
+void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift, SmootherFactors factors) {
   const Discretisation& everywhere = *levels_.back()->discretisation().replicated();
   FilmState whole_state(everywhere.grid());
   std::vector<double> own(levels_.back()->grid().local_size());
@@ -265,7 +269,7 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift) 
   for (const auto field : state_fields) gather(state.*field, whole_state.*field);
   if (state.across) gather(*state.across, whole_state.across.emplace(everywhere.grid()));
   exchange_ghosts(everywhere.halo(), whole_state);
-  whole_->update(whole_state, shift);
+  whole_->update(whole_state, shift, factors);
 }
 
 }  // namespace

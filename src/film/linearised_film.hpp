@@ -23,7 +23,8 @@ public:
   virtual ~LinearisedFilm() = default;
 
   /// Linearises about a state (with ghosts and full-film mask) of the finest grid.
-  virtual void update(const FilmState& state, double shift) = 0;
+  virtual void update(const FilmState& state, double shift,
+                      SmootherFactors factors = SmootherFactors::of_this_state) = 0;
   /// rows = linearised rows for a change of the pressure; compact.
   virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;
   /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.

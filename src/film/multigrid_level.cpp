@@ -15,9 +15,9 @@ MultigridLevel<Real>::MultigridLevel(Discretisation& discretisation)
       rows_(grid()) {}
 
 template <class Real>
-void MultigridLevel<Real>::update(const FilmState& state, double shift) {
+void MultigridLevel<Real>::update(const FilmState& state, double shift, SmootherFactors factors) {
   linearise(discretisation_.equation(), shift, state, linear_);
-  smoother_->factor(linear_, state);
+  smoother_->factor(linear_, state, shift, factors);
 }
 
 template <class Real>

@@ -21,7 +21,7 @@ public:
   const Grid& grid() const { return discretisation_.grid(); }
 
   /// Linearises about a state with ghosts and full-film mask, and factors the smoother.
-  void update(const FilmState& state, double shift);
+  void update(const FilmState& state, double shift, SmootherFactors factors = SmootherFactors::of_this_state);
 
   /// rows = linearised film * change; compact.
   void multiply(std::span<const double> change, std::span<double> rows);

@@ -52,7 +52,7 @@ OscillatingFilm::~OscillatingFilm() = default;
 
 void OscillatingFilm::update(const FilmState& state, std::complex<double> s) {
   linearise(discretisation_.equation(), s, state, work_->linear);
-  work_->smoother->factor(work_->linear, state, std::abs(s));
+  work_->smoother->factor(work_->linear, state, s, SmootherFactors::of_this_state);
 }
 
 void OscillatingFilm::multiply(std::span<const double> change, std::span<double> rows) {

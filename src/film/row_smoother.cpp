@@ -5,10 +5,16 @@
 #include "parallel/events.hpp"
 
 namespace gearfilm {
+namespace {
+
+/// What factors cost, in relaxations with their products, by the number of lines: nx^3 operations against nx^2.
+constexpr double relaxations_for_factors = 0.1;
+
+}  // namespace
 
 template <class Real>
 RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deformation)
-    : Smoother<Real>(grid), nx_(grid.nx()), rows_(grid.y_count()), inverse_scale_(grid) {
+    : Smoother<Real>(grid), nx_(grid.nx()), rows_(grid.y_count()), factored_full_(grid), inverse_scale_(grid) {
   const RowAxis& axis = grid.row_axis();
   const std::array<int, places> towards = {-1, 0, 1};
   for (int at = 0; at < places; ++at) {
@@ -62,30 +68,60 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix&
 }
 
 template <class Real>
-void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, double /*oscillation*/) {
-  const ScopedEvent event(Kernel::smoother_factor);
-  for (Row& row : rows_) row.full.clear();
+bool RowSmoother<Real>::serve(const FilmState& state, ShiftOf<Real> shift) const {
+  constexpr double same = 1e-6;          // lengths of steps differ by round-off
+  constexpr double most_changed = 0.01;  // of the full nodes
+  if (use_.linearisations == 0 || std::abs(shift - use_.shift) > same * std::abs(shift)) return false;
+  double changed = 0.0, full = 0.0;
   for (int i = 0; i < nx_; ++i) {
-    const double* full_here = state.full_film.row(i);  // 0 or 1
-    Part* full_film = this->full_film_.row(i);
-    const Real* scale = linear.by_pressure[centre].row(i);
     for (std::size_t j = 0; j < rows_.size(); ++j) {
-      full_film[j] = static_cast<Part>(full_here[j]);
-      inverse_scale_.row(i)[j] = full_here[j] != 0.0 ? Real(0) : Real(1) / scale[j];
-      if (full_here[j] != 0.0) rows_[j].full.push_back(i);
+      full += state.full_film.row(i)[j];
+      changed += std::abs(state.full_film.row(i)[j] - factored_full_.row(i)[j]);
     }
   }
-  Matrix matrix;
+  if (changed > most_changed * full) return false;
+  return use_.last * use_.linearisations <= use_.cost + use_.relaxations;
+}
+
+template <class Real>
+void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
+                               SmootherFactors factors) {
+  const ScopedEvent event(Kernel::smoother_factor);
+  const bool kept = factors == SmootherFactors::of_earlier_states_too && serve(state, shift);
+  if (!kept) {
+    for (Row& row : rows_) row.full.clear();
+    factored_full_ = state.full_film;
+    for (int i = 0; i < nx_; ++i) {
+      for (std::size_t j = 0; j < rows_.size(); ++j) {
+        if (state.full_film.row(i)[j] != 0.0) rows_[j].full.push_back(i);
+      }
+    }
+    Matrix matrix;
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      if (rows_[j].full.empty()) continue;
+      assemble(linear, static_cast<int>(j), matrix);
+      rows_[j].factors.compute(matrix);
+    }
+    use_ = {shift, relaxations_for_factors * nx_};
+  }
+  ++use_.linearisations;
+  use_.last = 0;
+  for (int i = 0; i < nx_; ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      this->full_film_.row(i)[j] = static_cast<Part>(state.full_film.row(i)[j]);  // 0 or 1
+      inverse_scale_.row(i)[j] = Real(1) / linear.by_pressure[centre].row(i)[j];
+    }
+  }
   for (std::size_t j = 0; j < rows_.size(); ++j) {
-    if (rows_[j].full.empty()) continue;
-    assemble(linear, static_cast<int>(j), matrix);
-    rows_[j].factors.compute(matrix);
+    for (const int i : rows_[j].full) inverse_scale_.row(i)[j] *= Real(1) - this->full_film_.row(i)[j];
   }
 }
 
 template <class Real>
 void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   const ScopedEvent event(Kernel::smoother_sweep);
+  ++use_.relaxations;
+  ++use_.last;
   for (int i = 1; i < nx_ - 1; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += inverse_scale_.row(i)[j] * residual.row(i)[j];
   }
@@ -93,9 +129,13 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
     const std::vector<int>& full = rows_[j].full;
     if (full.empty()) continue;
     values_.resize(static_cast<Eigen::Index>(full.size()));
-    for (std::size_t m = 0; m < full.size(); ++m) values_[static_cast<Eigen::Index>(m)] = residual.row(full[m])[j];
+    for (std::size_t m = 0; m < full.size(); ++m) {
+      values_[static_cast<Eigen::Index>(m)] = residual.row(full[m])[j] * Real(this->full_film_.row(full[m])[j]);
+    }
     values_ = rows_[j].factors.solve(values_);
-    for (std::size_t m = 0; m < full.size(); ++m) change.row(full[m])[j] += values_[static_cast<Eigen::Index>(m)];
+    for (std::size_t m = 0; m < full.size(); ++m) {
+      change.row(full[m])[j] += values_[static_cast<Eigen::Index>(m)] * Real(this->full_film_.row(full[m])[j]);
+    }
   }
 }
 

@@ -4,6 +4,10 @@
 // the deformation of the row itself and of the rows beside it, however far along X. The changes of other rows are left
 // out: all rows are relaxed at once (block Jacobi), and the number of processes is irrelevant. Krylov's method takes 7
 // to 15 of these where rows are graded towards the ends of a face, as long as they are not finer than 0.02 a.
+//
+// Factors cost as much as ten or more relaxations. In time steps of equal length they serve later linearisations too,
+// until one takes more relaxations than all since the factors were made have cost on average, the factors included:
+// from there on every further use would make the average grow.
 #pragma once
 
 #include <Eigen/LU>
@@ -21,7 +25,8 @@ public:
 
   RowSmoother(const Grid& grid, const Deformation<Part>& deformation);
 
-  void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) override;
+  void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
+              SmootherFactors factors) override;
   void relax(Field<Real>& residual, Field<Real>& change) override;
 
 private:
@@ -35,16 +40,28 @@ private:
     return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
   }
   void assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix);
+  /// Whether the present factors serve a linearisation about this state as well.
+  bool serve(const FilmState& state, ShiftOf<Real> shift) const;
 
   struct Row {
-    std::vector<int> full;  ///< lines of its full nodes
+    std::vector<int> full;  ///< lines of the nodes that were full when its factors were made
     Eigen::PartialPivLU<Matrix> factors;
+  };
+  /// What the present factors have been used for.
+  struct Use {
+    ShiftOf<Real> shift{};
+    double cost = 0.0;  ///< of the factors, in relaxations
+    int linearisations = 0;
+    int relaxations = 0;  ///< of all of them
+    int last = 0;         ///< of the last one
   };
 
   int nx_;
   std::array<std::vector<Part>, places> influence_;
   std::vector<Row> rows_;
-  Field<Real> inverse_scale_;  ///< of nodes that are not full
+  Field<double> factored_full_;  ///< 1 where nodes were full when factors were made, else 0
+  Field<Real> inverse_scale_;    ///< of nodes that factors are not used for, else 0
+  Use use_;
   Vector values_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "elasticity/deformation.hpp"
 #include "film/film_stencil.hpp"
+#include "film/solver_options.hpp"
 #include "grid/halo.hpp"
 
 namespace gearfilm {
@@ -21,9 +22,10 @@ public:
   Smoother(const Smoother&) = delete;
   Smoother& operator=(const Smoother&) = delete;
 
-  /// Makes the factors of all rows. oscillation: |s| of a film that oscillates, else 0. full_film() is then 1 where
-  /// Reynolds' equation holds, else 0.
-  virtual void factor(const FilmStencil<Real>& linear, const FilmState& state, double oscillation = 0.0) = 0;
+  /// Makes the factors of all rows of a film that was linearised for this shift, or keeps earlier ones where it may.
+  /// full_film() is then 1 where Reynolds' equation holds, else 0.
+  virtual void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
+                      SmootherFactors factors) = 0;
   const Field<Part>& full_film() const { return full_film_; }
   /// change += one relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   virtual void relax(Field<Real>& residual, Field<Real>& change) = 0;

@@ -9,6 +9,10 @@ namespace gearfilm {
 /// double, so that single costs no digit of a solution; where it would cost convergence double is taken.
 enum class Precision { single_precision, double_precision };
 
+/// What the smoother's factors are of: the state of the linearisation, or an earlier one of the same march, as long as
+/// they serve (row_smoother.hpp).
+enum class SmootherFactors { of_this_state, of_earlier_states_too };
+
 /// Options of the preconditioner of one contact's film.
 struct MultigridOptions {
   int levels = 0;            ///< 0 = chosen by the grid; 1 = the smoother alone

@@ -139,7 +139,8 @@ void FilmSystem::transient(Vec state, Vec values) {
   put_scalars(scalars, out.values());
 }
 
-void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination) {
+void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination,
+                           SmootherFactors factors) {
   const StateVersion version = versions_.of(state);
   shift_ = shift;
   preconditionings_ = 0;
@@ -150,7 +151,8 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimi
   reverse_jacobian_ = reverse_flanks_.jacobian(scalars);
   coupled_stiffness_.setZero(static_cast<Eigen::Index>(films()), bodies_.size());
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift, version);
+    films_[k]->linearise(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift), shift, version,
+                         factors);
   }
   if (elimination_ == BlockElimination::exact) {
     responses_.resize(scalars_at());

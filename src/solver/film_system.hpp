@@ -64,7 +64,8 @@ public:
   enum class BlockElimination { scalars_first, exact };
   /// Makes the Jacobian at a state, for d(rate)/d(C) = shift and the calls below. On solids that give way the
   /// elimination is always exact.
-  void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination);
+  void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination,
+                 SmootherFactors factors = SmootherFactors::of_this_state);
   double merit(Vec rows) override;
   bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
   void copied(Vec from, Vec to) override { versions_.copied(from, to); }

@@ -56,6 +56,20 @@ def pitch_line_velocity(pair):
     return math.pi / 30 * pair["pinion.speed_rpm"] * 0.5 * pair["gear.module"] * pair["pinion.teeth"]
 
 
+def trial_contact(pair, derive):
+    """Largest pressure and half-axis b of the ellipse under the trial torque; None where the pair is refused."""
+    torque = TRIAL_TORQUE
+    derived = derive(pair)
+    # Films over the whole face have no ellipse: that of a lighter load, grown as Hertz's.
+    while derived is not None and derived["b"] == 0.5 * pair["gear.face_width"]:
+        torque /= 10
+        derived = derive(pair | {"pinion.torque": torque})
+    if derived is None:
+        return None
+    growth = (TRIAL_TORQUE / torque) ** (1 / 3)
+    return growth * derived["p_hertz"], growth * derived["b"]
+
+
 def catalogue_pair(draw, derive):
     """Parameters, and what `info` derives from them; `derive` asks it, and gives None where it refuses a pair."""
     while True:
@@ -63,12 +77,13 @@ def catalogue_pair(draw, derive):
         pressure = draw.uniform(*PRESSURE)
         if pitch_line_velocity(pair) > FASTEST:
             continue
-        trial = derive(pair)
+        trial = trial_contact(pair, derive)
         if trial is None:
             continue
         # Pressures and half-axes of Hertz grow as the cube root of the load.
-        growth = pressure / trial["p_hertz"]
-        if growth * trial["b"] > WIDEST_CONTACT * pair["gear.face_width"]:
+        trial_pressure, trial_b = trial
+        growth = pressure / trial_pressure
+        if growth * trial_b > WIDEST_CONTACT * pair["gear.face_width"]:
             continue
         pair["pinion.torque"] *= growth ** 3
         derived = derive(pair)
