@@ -90,25 +90,34 @@ void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
   set_motion(state, {last.H0() + change, last.V0()});
 }
 
-// An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where the ellipse shrinks
-// by a node or more in a step. Where it grows, and over whole faces, the extrapolated pressures are the better guess.
+// An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where a contact shrinks by
+// a node or more in a step. Where it grows, the extrapolated pressures are the better guess.
 void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T1,
                                         const std::vector<FilmQuantities>& quantities) const {
-  if (mesh_.scales.face_law) return;
-  const Eigen::VectorXd low = system_.displacements(last), high = system_.displacements(guess);
+  const Eigen::VectorXd displaced = system_.displacements(last);
+  std::vector<double> before, at;  // forces, and displacements with the gaps of T1
   for (std::size_t k = 0; k < films_.size(); ++k) {
+    before.push_back(std::max(0.0, quantities[k].pressure_integral));
+    const auto gap_at = [&](double T) { return mesh_.contact(numbers_[k], T).conditions.dry_gap(); };
+    at.push_back(displaced[static_cast<Eigen::Index>(k)] - (gap_at(T1) - gap_at(T0)));
+  }
+  DryContacts dry(dry_force_, mesh_, numbers_, T1);
+  dry.stand_for(before, at);
+  const std::vector<double> after = dry.forces(motion(guess).H0());
+  for (std::size_t k = 0; k < films_.size(); ++k) {
+    if (before[k] <= 0.0 || after[k] >= before[k]) continue;
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
-    const double rise = high[k] - low[k] + mesh_.contact(numbers_[k], T1).conditions.dry_gap() - conditions.dry_gap();
-    const double force = quantities[k].pressure_integral;
-    if (rise <= 0.0 || force <= 0.0) continue;
-    const HertzContact before = dry_contact(mesh_.scales, conditions, force);
-    const double approach = before.approach - rise * mesh_.scales.thickness;
-    const double ratio = std::max<double>(smallest_ratio, std::sqrt(std::max<double>(0.0, approach) / before.approach));
+    const HertzContact contact = dry_contact(mesh_.scales, conditions, before[k]);
+    const double least = std::pow(smallest_ratio, 3) * before[k], force = std::max(least, after[k]);
+    const double ratio = dry_contact(mesh_.scales, conditions, force).a / contact.a;
     const Grid& grid = films_[k]->grid();
-    if ((1.0 - ratio) * before.a < receded * grid.h_x() * mesh_.scales.length) continue;
+    if ((1.0 - ratio) * contact.a < receded * grid.h_x() * mesh_.scales.length) continue;
+    const std::vector<double> pressure = system_.field(last, k);
     system_.set_field(
         guess, k,
-        rescaled_hertz_pressure(grid, mesh_.scales, before, ratio, system_.field(last, k), conditions.nearest.X));
+        mesh_.scales.face_law
+            ? rescaled_face_pressure(*films_[k]->discretisation(), mesh_.scales, conditions, before[k], force, pressure)
+            : rescaled_hertz_pressure(grid, mesh_.scales, contact, ratio, pressure, conditions.nearest.X));
   }
 }
 

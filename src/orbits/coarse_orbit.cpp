@@ -98,6 +98,9 @@ bool keeps_phase(const OrbitProblem& problem) {
   return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
+/// Rows over a face shrink and grow by parts of a coarse mesh width that their films do not cover in two steps at once.
+bool follows_films(const OrbitProblem& problem) { return problem.mesh.scales.face_law == nullptr; }
+
 /// Words before what is said of a march there.
 std::string place_of(const PairNumerics& numerics) {
   return worded("on ", numerics.nx, " x ", numerics.ny, " nodes with dT = ", numerics.steps.dT, ": ");
@@ -110,7 +113,7 @@ public:
       : twice_the_step_(coarse),
         own_step_(coarse),
         watch_(watch),
-        in_phase_(resolves_swings(coarse) && keeps_phase(coarse)),
+        doubles_the_step_(resolves_swings(coarse) && keeps_phase(coarse) && follows_films(coarse)),
         with_multipliers_(fine.search.with_multipliers),
         newton_of_decay_(fine.numerics.steps.newton),
         films_(discretise(comm, coarse)) {
@@ -120,7 +123,7 @@ public:
   }
 
   /// With which a search begins: with twice the step, where the pair stays in phase.
-  const OrbitProblem& problem() const { return in_phase_ ? twice_the_step_ : own_step_; }
+  const OrbitProblem& problem() const { return doubles_the_step_ ? twice_the_step_ : own_step_; }
   const SharedDiscretisation& films() const { return films_; }
 
   /// Nothing, and the reason to the watch, where its films cannot be solved; the name is that of its checkpoint.
@@ -140,7 +143,7 @@ public:
     return run;
   }
 
-  bool has_twice_the_step() const { return in_phase_; }
+  bool has_twice_the_step() const { return doubles_the_step_; }
   /// What an orbit with the step of the case itself has with a longer one. Nothing where it has none that is found
   /// about as soon.
   std::optional<DescribedOrbit> with_longer_step(const DescribedOrbit& found) {
@@ -178,7 +181,7 @@ private:
   OrbitProblem twice_the_step_;
   OrbitProblem own_step_;
   const SearchWatch& watch_;
-  bool in_phase_;
+  bool doubles_the_step_;
   bool with_multipliers_;
   NewtonOptions newton_of_decay_;
   SharedDiscretisation films_;
