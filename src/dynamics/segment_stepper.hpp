@@ -39,6 +39,7 @@ struct StepOptions {
                        .krylov_tolerance = 0.05,
                        .late_krylov_tolerance = 1e-3,
                        .krylov_max_iterations = 60,
+                       .unsolved = 3,
                        .limit_changes = true};
   int max_rejections = 12;                    ///< halvings of one step before the run fails
   double first_part = 1.0;                    ///< of a step, with which a segment begins

@@ -57,13 +57,20 @@ std::vector<double> rescaled_face_pressure(Discretisation& discretisation, const
     const int row = grid.y_begin() + j;
     if (widths[row] < narrowest) continue;
     const double ratio = std::max(rows.half_widths()[row], 0.1 * widths[row]) / widths[row];
+    double load = 0.0, rescaled = 0.0;  // by unit length, in steps of the grid
     for (int i = 1; i < grid.nx() - 1; ++i) {
       const double place =
           std::clamp((centre + (grid.x(i) - centre) / ratio - grid.x(0)) / grid.h_x(), 0.0, grid.nx() - 1.001);
       const auto n = static_cast<std::size_t>(place);
       const auto at = [&](std::size_t line) { return pressure[line * grid.y_count() + j]; };
-      values[static_cast<std::size_t>(i) * grid.y_count() + j] =
-          ratio * std::lerp(at(n), at(n + 1), place - static_cast<double>(n));
+      double& value = values[static_cast<std::size_t>(i) * grid.y_count() + j];
+      value = ratio * std::lerp(at(n), at(n + 1), place - static_cast<double>(n));
+      load += at(static_cast<std::size_t>(i));
+      rescaled += value;
+    }
+    // Lines between nodes have less of it.
+    for (int i = 1; i < grid.nx() - 1 && rescaled > 0.0; ++i) {
+      values[static_cast<std::size_t>(i) * grid.y_count() + j] *= ratio * ratio * load / rescaled;
     }
   }
   return values;

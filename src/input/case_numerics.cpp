@@ -93,6 +93,7 @@ NewtonOptions read_step_newton_options(const ParameterValues& values, const Scal
   NewtonOptions options = read_newton_options(
       values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)));
   options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
+  options.unsolved = StepOptions().newton.unsolved;
   options.limit_changes = true;
   return options;
 }

@@ -191,7 +191,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,
                                 100 * options.max_iterations));
-  petsc_check(SNESSetMaxLinearSolveFailures(snes, options.max_iterations));
+  petsc_check(SNESSetMaxLinearSolveFailures(snes, options.unsolved));
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
