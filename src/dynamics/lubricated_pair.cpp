@@ -104,20 +104,32 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
   DryContacts dry(dry_force_, mesh_, numbers_, T1);
   dry.stand_for(before, at);
   const std::vector<double> after = dry.forces(motion(guess).H0());
+  struct Shrinking {
+    std::size_t contact;
+    ContactConditions conditions;
+    HertzContact before;
+    double force, ratio;  ///< to which it shrinks, and its half-axes' ratio
+  };
+  std::vector<Shrinking> shrinking;
+  bool recede = false;
   for (std::size_t k = 0; k < films_.size(); ++k) {
     if (before[k] <= 0.0 || after[k] >= before[k]) continue;
     const ContactConditions conditions = mesh_.contact(numbers_[k], T0).conditions;
     const HertzContact contact = dry_contact(mesh_.scales, conditions, before[k]);
-    const double least = std::pow(smallest_ratio, 3) * before[k], force = std::max(least, after[k]);
+    const double force = std::max(std::pow(smallest_ratio, 3) * before[k], after[k]);
     const double ratio = dry_contact(mesh_.scales, conditions, force).a / contact.a;
-    const Grid& grid = films_[k]->grid();
-    if ((1.0 - ratio) * contact.a < receded * grid.h_x() * mesh_.scales.length) continue;
+    shrinking.push_back({k, conditions, contact, force, ratio});
+    recede = recede || (1.0 - ratio) * contact.a >= receded * films_[k]->grid().h_x() * mesh_.scales.length;
+  }
+  if (!recede) return;
+  // All of them, since on teeth that bend one film's force displaces the others.
+  for (const auto& [k, conditions, contact, force, ratio] : shrinking) {
     const std::vector<double> pressure = system_.field(last, k);
     system_.set_field(
         guess, k,
         mesh_.scales.face_law
             ? rescaled_face_pressure(*films_[k]->discretisation(), mesh_.scales, conditions, before[k], force, pressure)
-            : rescaled_hertz_pressure(grid, mesh_.scales, contact, ratio, pressure, conditions.nearest.X));
+            : rescaled_hertz_pressure(films_[k]->grid(), mesh_.scales, contact, ratio, pressure, conditions.nearest.X));
   }
 }
 
