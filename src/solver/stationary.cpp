@@ -128,24 +128,28 @@ FilmSolution interpolate(const Grid& coarse_grid, const Grid& fine_grid, const F
   return fine;
 }
 
-bool ends_of_half_space(const ContactFilm& film) {
+/// What flanks may do at the ends of their face, where no film is found; empty where they end elsewhere.
+std::string word_of_ends(const ContactFilm& film, double worst_Y) {
   const Face* face = film.scales().solids.face.get();
-  return face && face->end == EndFace::half_space;
+  if (!face) return {};
+  if (face->end == EndFace::half_space) {
+    return "; flanks whose solids go on beyond the end of the face may touch there, with no film: give an end relief, "
+           "or end_face: free";
+  }
+  const bool beside_end = std::abs(worst_Y) > film.grid().shape().row_axis.half_width() - 1.0;
+  return beside_end ? "; at the corner of a sharp end the flanks may touch, with no film: give an end relief" : "";
 }
 
 [[noreturn]] void report_failure(const ContactFilm& film, const StationaryNewton& newton) {
   const Grid& grid = film.grid();
   const SolveCounts& counts = newton.counts();
+  const WorstNode worst = newton.worst(0);
   std::ostringstream message;
   message << "stationary film not converged on the grid " << grid.nx() << " x " << grid.ny() << ": residual "
-          << counts.residual << " after " << counts.newton << " Newton iterations, the largest "
-          << describe(newton.worst(0))
+          << counts.residual << " after " << counts.newton << " Newton iterations, the largest " << describe(worst)
           << "; try a finer grid (grid_nx, grid_ny) or a wider domain (grid_x_min, grid_x_max, "
-             "grid_y_half), or raise solver_newton_max_iterations";
-  if (ends_of_half_space(film)) {
-    message << "; flanks whose solids go on beyond the end of the face may touch there, with no film: give an end "
-               "relief, or end_face: free";
-  }
+             "grid_y_half), or raise solver_newton_max_iterations"
+          << word_of_ends(film, worst.Y);
   throw SolveError(message.str());
 }
 

@@ -1,8 +1,16 @@
 #include "solver/stationary_newton.hpp"
 
+#include <algorithm>
 #include <sstream>
 
+#include "film/expected_errors.hpp"
+
 namespace gearfilm {
+namespace {
+
+constexpr double thinnest = 0.1;  // film before a pseudo-time step, of the expected central one
+
+}  // namespace
 
 StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const NewtonOptions& options)
     : system_(films, fixed_approach(0.0, films.size())),
@@ -135,8 +143,12 @@ bool StationaryNewton::iterate() {
   return reason > 0;
 }
 
+// Where a guess lets the bodies overlap, as dry contacts do at the corners of a face, no film could follow from what is
+// less than nothing: oil is put there.
 bool StationaryNewton::step(double shift) {
+  const double least = thinnest * ExpectedFilm(system_.film(0).scales()).film;
   mass_ = mass_of_state();
+  for (double& mass : mass_) mass = std::max(mass, least);
   step_ = ImplicitStep{shift, mass_};
   return iterate();
 }
