@@ -141,14 +141,22 @@ void search(MPI_Comm comm, const CaseInput& given) {
 // Forces of a pair in motion are known when they are computed.
 void run_periodic(MPI_Comm comm, const CaseInput& given) {
   const std::string whole_face = "grid.whole_face";
+  ParameterValues values = given.parameters;
+  const bool asked_for = values.text(whole_face) == "yes";
+  values.set(whole_face, "yes", "the choice of rows by the program");
+  // A run that began again over the whole face goes on there.
+  if (given.run.restart && !asked_for && parameter_of_kept_run(comm, given.run.directory, whole_face) == "yes") {
+    search(comm, make_case(values));
+    return;
+  }
   try {
     search(comm, given);
   } catch (const EdgesReached& error) {
-    if (given.parameters.text(whole_face) == "yes") throw;
+    if (asked_for) throw;
     say(comm, error.what(), ": the search begins again with films over the whole face (", whole_face, ": yes)");
-    ParameterValues values = given.parameters;
-    values.set(whole_face, "yes", "the choice of rows by the program");
-    search(comm, make_case(values));
+    CaseInput over_the_face = make_case(values);
+    over_the_face.run.restart = false;
+    search(comm, over_the_face);
   }
 }
 

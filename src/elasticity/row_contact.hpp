@@ -59,6 +59,10 @@ private:
   std::vector<double> middle_, edge_;  ///< u of unit loads in the middle and at the edge of a row, [target][source]
 };
 
+/// -dM/dtheta [N m/rad] of the moment about the middle of the scales' face, under a force [-] at a radius: by contacts
+/// that are tilted a little either way. Throws SolveError.
+double tilting_stiffness(const Scales& scales, double force, double relative_radius);
+
 /// The law of the scales' face for forces around the static one, at radii between two.
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii);
 

@@ -77,4 +77,13 @@ void ResumableRun::complete() {
   checkpoint_->remove();
 }
 
+std::optional<std::string> parameter_of_kept_run(MPI_Comm comm, const std::filesystem::path& directory,
+                                                 const std::string& name) {
+  for (const std::filesystem::path& file : {directory / "checkpoint" / "run.json", directory / "run.json"}) {
+    const std::optional<Summary> kept = read_identity(comm, file);
+    if (kept && kept->contains(name)) return kept->at(name).get<std::string>();
+  }
+  return {};
+}
+
 }  // namespace gearfilm

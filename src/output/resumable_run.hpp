@@ -43,4 +43,9 @@ private:
   std::optional<Checkpoint> checkpoint_;
 };
 
+/// What a parameter is in the run that the folder holds, unfinished or complete; nothing where there is none. Throws
+/// InputError where that cannot be read. Collective.
+std::optional<std::string> parameter_of_kept_run(MPI_Comm comm, const std::filesystem::path& directory,
+                                                 const std::string& name);
+
 }  // namespace gearfilm

@@ -1,5 +1,6 @@
 #include "results/steady_result.hpp"
 
+#include "elasticity/row_contact.hpp"
 #include "film/domain_margins.hpp"
 #include "film/face_quantities.hpp"
 #include "input/case_numerics.hpp"
@@ -63,6 +64,7 @@ constexpr auto film_members = std::to_array<Member<StationaryResult>>({
 struct AlongFace {
   const Scales& scales;
   const StationaryResult& result;
+  double dry_radius;  ///< of the contact, over R_x
   FaceQuantities face;
 
   /// [m^3/s]
@@ -83,6 +85,11 @@ constexpr auto face_members = std::to_array<Member<AlongFace>>({
      [](const AlongFace& of) -> Summary { return of.scales.length * of.face.largest_pressure_at(); }},
     {"tilting_moment", "M", "N m", "moment of the pressure about the middle of the face, int int p y dx dy",
      [](const AlongFace& of) -> Summary { return of.scales.force(of.face.tilting_moment) * of.scales.length; }},
+    {"tilting_stiffness", "-dM/dtheta", "N m/rad",
+     "by how much the moment falls with the misalignment, of the dry contact under the same force",
+     [](const AlongFace& of) -> Summary {
+       return tilting_stiffness(of.scales, of.result.quantities.pressure_integral, of.dry_radius);
+     }},
     {"approach", "", "m", "approach of the bodies, without what their ends give way as a whole",
      [](const AlongFace& of) -> Summary { return -of.scales.thickness * of.result.solution.H0; }},
     {"side_flow_lower", "", "m^3/s", "oil that leaves at the end of negative y beside the contact, x > -a",
@@ -250,7 +257,10 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
   add_errors(problem.scales, solved.errors, result.summary);
   add_coupling(problem, solved, result.summary);
   if (problem.scales.solids.face) {
-    add_members(face_members, AlongFace{problem.scales, solved.result, face_quantities(*solved.film)}, result.summary);
+    add_members(face_members,
+                AlongFace{problem.scales, solved.result, position.contact.conditions.dry_radius(),
+                          face_quantities(*solved.film)},
+                result.summary);
   }
   return result;
 }
