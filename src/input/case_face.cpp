@@ -56,6 +56,33 @@ void read_end_relief(const ParameterValues& values, const std::string& section, 
                          .power = values.text(section + ".end_relief_shape") == "linear" ? 1 : 2});
 }
 
+/// Flanks that part by more than a fiftieth of the face touch at one end alone.
+void require_small_slope(const ParameterValues& values, const Face& face, const std::vector<std::string>& names) {
+  constexpr double largest = 0.02;
+  if (std::abs(face.gap.slope) <= largest) return;
+  const std::string& name =
+      *std::ranges::max_element(names, {}, [&](const std::string& of) { return std::abs(values.real(of)); });
+  values.refuse(name, "is " + format_value(values.real(name)) + " m, and the flanks part by " +
+                          format_value(std::abs(face.gap.slope) * face.width) + " m over a face of " +
+                          format_value(face.width) + " m, which lifts them off each other; give at most " +
+                          format_value(largest * face.width) + ", for both gears and their shafts together");
+}
+
+/// The points (y, material removed) of a measured lead, if any.
+void read_lead(const ParameterValues& values, const std::string& name, double face_width, FaceGap& gap) {
+  if (!values.has(name)) return;
+  gap.tables.push_back(read_ascending_points(
+      values, name,
+      "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
+      "[m]"));
+  for (const auto& [y, removed] : gap.tables.back()) {
+    if (std::abs(y) > (0.5 + 1e-9) * face_width) {
+      values.refuse(name, "has a point at y = " + format_value(y) + " m, beyond the end of the face at " +
+                              format_value(0.5 * face_width) + " m; give points on the face");
+    }
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values) {
@@ -70,6 +97,7 @@ std::shared_ptr<const Face> read_face_of_contact(const ParameterValues& values) 
   face.width = values.real(width);
   face.gap.slope = values.real("contact.misalignment") / face.width;
   face.gap.logarithmic = values.real("contact.logarithmic_profile");
+  require_small_slope(values, face, {"contact.misalignment"});
   read_end_relief(values, "contact", face.width, face.gap);
   face.end = read_end_face(values, "contact");
   face.mirror_factor = values.real("contact.end_face_factor");
@@ -94,15 +122,10 @@ std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values) {
   face.mirror_factor = values.real("gear.end_face_factor");
   std::vector<Body> bodies;
   for (const std::string gear : {"pinion", "wheel"}) {
-    const std::string own_width = gear + ".face_width", lead = gear + ".lead_file";
+    const std::string own_width = gear + ".face_width";
     face.gap.slope += values.real(gear + ".lead_slope") / face.width;
     read_end_relief(values, gear, face.width, face.gap);
-    if (values.has(lead)) {
-      face.gap.tables.push_back(read_ascending_points(
-          values, lead,
-          "a point of the lead; give two numbers, y from the middle of the face [m] and material removed "
-          "[m]"));
-    }
+    read_lead(values, gear + ".lead_file", face.width, face.gap);
     const double width = values.real_if_given(own_width).value_or(face.width);
     if (width < face.width) {
       values.refuse(own_width, "is " + format_value(width) +
@@ -112,6 +135,7 @@ std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values) {
     bodies.push_back(
         {values.real(gear + ".youngs_modulus"), values.real(gear + ".poisson_ratio"), width == face.width});
   }
+  require_small_slope(values, face, {"gear.misalignment", "pinion.lead_slope", "wheel.lead_slope"});
   face.ending = ending_bodies(bodies);
   return std::make_shared<const Face>(face);
 }
