@@ -159,12 +159,12 @@ def faults(number):
 
 def implausible(summary, warnings):
     numbers = {name: value for name, value in summary.items() if isinstance(value, (int, float))}
-    for name, value in numbers.items():
-        if not math.isfinite(value) or (name in POSITIVE and value <= 0):
-            return f"{name} = {value}"
-    # Along a whole face there is neither an ellipse's formula nor, without crowning, a radius.
+    # Along a whole face there is neither an ellipse's formula nor, without crowning, a radius; D is zero then.
     of_face = {"R_y", "D"} | {name for name in POSITIVE if name.startswith(("hamrock", "nijenbanning"))}
     needed = set(POSITIVE) - of_face if "moes_line_h_central" in numbers else set(POSITIVE)
+    for name, value in numbers.items():
+        if not math.isfinite(value) or value < 0 and name in POSITIVE or value == 0 and name in needed:
+            return f"{name} = {value}"
     if not needed <= set(numbers):
         return f"results are missing: {sorted(numbers)}"
     if not summary.get("contact_ratio", 1) >= 1:

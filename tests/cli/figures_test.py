@@ -12,11 +12,9 @@ from script import plot, run_script
 
 sys.path.insert(0, str(SOURCE / "scripts"))
 from gearfilm.drawing import KINDS  # noqa: E402
-from gearfilm.drawing import face as face_figure  # noqa: E402
 from gearfilm.drawing import march as march_figure  # noqa: E402
 from gearfilm.drawing.orbit import read_orbit  # noqa: E402
 from gearfilm.drawing.static import read_static, shares_of_contact  # noqa: E402
-from gearfilm.folder import Film, Parameter  # noqa: E402
 
 MESH_PERIOD = 7.5      # dimensionless
 TIME_SCALE = 2e-5      # s
@@ -197,32 +195,6 @@ class Figures(ProgramTest):
                         self.assert_refused(name, "it stores no films; run it with -output_snapshot_interval")
                     else:
                         self.assert_refused(name, "results.h5 is not a result of gearfilm", own[0])
-
-    def test_pattern_has_every_place_of_the_flank_once_with_loads_of_its_rows(self):
-        x, y = numpy.linspace(-0.2, 0.2, 401), numpy.array([-7.0, -2.0, 1.0, 7.0])
-        ellipse = numpy.sqrt(numpy.maximum(1 - (x / 0.1) ** 2, 0))[:, None]
-
-        def film(xi, pressure):
-            across = numpy.where(abs(y) < 7, pressure, 0)
-            return Film(contact=0, xi=xi, time=0, x=x, y=y, thickness=0.1 + 0 * ellipse * across, pressure=ellipse * across)
-
-        known_y, rows = face_figure.pattern([film(2.0, 1.5), film(-3.0, 1.0), film(2.0, 1.5)])
-        self.assertEqual([row.place for row in rows], [-3.0, 2.0])
-        numpy.testing.assert_array_equal(known_y, y)
-        # A semi-ellipse of 1 GPa and the half-width 0.1 mm carries 50 pi N/mm.
-        numpy.testing.assert_allclose(rows[0].line_load, [0, 50 * math.pi, 50 * math.pi, 0], rtol=2e-3)
-        numpy.testing.assert_allclose(rows[1].pressure, [0, 1.5, 1.5, 0])
-
-    def test_roll_angle_of_the_pitch_point_is_the_tangent_of_the_working_pressure_angle(self):
-        class Run:
-            parameters = {"gear.module": Parameter(4.5e-3, "m"), "gear.pressure_angle_deg": Parameter(20.0, "deg"),
-                          "gear.centre_distance": Parameter(90e-3, "m"), "pinion.teeth": Parameter(16.0, ""),
-                          "wheel.teeth": Parameter(24.0, "")}
-
-        base_radius = 36 * math.cos(math.radians(20))
-        first, second = face_figure.roll_angles(Run, [0.0, base_radius])
-        self.assertAlmostEqual(first, math.degrees(math.tan(math.radians(20))), places=9)
-        self.assertAlmostEqual(second - first, math.degrees(1), places=9)
 
     def test_wrong_words_are_answered_in_a_line(self):
         for name, words in (("nothing", "invalid choice: 'nothing'"), ("film", "unrecognized arguments: --bad"),

@@ -150,12 +150,14 @@ class RightInput(ProgramTest):
                 case.write_bytes(content)
                 self.assertEqual(self.run_well("info", case).stdout, usual)
 
-    def test_every_case_is_usual_but_the_plastic_wheel(self):
-        for case in sorted(set(INPUT.glob("*.yaml")) - {PLASTIC}):
+    def test_every_case_is_usual_but_the_plastic_and_the_undercut_wheel(self):
+        unusual = {PLASTIC: "softer than the metals of gears", INPUT / "fzg_a.yaml": "undercuts the teeth of the wheel"}
+        for case in sorted(set(INPUT.glob("*.yaml")) - set(unusual)):
             self.run_well("info", case)
-        run = self.run_program("info", PLASTIC)
-        self.assertEqual((run.status, run.stderr.count("\n")), (0, 1), run)
-        self.assertIn("softer than the metals of gears", run.stderr)
+        for case, word in unusual.items():
+            run = self.run_program("info", case)
+            self.assertEqual((run.status, run.stderr.count("\n")), (0, 1), run)
+            self.assertIn(word, run.stderr)
 
 
 if __name__ == "__main__":
