@@ -64,7 +64,7 @@ constexpr auto film_members = std::to_array<Member<StationaryResult>>({
 struct AlongFace {
   const Scales& scales;
   const StationaryResult& result;
-  double dry_radius;  ///< of the contact, over R_x
+  double dry_radius = 1.0;  ///< of the contact, over R_x
   FaceQuantities face;
 
   /// [m^3/s]
