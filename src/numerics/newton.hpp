@@ -26,7 +26,7 @@ struct NewtonOptions {
   /// about all others.
   double late_krylov_tolerance = 1.0;
   int krylov_max_iterations = 200;
-  int unsolved = 1000;  ///< linear systems that may be left above the tolerance before the iteration is given up
+  int unsolved = 1000;         ///< linear systems that may be left above the tolerance before the iteration is given up
   bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near
   Watcher watcher{};           ///< of stationary films, called every iteration
 };

@@ -98,7 +98,8 @@ bool keeps_phase(const OrbitProblem& problem) {
   return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
-/// Rows over a face shrink and grow by parts of a coarse mesh width that their films do not cover in two steps at once.
+/// Whether the films of a pair follow its motion on a coarse grid in steps of twice the length. Over whole faces Newton's
+/// method fails in many such steps.
 bool follows_films(const OrbitProblem& problem) { return problem.mesh.scales.face_law == nullptr; }
 
 /// Words before what is said of a march there.
@@ -122,7 +123,7 @@ public:
     own_step_.numerics.steps.newton = coarse.numerics.steps.newton;
   }
 
-  /// With which a search begins: with twice the step, where the pair stays in phase.
+  /// With which a search begins: with twice the step, where the pair stays in phase and films follow it.
   const OrbitProblem& problem() const { return doubles_the_step_ ? twice_the_step_ : own_step_; }
   const SharedDiscretisation& films() const { return films_; }
 

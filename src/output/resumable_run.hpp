@@ -43,8 +43,8 @@ private:
   std::optional<Checkpoint> checkpoint_;
 };
 
-/// What a parameter is in the run that the folder holds, unfinished or complete; nothing where there is none. Throws
-/// InputError where that cannot be read. Collective.
+/// The value of a parameter, by its name, in the run whose results or checkpoint a folder holds; nothing where it holds
+/// none. Throws InputError where a file of the folder cannot be read. Collective.
 std::optional<std::string> parameter_of_kept_run(MPI_Comm comm, const std::filesystem::path& directory,
                                                  const std::string& name);
 
