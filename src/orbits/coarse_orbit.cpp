@@ -98,8 +98,8 @@ bool keeps_phase(const OrbitProblem& problem) {
   return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
-/// Whether the films of a pair follow its motion on a coarse grid in steps of twice the length. Over whole faces Newton's
-/// method fails in many such steps.
+/// Whether the films of a pair follow its motion on a coarse grid in steps of twice the length. Over whole faces
+/// Newton's method fails in many such steps.
 bool follows_films(const OrbitProblem& problem) { return problem.mesh.scales.face_law == nullptr; }
 
 /// Words before what is said of a march there.
