@@ -56,9 +56,10 @@ void warn_of_validity(MPI_Comm comm, const Summary& summary) {
          " K the oil's law of viscosity is extrapolated, and oils decompose");
   }
   const auto ratio = value_of(summary, {"lambda_min", "lambda"});
-  if (ratio && *ratio < 1.0) {
+  const bool modelled = value_of(summary, {"asperity_load_share_max", "asperity_load_share"}).has_value();
+  if (ratio && *ratio < 1.0 && !modelled) {
     warn(comm, three_digits, "the smallest film is ", *ratio,
-         " of the roughness: asperities touch, which is not modelled");
+         " of the roughness: asperities touch, which is not modelled; roughness.model stochastic does");
   }
   const auto missed = value_of(summary, {"temperatures_missed_max", "temperatures_missed"});
   if (missed && *missed > tolerable_missing) {

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "contact/face.hpp"
+#include "roughness/rough_surfaces.hpp"
 
 namespace gearfilm {
 
@@ -24,6 +25,7 @@ struct ContactSolids {
   double reduced_modulus = 0.0;        ///< E' [Pa]
   std::shared_ptr<const Face> face{};  ///< the whole face, which is loaded; null where the contact ends within it
   bool line = false;                   ///< endless along the face, with loads by unit length
+  std::shared_ptr<const RoughSurfaces> rough{};  ///< roughness that films see; null where they are smooth
 };
 
 /// Contact ellipse and pressure under a load w.

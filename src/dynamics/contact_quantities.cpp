@@ -11,11 +11,16 @@ double hertz_pressure_of(const QuantityInputs& at) {
 }
 
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
-                                 const std::optional<double>& roughness) {
+                                 const std::optional<double>& roughness, const ContactSolids& solids) {
   return {.film = lubricated,
           .friction = traction.has_value(),
           .heat = traction && traction->heat,
-          .roughness = roughness.has_value()};
+          .roughness = roughness.has_value(),
+          .asperities = solids.rough != nullptr};
+}
+
+double asperity_load_share(const QuantityInputs& at) {
+  return at.film.pressure_integral > 0.0 ? at.film.asperity_integral / at.film.pressure_integral : 0.0;
 }
 
 double film_ratio(const QuantityInputs& at) {
@@ -36,6 +41,11 @@ FilmQuantities film_quantities(const ContactQuantities& quantities) {
   film.central_pressure = quantities["p_central"];
   film.largest_pressure = quantities["p_max"];
   film.spike_pressure = quantities["p_spike"];
+  film.asperity_integral = quantities["asperity_force"];
+  film.central_mean_gap = quantities["mean_gap_central"];
+  film.smallest_mean_gap = quantities["mean_gap_min"];
+  film.largest_film_pressure = quantities["p_fluid_max"];
+  film.largest_asperity_pressure = quantities["p_asperity_max"];
   film.finite = std::ranges::all_of(quantities.values, [](double value) { return std::isfinite(value); });
   return film;
 }

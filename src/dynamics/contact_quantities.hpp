@@ -21,13 +21,15 @@ struct QuantityInputs {
 
 /// Which quantities there are.
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
-                                 const std::optional<double>& roughness);
+                                 const std::optional<double>& roughness, const ContactSolids& solids);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness);
+  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids);
 }
 
 /// h_min/Rq; zero without roughness.
 double film_ratio(const QuantityInputs& at);
+/// Part of the force that asperities carry.
+double asperity_load_share(const QuantityInputs& at);
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const QuantityInputs& at);
 
@@ -93,6 +95,26 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                                   "smallest film over the roughness of both flanks together", RequiredModel::roughness,
                                   Reduced{"lambda_min", Reduction::smallest, units::number,
                                           "smallest film over the roughness", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(
+         asperity_load_share, "asperity_load_share", "L_a", units::number,
+         "part of the force that asperities carry", RequiredModel::asperities,
+         Reduced{"asperity_load_share_max", Reduction::largest, units::number,
+                 "largest part of a contact's force that asperities carry", ShownIn::everywhere},
+         Reduced{"asperity_load_share_mean", Reduction::mean, units::number,
+                 "mean over contacts and steps of the part that asperities carry", ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::asperity_integral>("asperity_force", "F_a", units::newton,
+                                                           "force that asperities carry", RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::central_mean_gap>(
+         "mean_gap_central", "h_T", units::metre, "mean gap of the rough surfaces at x = y = 0",
+         RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::smallest_mean_gap>("mean_gap_min", "h_T", units::metre, "smallest mean gap",
+                                                           RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::largest_film_pressure>("p_fluid_max", "p_f", units::pascal,
+                                                               "largest pressure of the oil",
+                                                               RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::largest_asperity_pressure>("p_asperity_max", "p_a", units::pascal,
+                                                                   "largest pressure of the asperities",
+                                                                   RequiredModel::asperities),
      quantity::of_traction<&TractionQuantities::sliding_force>(
          "friction_force", "F_s", units::si_newton, "force of sliding friction, with the sign of the sliding velocity",
          RequiredModel::friction),
@@ -102,6 +124,19 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
      quantity::of_traction<&TractionQuantities::coefficient>("friction_coefficient", "mu", units::number,
                                                              "friction_force over the force on the contact",
                                                              RequiredModel::friction),
+     quantity::of<QuantityInputs>(
+         [](const QuantityInputs& at) { return at.traction.coefficient - at.traction.boundary_coefficient; },
+         "friction_coefficient_fluid", "mu_f", units::number, "the oil's part of friction_coefficient",
+         RequiredModel::boundary_friction),
+     quantity::of_traction<&TractionQuantities::boundary_coefficient>(
+         "friction_coefficient_boundary", "mu_b L_a", units::number, "the asperities' part of friction_coefficient",
+         RequiredModel::boundary_friction),
+     quantity::of_traction<&TractionQuantities::boundary_force>("friction_force_boundary", "F_b", units::si_newton,
+                                                                "the asperities' part of friction_force",
+                                                                RequiredModel::boundary_friction),
+     quantity::of_traction<&TractionQuantities::power_boundary>("power_boundary", "u_s F_b", units::watt,
+                                                                "the asperities' part of power_sliding",
+                                                                RequiredModel::boundary_friction),
      quantity::of_traction<&TractionQuantities::power_sliding>("power_sliding", "u_s F_s", units::watt,
                                                                "power lost by sliding", RequiredModel::friction),
      quantity::of_traction<&TractionQuantities::power_rolling>("power_rolling", "2 u_m F_r", units::watt,

@@ -61,17 +61,19 @@ struct Reduced {
 };
 
 /// What there must be for a quantity to have a value.
-enum class RequiredModel { nothing, film, friction, heat, roughness };
+enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction };
 
-/// What there is: a film, friction on it, heat in it, roughness of the flanks.
+/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry.
 struct AvailableModels {
   bool film = true;
   bool friction = false;
   bool heat = false;
   bool roughness = false;
+  bool asperities = false;
 
   constexpr bool has(RequiredModel needs) const {
-    const bool given[] = {true, true, friction, heat, roughness};  // in the order of RequiredModel
+    const bool given[] = {true,      true,       friction,               heat,
+                          roughness, asperities, asperities && friction};  // in the order of RequiredModel
     return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };

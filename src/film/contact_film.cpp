@@ -41,7 +41,9 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       displacement_column_(grid_.local_size()),
       smallest_scales_(grid_.y_count()),
       weights_(displacement_column_.size()),
-      conductance_(displacement_column_.size()) {}
+      conductance_(displacement_column_.size()) {
+  if (scales.solids.rough) state_.rough.emplace(grid_);
+}
 
 void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
   surfaces_ = std::move(surfaces);
@@ -77,6 +79,9 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVer
     const double* gap = surfaces_.gap.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) thickness[j] += H0 + gap[j];
   }
+  if (state_.rough) {
+    gearfilm::evaluate(scales_, grid_, surfaces_.sliding, state_.total_pressure, state_.thickness, *state_.rough);
+  }
   properties_.evaluate(state_, flow_factors_);
   exchange_ghosts(discretisation_->halo(), state_);
   shown_ = state_version;
@@ -96,7 +101,7 @@ void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<do
   evaluate(pressure, H0, state_version);
   for (int i = 0; i < grid_.nx(); ++i) {
     const double* density = state_.density.row(i);
-    const double* thickness = state_.thickness.row(i);
+    const double* thickness = state_.mean_gap().row(i);
     double* line = mass.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * thickness[j];
   }
@@ -126,6 +131,10 @@ void ContactFilm::linearise(std::span<const double> pressure, double H0, const S
   linearised_->update(state_, shift, factors);
   linearised_->displacement_column(displacement_column_);
   at_linearised_ = true;
+  if (state_.rough) {
+    linearised_gap_.resize(pressure.size());
+    state_.thickness.store(linearised_gap_);
+  }
   const ReynoldsEquation& equation = discretisation_->equation();
   for (int j = 0; j < grid_.y_count(); ++j)
     smallest_scales_[j] = equation.row_scale(j, 0.0, surfaces_.entrainment[j], shift);
@@ -156,11 +165,13 @@ void ContactFilm::multiply_mass(std::span<const double> change, double change_H0
   deformation_.apply(pressure_change, deformed);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
+    const StateLine state(state_, i);
+    const double *slope = state_.rough ? state_.rough->asperity_slope.row(i) : state_.zeros.data() + 1,
+                 *full_film = state_.full_film.row(i), *of_pressure = pressure_change.row(i), *of_gap = deformed.row(i);
     double* line = rows.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) {
-      const double mass = state_.density.row(i)[j] * (deformed.row(i)[j] + change_H0) +
-                          state_.density_by_pressure.row(i)[j] * state_.thickness.row(i)[j] * pressure_change.row(i)[j];
-      line[j] = state_.full_film.row(i)[j] * mass;
+      const double gap = of_gap[j] + change_H0, oil_pressure = of_pressure[j] - slope[j] * gap;
+      line[j] = full_film[j] * (state.rho[j] * state.h_H[j] * gap + state.rho_p[j] * state.h[j] * oil_pressure);
     }
   }
 }
@@ -172,6 +183,21 @@ double ContactFilm::merit(std::span<const double> rows) const {
     sum += row * row;
   }
   return sum;
+}
+
+double ContactFilm::gap_moved() const {
+  if (linearised_gap_.empty()) return 0.0;
+  constexpr double touching = 6.0, longest = 1.0;  // in sigma
+  const double sigma = scales_.solids.rough->sigma() / scales_.thickness;
+  double moved = 0.0;
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double* after = state_.thickness.row(i);
+    const double* before = linearised_gap_.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      if (std::min(before[j], after[j]) < touching * sigma) moved = std::max(moved, std::abs(after[j] - before[j]));
+    }
+  }
+  return moved / (longest * sigma);
 }
 
 bool ContactFilm::relax_overshot_nodes(std::span<double> change, std::span<const double> whole,
@@ -205,8 +231,10 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
   evaluate(pressure, H0, state_version);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
-  enum { largest_pressure, spike, negative_film, central_pressure, central_film, count };
-  double maxima[count] = {-INFINITY, spike_pressure(grid_, state_.total_pressure), -INFINITY, -INFINITY, -INFINITY};
+  enum { largest, spike, negative_film, central_P, central_film, oil, asperities, negative_gap, central_gap, count };
+  double maxima[count];
+  std::ranges::fill(maxima, -INFINITY);
+  maxima[spike] = spike_pressure(grid_, state_.total_pressure);
   if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
     // Linear between the lines beside X = 0: in thick films H and P have a slope there.
     const double place = -grid_.shape().x_min / grid_.h_x();
@@ -214,27 +242,49 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
     const auto at_centre = [&](const Field<double>& field) {
       return std::lerp(field.row(before)[central], field.row(before + 1)[central], place - before);
     };
-    maxima[central_pressure] = at_centre(state_.total_pressure);
+    maxima[central_P] = at_centre(state_.total_pressure);
     maxima[central_film] = at_centre(state_.thickness);
+    maxima[central_gap] = at_centre(state_.mean_gap());
   }
   const RowRange rows = rows_with_film(grid_, scales_);
   for (int i = 0; i < grid_.nx(); ++i) {
+    const double *P = state_.total_pressure.row(i), *P_f = state_.film_pressure().row(i),
+                 *gap = state_.mean_gap().row(i), *H = state_.thickness.row(i);
     for (int j = rows.begin; j < rows.end; ++j) {
-      maxima[largest_pressure] = std::max(maxima[largest_pressure], state_.total_pressure.row(i)[j]);
-      maxima[negative_film] = std::max(maxima[negative_film], -state_.thickness.row(i)[j]);
+      maxima[largest] = std::max(maxima[largest], P[j]);
+      maxima[oil] = std::max(maxima[oil], P_f[j]);
+      maxima[asperities] = std::max(maxima[asperities], P[j] - P_f[j]);
+      maxima[negative_film] = std::max(maxima[negative_film], -H[j]);
+      maxima[negative_gap] = std::max(maxima[negative_gap], -gap[j]);
     }
   }
   MPI_Allreduce(MPI_IN_PLACE, maxima, count, MPI_DOUBLE, MPI_MAX, grid_.comm());
   // A maximum may pass over what is not a number; the integral does not.
   bool finite = std::isfinite(carried);
   for (const double maximum : maxima) finite = finite && std::isfinite(maximum);
-  return {carried,
-          maxima[central_film],
-          -maxima[negative_film],
-          maxima[central_pressure],
-          maxima[largest_pressure],
-          maxima[spike],
-          finite};
+  return {.pressure_integral = carried,
+          .central_film = maxima[central_film],
+          .smallest_film = -maxima[negative_film],
+          .central_pressure = maxima[central_P],
+          .largest_pressure = maxima[largest],
+          .spike_pressure = maxima[spike],
+          .asperity_integral = state_.rough ? asperity_integral() : 0.0,
+          .central_mean_gap = maxima[central_gap],
+          .smallest_mean_gap = -maxima[negative_gap],
+          .largest_film_pressure = maxima[oil],
+          .largest_asperity_pressure = maxima[asperities],
+          .finite = finite};
+}
+
+double ContactFilm::asperity_integral() const {
+  std::vector<double> carried(static_cast<std::size_t>(grid_.local_size()));
+  for (int i = 0; i < grid_.nx(); ++i) {
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      carried[static_cast<std::size_t>(i) * grid_.y_count() + j] =
+          asperity_pressure(*state_.rough, state_.total_pressure, i, j);
+    }
+  }
+  return integral(grid_, carried);
 }
 
 void hertz_pressure(const Grid& grid, const Scales& scales, const HertzContact& contact, std::span<double> pressure,

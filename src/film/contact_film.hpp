@@ -2,6 +2,7 @@
 //
 //   H = H_0 + E + K P                   film thickness (24), E of contact_surfaces.hpp, K of deformation.hpp
 //   G(P, H_0; d(rho H)/dT) = min(d P, R)        Reynolds' equation with cavitation, reynolds.hpp
+// Between rough surfaces with P - P_a(H) in the place of the second P, and the mean gap in that of H (rough_gap.hpp).
 // Source: doi 10.1016/j.triboint.2013.01.017. Every solver (stationary, transient) is built on this class; none of
 // them sees how a film is discretised. Arrays are compact (nx*y_count values of this process, y contiguous). Calls
 // that depend on a state take it, and the version of its pressures where they have one (state_version.hpp). The film
@@ -24,11 +25,17 @@ namespace gearfilm {
 struct FilmQuantities {
   double pressure_integral = 0.0;  ///< Int Int P dX dY
   double central_film = 0.0;       ///< H at the node nearest X = Y = 0
-  double smallest_film = 0.0;
+  double smallest_film = 0.0;      ///< H; between rough surfaces it may be negative
   double central_pressure = 0.0;
   double largest_pressure = 0.0;
   double spike_pressure = 0.0;  ///< of the outlet's spike (pressure_spike.hpp); zero where there is none
-  bool finite = true;           ///< false where any pressure or film is not a number
+  // Of rough surfaces.
+  double asperity_integral = 0.0;  ///< Int Int P_a dX dY
+  double central_mean_gap = 0.0;   ///< h in the place of H
+  double smallest_mean_gap = 0.0;
+  double largest_film_pressure = 0.0;
+  double largest_asperity_pressure = 0.0;
+  bool finite = true;  ///< false where any pressure or film is not a number
 };
 
 class ContactFilm {
@@ -41,6 +48,8 @@ public:
   const ContactSurfaces& surfaces() const { return surfaces_; }
   const ContactConditions& conditions() const { return surfaces_.conditions; }
   void set_surfaces(ContactSurfaces surfaces);
+  /// Leaves only what the surfaces press on each other, of rough ones: all nodes dry.
+  void set_without_oil(bool without) { state_.without_oil = without; }
   const FlowFactors& flow_factors() const { return flow_factors_; }
   void set_flow_factors(FlowFactors factors);
 
@@ -52,7 +61,7 @@ public:
   /// rows = G at (pressure, H_0).
   void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
                 StateVersion state_version = 0);
-  /// mass = rho H at (pressure, H_0): what the time scheme differentiates.
+  /// mass = rho h, h the mean gap, between smooth surfaces H, at (pressure, H_0): what the time scheme differentiates.
   void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion state_version = 0);
 
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
@@ -75,6 +84,9 @@ public:
   /// these rows before and after it; false where there are none. Not collective.
   bool relax_overshot_nodes(std::span<double> change, std::span<const double> whole, std::span<const double> before,
                             std::span<const double> after) const;
+  /// Of rough surfaces: how far the gap of the state that was evaluated last is from that of the Jacobian where
+  /// asperities may touch, over what their pressure lets it move in one iteration. Not collective.
+  double gap_moved() const;
   /// dG/dH_0.
   std::span<const double> displacement_column() const { return displacement_column_; }
 
@@ -83,11 +95,13 @@ public:
   const Field<double>& total_pressure() const { return state_.total_pressure; }
   const Field<double>& film_pressure() const { return state_.film_pressure(); }
   const Field<double>& thickness() const { return state_.thickness; }
+  const Field<double>& mean_gap() const { return state_.mean_gap(); }
   /// Convolutions so far on this grid, but for those of the preconditioner.
   long convolutions() const { return convolutions_; }
 
 private:
   LinearisedFilm& linearisation_for(double shift);
+  double asperity_integral() const;
   void set_entrained();
 
   SharedDiscretisation discretisation_;
@@ -105,6 +119,7 @@ private:
       double_preconditioner_;                ///< in double precision, for stiff squeezing; made when first needed
   LinearisedFilm* linearised_ = nullptr;     ///< the last one of them
   bool at_linearised_ = false;               ///< the evaluated state is that of the Jacobian
+  std::vector<double> linearised_gap_;       ///< H there, of rough surfaces
   std::vector<double> displacement_column_;  ///< dG/dH_0
   std::vector<double> smallest_scales_;      ///< d of a node that conducts nothing, by row
   std::vector<float> weights_;               ///< of rows in the merit: the smallest d over d

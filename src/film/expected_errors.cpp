@@ -25,6 +25,15 @@ Law law_of(FilmDiscretisation discretisation, const ExpectedFilm& at) {
   const double tearing =
       std::min({0.27 * std::pow(at.film, 0.75) * std::pow(kappa, -0.25), 0.57 * at.film * std::pow(kappa, -0.5),
                 1.1 * std::pow(at.film, 0.885) * std::pow(kappa, -0.49) * std::pow(at.lubricant, -0.61)});
+  if (at.rough) {
+    return {.central_rise = 0.12,
+            .central_step = 0.25,
+            .central_order = 4,
+            .smallest_rise = 0.012 * std::pow(at.lubricant, 0.9) * slender,
+            .central_side = 0.5 * std::sqrt(kappa) * l * l,
+            .smallest_side = std::sqrt(kappa) * l * l,
+            .tearing_step = HUGE_VAL};
+  }
   if (discretisation == FilmDiscretisation::fitted) {
     return {.central_rise = 0.12,
             .central_step = 0.25,

@@ -6,6 +6,11 @@
 // Fitted discretisation; bounds, since errors change their sign with the step:
 //   central film   0.12 r_x^4 + 0.25 h_x^2 + 0.12 kappa^(1/2) h_y^2
 //   smallest film  0.012 L^0.9/(1 + 0.66 kappa) r_x^2 + 0.4 kappa^4/(kappa^4 + 0.16^4) r_y^2
+// Between rough surfaces, whose asperities carry where the film would be thin, less depends on the sides (a circular
+// contact at L_a = 0.4 and 0.8, 17 to 129 rows):
+//   central film   0.12 r_x^4 + 0.25 h_x^2 + 0.5 kappa^(1/2) h_y^2
+//   smallest film  0.012 L^0.9/(1 + 0.66 kappa) r_x^2 + kappa^(1/2) h_y^2
+// relative to the mean gap, and rows never so far apart that a film tears.
 // Central discretisation:
 //   central film   0.395 L^0.416 r_x^2 + 0.33 kappa r_y^2
 //   smallest film  0.15 L^0.955/(1 + 0.66 kappa) r_x^2 + 1.3 kappa r_y^2

@@ -9,6 +9,7 @@
 // The logarithmic mean is exact where ln phi is linear between the nodes. The wedge is upwind where oil is carried
 // only, as waves are that travel with it, and of third order where oil conducts too: in the inlet, and behind the
 // spike.
+// H_f of the conducting gaps, between smooth surfaces H; m of rho [h (U + W) + slid] (film/rough_gap.hpp).
 // Central: xi_f = (xi_0 + xi_1)/2, theta = 0. Both: the first face along X has means of H and m. Across, A_f the mean:
 //   flow h_y = -A_f xi_f (P_1 - P_0) ,  H_f = (H_0 + H_1)/2
 #pragma once
@@ -48,7 +49,7 @@ struct FaceWeights {
   double w, node_0, node_1;
 };
 
-/// Conductance of the face between node j of line `a` and node m of line `b`, from H_f and its weights.
+/// Conductance of the face between node j of line `a` and node m of line `b`, from H_f and its derivatives by H.
 [[gnu::always_inline]] inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m,
                                                                  double film, const FaceWeights& weights) {
   const double h = film > 0.0 ? film : 0.0, rho = 0.5 * (a.rho[j] + b.rho[m]), square = h * h, cube = h * square;
@@ -122,8 +123,9 @@ public:
 private:
   [[gnu::always_inline]] FaceConductance conductance(int j) const {
     if constexpr (discretisation == FilmDiscretisation::central) return central_conductance(here_, j, next_, j);
-    const double film = film_.w * w_.h[j] + film_.node_0 * here_.h[j] + film_.node_1 * next_.h[j];
-    return fitted_conductance(here_, j, next_, j, film, film_);
+    const double film = film_.w * w_.g[j] + film_.node_0 * here_.g[j] + film_.node_1 * next_.g[j];
+    return fitted_conductance(here_, j, next_, j, film,
+                              {film_.w * w_.g_H[j], film_.node_0 * here_.g_H[j], film_.node_1 * next_.g_H[j]});
   }
 
   StateLine w_, here_, next_;
@@ -131,7 +133,8 @@ private:
   double bend_, inverse_h_x_, inverse_h_x2_, carrying_;
 };
 
-/// Between node j of a line and node j + 1, without the distances of the rows; W is none.
+/// Between node j of a line and node j + 1, without the distances of the rows; W is none. The line is one for flow
+/// across.
 template <FilmDiscretisation discretisation>
 [[gnu::always_inline]] inline FaceFlow flow_along_y(const StateLine& line, int j) {
   const int m = j + 1;
@@ -152,7 +155,8 @@ template <FilmDiscretisation discretisation>
     return flow(xi, A_0, A_1);
   } else {
     const double A = 0.5 * (A_0 + A_1);
-    FaceConductance xi = fitted_conductance(line, j, line, m, 0.5 * (line.h[j] + line.h[m]), {0.0, 0.5, 0.5});
+    FaceConductance xi = fitted_conductance(line, j, line, m, 0.5 * (line.g[j] + line.g[m]),
+                                            {0.0, 0.5 * line.g_H[j], 0.5 * line.g_H[m]});
     xi.value *= A;
     return flow(xi, A, A);
   }

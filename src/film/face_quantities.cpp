@@ -17,7 +17,7 @@ double flow_out(const ContactFilm& film, int inner, int end) {
   double sum = 0.0;
   for (int i = 1; i < grid.nx() - 1; ++i) {
     if (grid.x(i) <= -1.0) continue;
-    const StateLine line(film.state(), i);
+    const StateLine line(film.state(), i, FlowDirection::across);
     sum += fitted ? flow_along_y<FilmDiscretisation::fitted>(line, lower).value
                   : flow_along_y<FilmDiscretisation::central>(line, lower).value;
   }

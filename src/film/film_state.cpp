@@ -1,5 +1,6 @@
 #include "film/film_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lubricant/independent_iterations.hpp"
@@ -18,10 +19,13 @@ void FilmProperties::evaluate_line(Viscosity viscosity, Density density_law, Fil
   double* log_fluidity = state.log_fluidity.row(i);
   double* log_fluidity_by_pressure = state.log_fluidity_by_pressure.row(i);
   const int count = state.film_pressure().y_count();
+  // Inside an iteration asperities may carry more than all the load.
+  const double least = state.rough ? 0.0 : -HUGE_VAL;
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
-    const PressureFunction rho = density_law.density(scale * pressure[j]);
-    const PressureFunction log_eta = viscosity.log_viscosity(scale * pressure[j]);
+    const double p = scale * std::max(pressure[j], least);
+    const PressureFunction rho = density_law.density(p);
+    const PressureFunction log_eta = viscosity.log_viscosity(p);
     density[j] = rho.value;
     density_by_pressure[j] = scale * rho.derivative;
     fluidity[j] = exp(-log_eta.value) * inverse_lambda;
@@ -43,10 +47,11 @@ void FilmProperties::correct_line(Viscosity viscosity, FilmState& state, int i, 
   double* fluidity = state.fluidity.row(i);
   double* log_fluidity = state.log_fluidity.row(i);
   double* log_fluidity_by_pressure = state.log_fluidity_by_pressure.row(i);
+  const double least = state.rough ? 0.0 : -HUGE_VAL;
   GEARFILM_INDEPENDENT_ITERATIONS
   for (int j = 0; j < count; ++j) {
     const double log_eta = -log_fluidity[j];
-    const HeatingRatio ratio = viscosity.heating_ratio(log_eta, scale * pressure[j]);
+    const HeatingRatio ratio = viscosity.heating_ratio(log_eta, scale * std::max(pressure[j], least));
     const double log_F = theta[j] * ratio.value, by_eta = ratio.derivative * theta[j];
     LogShearFactor shear{};
     if constexpr (sheared) shear = log_shear_factor(power, kappa[j], log_eta - log_F);
@@ -82,6 +87,7 @@ void exchange_ghosts(const Halo& halo, FilmState& state) {
   halo.exchange(state.film_pressure(), state.thickness, state.density, state.density_by_pressure, state.fluidity,
                 state.log_fluidity, state.log_fluidity_by_pressure);
   if (state.across) halo.exchange(*state.across);
+  if (state.rough) exchange_ghosts(halo, *state.rough);
 }
 
 }  // namespace gearfilm

@@ -4,17 +4,20 @@
 // it drives the flow, sets viscosity and density, and cavitates. Between smooth surfaces both are the same.
 //
 //   fluidity phi = F S/(eta lambda),  conductance xi_R = rho H^3 phi    (22) of doi 10.1016/j.triboint.2013.01.017
+// between rough surfaces with their mean gap in what is carried and their conducting gap in xi_R (rough_gap.hpp),
 // with the factors of flow_factors.hpp; all dimensionless, rho and eta relative to ambient. Derivatives are kept beside
 // the values: the exact Jacobian and every coarser level of the preconditioner are made from them without evaluating
 // the oil again.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "contact/scales.hpp"
 #include "film/flow_factors.hpp"
+#include "film/rough_gap.hpp"
 #include "grid/halo.hpp"
 
 namespace gearfilm {
@@ -31,13 +34,16 @@ struct FilmState {
         entrained(grid),
         full_film(grid),
         row_scale(grid),
-        ones(static_cast<std::size_t>(thickness.stride()), 1.0) {
+        ones(static_cast<std::size_t>(thickness.stride()), 1.0),
+        zeros(ones.size(), 0.0) {
     entrained.fill(1.0);
   }
 
   /// Pressure of the oil in units of the Hertz pressure, on own nodes and ghosts.
-  const Field<double>& film_pressure() const { return total_pressure; }
-  Field<double>& film_pressure() { return total_pressure; }
+  const Field<double>& film_pressure() const { return rough ? rough->film_pressure : total_pressure; }
+  Field<double>& film_pressure() { return rough ? rough->film_pressure : total_pressure; }
+  /// What oil fills between the surfaces.
+  const Field<double>& mean_gap() const { return rough ? rough->mean : thickness; }
 
   Field<double> total_pressure;            ///< P
   Field<double> thickness;                 ///< H
@@ -51,7 +57,10 @@ struct FilmState {
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
   std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
                                            ///< it is 1 everywhere
-  std::vector<double> ones;                ///< of a line with its ghosts, for lines of A where that is absent
+  std::optional<RoughGap> rough{};         ///< of rough surfaces, on all processes
+  bool without_oil = false;                ///< all nodes are dry
+  std::vector<double> ones;                ///< of a line with its ghosts, for what is 1 everywhere
+  std::vector<double> zeros;               ///< and 0
 };
 
 /// All fields of a state but A, for what treats them alike (injection, gathering).
@@ -66,39 +75,59 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
                                                                             &FilmState::full_film,
                                                                             &FilmState::row_scale};
 
-/// The fields of a state on one line of nodes, with their ghosts.
+enum class FlowDirection : std::uint8_t { along, across };
+
+/// The fields of a state on one line of nodes, with their ghosts, for flow along the entrainment or across it.
 struct StateLine {
-  StateLine(const FilmState& state, int i)
+  StateLine(const FilmState& state, int i, FlowDirection direction = FlowDirection::along)
       : p(state.film_pressure().row(i)),
-        h(state.thickness.row(i)),
+        h(state.mean_gap().row(i)),
+        h_H(state.ones.data() + 1),
+        g(h),
+        g_H(h_H),
+        slid(state.zeros.data() + 1),
+        slid_H(slid),
         rho(state.density.row(i)),
         rho_p(state.density_by_pressure.row(i)),
         phi(state.fluidity.row(i)),
         f(state.log_fluidity.row(i)),
         f_p(state.log_fluidity_by_pressure.row(i)),
         entrained(state.entrained.row(i)),
-        across(state.across ? state.across->row(i) : state.ones.data() + 1) {}
+        across(state.across ? state.across->row(i) : state.ones.data() + 1) {
+    if (!state.rough) return;
+    const RoughGap& gap = *state.rough;
+    const bool along = direction == FlowDirection::along;
+    h_H = gap.mean_by_gap.row(i);
+    g = (along ? gap.along : gap.across).row(i);
+    g_H = (along ? gap.along_by_gap : gap.across_by_gap).row(i);
+    slid = gap.slid.row(i);
+    slid_H = gap.slid_by_gap.row(i);
+  }
 
-  /// m = rho H (U + W), what the wedge carries, with its derivatives.
-  double carried(int j) const { return rho[j] * h[j] * entrained[j]; }
-  double carried_by_pressure(int j) const { return rho_p[j] * h[j] * entrained[j]; }
-  double carried_by_thickness(int j) const { return rho[j] * entrained[j]; }
+  /// m = rho [h (U + W) + slid], what the wedge carries, with its derivatives by P and H.
+  double carried(int j) const { return rho[j] * (h[j] * entrained[j] + slid[j]); }
+  double carried_by_pressure(int j) const { return rho_p[j] * (h[j] * entrained[j] + slid[j]); }
+  double carried_by_thickness(int j) const { return rho[j] * (h_H[j] * entrained[j] + slid_H[j]); }
   /// xi_R. A film H < 0 (met only inside an iteration) conducts nothing.
   double conductance(int j) const {
-    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    const double film = g[j] > 0.0 ? g[j] : 0.0;
     return rho[j] * phi[j] * (film * film * film);
   }
   /// d xi_R/dP at constant H, and d xi_R/dH at constant P.
   double conductance_by_pressure(int j) const {
-    const double film = h[j] > 0.0 ? h[j] : 0.0;
+    const double film = g[j] > 0.0 ? g[j] : 0.0;
     return phi[j] * (film * film * film) * (rho_p[j] + rho[j] * f_p[j]);
   }
   double conductance_by_thickness(int j) const {
-    const double film = h[j] > 0.0 ? h[j] : 0.0;
-    return 3.0 * rho[j] * phi[j] * (film * film);
+    const double film = g[j] > 0.0 ? g[j] : 0.0;
+    return 3.0 * rho[j] * phi[j] * (film * film) * g_H[j];
   }
 
-  const double *p, *h, *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
+  const double* p;              ///< of the oil
+  const double *h, *h_H;        ///< gap that the oil fills, and its derivative by H
+  const double *g, *g_H;        ///< conducting gap
+  const double *slid, *slid_H;  ///< what sliding carries beside the entrainment
+  const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
 };
 
 /// Oil properties of one contact in dimensionless form.

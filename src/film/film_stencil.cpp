@@ -49,8 +49,8 @@ public:
   void find(int i, FilmStencil<Real>& linear) {
     std::swap(west_, east_);
     find_along_x(i);
-    const StateLine line(state_, i);
-    across_.find(count_ + 1, [&](int j) { return flow_along_y<discretisation>(line, j - 1); });
+    const StateLine line(state_, i), across(state_, i, FlowDirection::across);
+    across_.find(count_ + 1, [&](int j) { return flow_along_y<discretisation>(across, j - 1); });
     write<&FilmStencil<Real>::by_pressure>(
         i, {west_.p_w.data(), west_.p_0.data(), west_.p_1.data()},
         {east_.p_w.data(), east_.p_0.data(), east_.p_1.data()}, across_.p_0.data(), across_.p_1.data(),
@@ -59,7 +59,7 @@ public:
     write<&FilmStencil<Real>::by_thickness>(
         i, {west_.h_w.data(), west_.h_0.data(), west_.h_1.data()},
         {east_.h_w.data(), east_.h_0.data(), east_.h_1.data()}, across_.h_0.data(), across_.h_1.data(),
-        [&](int j) { return line.rho[j]; }, none.data(), linear);
+        [&](int j) { return line.rho[j] * line.h_H[j]; }, none.data(), linear);
   }
 
 private:
@@ -114,6 +114,27 @@ void linearise_edge(const FilmState& state, int i, FilmStencil<Real>& linear) {
   for (int j = 0; j < count; ++j) linear.by_pressure[centre].row(i)[j] = static_cast<Real>(state.row_scale.row(i)[j]);
 }
 
+/// Between rough surfaces the pressure of the oil changes by v - P_a' u: W_s -= V_s P_a' of node s.
+template <class Real>
+void add_asperities(const FilmState& state, FilmStencil<Real>& linear) {
+  const Field<double>& slope = state.rough->asperity_slope;
+  const int last = slope.nx() - 1;
+  for (int i = 0; i <= last; ++i) {
+    const double* here = slope.row(i);
+    const std::array<const double*, neighbour_count> of = {slope.row(std::max(i - 2, 0)),
+                                                           slope.row(std::max(i - 1, 0)),
+                                                           here,
+                                                           slope.row(std::min(i + 1, last)),
+                                                           here - 1,
+                                                           here + 1};
+    for (int n = 0; n < neighbour_count; ++n) {
+      const Real* by_pressure = linear.by_pressure[n].row(i);
+      Real* by_thickness = linear.by_thickness[n].row(i);
+      for (int j = 0; j < slope.y_count(); ++j) by_thickness[j] -= by_pressure[j] * static_cast<PartOf<Real>>(of[n][j]);
+    }
+  }
+}
+
 }  // namespace
 
 template <class Real>
@@ -129,6 +150,7 @@ void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const Film
       ? inner_lines(LineRows<Real, FilmDiscretisation::fitted>(equation, state, shift))
       : inner_lines(LineRows<Real, FilmDiscretisation::central>(equation, state, shift));
   linearise_edge(state, last, linear);
+  if (state.rough) add_asperities(state, linear);
 }
 
 namespace {

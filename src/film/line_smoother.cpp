@@ -12,6 +12,7 @@ namespace {
 
 constexpr double distributive_limit = 1.5;  // on xi_R/h_x^2, without oscillation
 constexpr double damping = 0.75;            // of nodes that are not cavitated
+constexpr double asperity_limit = 1.0;      // on |P_a'| 2 pi C_h
 constexpr double oscillation_share = 0.5;   // of |s| in the limit above: a long wave has k of about 2
 constexpr double distant_share = 0.5;       // of a long wave's deformation, which the band leaves out
 
@@ -49,15 +50,20 @@ LineSmoother<Real>::LineSmoother(const Grid& grid, const Halo& halo, const Defor
 
 template <class Real>
 void LineSmoother<Real>::choose_unknowns(const FilmState& state, double oscillation) {
-  double largest = distributive_limit * (1.0 + oscillation_share * oscillation) / inverse_h_x2_;
+  const double largest = distributive_limit * (1.0 + oscillation_share * oscillation) / inverse_h_x2_;
+  this->find_coupled(state, long_wave_deformation_);
   for (int i = 0; i < nx_; ++i) {
     const double* __restrict full_here = state.full_film.row(i);  // 0 or 1
     const StateLine line(state, i);
-    Part* __restrict full_film = full_film_.row(i);
     Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      full_film[j] = static_cast<Part>(full_here[j]);
       distributive[j] = static_cast<Part>(line.conductance(j) < largest ? full_here[j] : 0.0);
+    }
+    if (!state.rough) continue;
+    const double* __restrict slope = state.rough->asperity_slope.row(i);
+    const Part* __restrict coupled = coupled_.row(i);
+    for (int j = 0; j < rows_; ++j) {
+      if (-slope[j] * long_wave_deformation_ > asperity_limit) distributive[j] = coupled[j];
     }
   }
 }
@@ -105,11 +111,12 @@ void LineSmoother<Real>::add_distant_deformation(const FilmState& state, int i) 
   const double weight = distant_share * long_wave_deformation_;
   const double* __restrict density = state.density.row(i);
   const double* __restrict entrained = state.entrained.row(i);
-  const Part* __restrict full_film = full_film_.row(i);
+  const double* __restrict full_film = state.full_film.row(i);
   const Part* __restrict distributive = distributive_.row(i);
   Real* __restrict entry = band(i, 0);
   for (int j = 0; j < rows_; ++j) {
-    entry[j] += static_cast<Part>(weight * std::abs(entrained[j]) * density[j]) * (full_film[j] - distributive[j]);
+    entry[j] +=
+        static_cast<Part>(weight * std::abs(entrained[j]) * density[j] * full_film[j]) * (Part(1) - distributive[j]);
   }
 }
 
@@ -199,10 +206,10 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   for (int i = 1; i < nx_ - 1; ++i) {
     Real* __restrict value = residual.row(i);
     Real* __restrict spread = spread_.row(i);
-    const Part* __restrict full_film = full_film_.row(i);
+    const Part* __restrict coupled = coupled_.row(i);
     const Part* __restrict distributive = distributive_.row(i);
     for (int j = 0; j < rows_; ++j) {
-      value[j] *= Part(1) - Part(1.0 - damping) * full_film[j];
+      value[j] *= Part(1) - Part(1.0 - damping) * coupled[j];
       spread[j] = value[j] * distributive[j];
     }
   }
@@ -211,12 +218,12 @@ void LineSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
     const Real* __restrict here = spread_.row(i);
     const Real* __restrict before = spread_.row(i - 1);
     const Real* __restrict after = spread_.row(i + 1);
-    const Part* __restrict full_film = full_film_.row(i);
+    const Part* __restrict coupled = coupled_.row(i);
     const Real* __restrict value = residual.row(i);
     Real* __restrict out = change.row(i);
     for (int j = 0; j < rows_; ++j) {
       const Real neighbours = weight_x_ * (before[j] + after[j]) + weight_y_ * (here[j - 1] + here[j + 1]);
-      out[j] += value[j] - full_film[j] * neighbours;
+      out[j] += value[j] - coupled[j] * neighbours;
     }
   }
 }

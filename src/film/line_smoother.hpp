@@ -74,7 +74,7 @@ private:
   Influence correction_;      ///< distributive minus plain
   std::vector<Real> band_;    ///< [x][diagonal][y], factored in place
   Field<Part> distributive_;  ///< 1 where the unknown is a distributive change
-  using Smoother<Real>::full_film_;
+  using Smoother<Real>::coupled_;
   Field<Real> spread_;  ///< distributive changes, with ghosts
 };
 

@@ -268,6 +268,10 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift, 
   };
   for (const auto field : state_fields) gather(state.*field, whole_state.*field);
   if (state.across) gather(*state.across, whole_state.across.emplace(everywhere.grid()));
+  if (state.rough) {
+    RoughGap& gap = whole_state.rough.emplace(everywhere.grid());
+    for (const auto field : rough_gap_fields) gather((*state.rough).*field, gap.*field);
+  }
   exchange_ghosts(everywhere.halo(), whole_state);
   whole_->update(whole_state, shift, factors);
 }

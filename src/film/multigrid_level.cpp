@@ -65,7 +65,7 @@ void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, std::span<const d
   fine.rows_.load(fine_residual);
   fine.discretisation_.halo().exchange(fine.rows_);
   rows_.fill(Real(0));
-  restrict_residual(fine.grid(), grid(), fine.rows_, smoother_->full_film(), rows_);
+  restrict_residual(fine.grid(), grid(), fine.rows_, smoother_->coupled(), rows_);
   rows_.store(residual);
 }
 
@@ -76,7 +76,7 @@ void MultigridLevel<Real>::interpolate_to(MultigridLevel& fine, std::span<const 
   change_.load(correction);
   discretisation_.halo().exchange(change_);
   fine.change_.load(fine_change);
-  add_interpolated(grid(), fine.grid(), change_, fine.smoother_->full_film(), fine.change_);
+  add_interpolated(grid(), fine.grid(), change_, fine.smoother_->coupled(), fine.change_);
   fine.change_.store(fine_change);
 }
 

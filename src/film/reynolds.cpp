@@ -46,7 +46,7 @@ private:
     for (int j = 0; j < rows_; ++j) east[j] = flow.at(j).value;
   }
   void find_along_y(int i) {
-    const StateLine line(state_, i);
+    const StateLine line(state_, i, FlowDirection::across);
     double* face = across_.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j <= rows_; ++j) face[j] = flow_along_y<discretisation>(line, j - 1).value;
@@ -123,7 +123,7 @@ void find_rows(const ReynoldsEquation& equation, std::span<const double> U, Film
       std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, out);
     }
     if (interior) flows.add(i, out);
-    const double inside = interior ? 1.0 : 0.0, *speed = U.data();
+    const double inside = interior && !state.without_oil ? 1.0 : 0.0, *speed = U.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
       const double row_scale = equation.row_scale(j, line.conductance(j), speed[j], squeeze.shift);
@@ -144,7 +144,7 @@ void reynolds_residual(const ReynoldsEquation& equation, std::span<const double>
       ? find_rows<FilmDiscretisation::fitted>(equation, entrainment, state, squeeze, residual)
       : find_rows<FilmDiscretisation::central>(equation, entrainment, state, squeeze, residual);
   const Grid& grid = equation.grid;
-  advance_fronts(grid, state, residual);
+  if (!state.without_oil) advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
     const double *pressure = state.film_pressure().row(i), *full_film = state.full_film.row(i),
                  *scale = state.row_scale.row(i);

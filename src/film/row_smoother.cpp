@@ -1,6 +1,7 @@
 #include "film/row_smoother.hpp"
 
 #include <cstdlib>
+#include <numbers>
 
 #include "parallel/events.hpp"
 
@@ -14,7 +15,12 @@ constexpr double relaxations_for_factors = 0.1;
 
 template <class Real>
 RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deformation)
-    : Smoother<Real>(grid), nx_(grid.nx()), rows_(grid.y_count()), factored_full_(grid), inverse_scale_(grid) {
+    : Smoother<Real>(grid),
+      nx_(grid.nx()),
+      rows_(grid.y_count()),
+      long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
+      factored_(grid),
+      inverse_scale_(grid) {
   const RowAxis& axis = grid.row_axis();
   const std::array<int, places> towards = {-1, 0, 1};
   for (int at = 0; at < places; ++at) {
@@ -33,10 +39,10 @@ RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deform
   }
 }
 
-// Column by column, for all lines at once; then the full nodes' rows of it.
+// Column by column, for all lines at once; then the coupled nodes' rows of it.
 template <class Real>
 void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix) {
-  const std::vector<int>& full = rows_[j].full;
+  const std::vector<int>& coupled = rows_[j].coupled;
   std::array<Vector, neighbour_count> v, u;
   for (int n = 0; n < neighbour_count; ++n) {
     v[n].resize(nx_);
@@ -46,16 +52,16 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix&
       u[n][i] = linear.by_thickness[n].row(i)[j];
     }
   }
-  const auto count = static_cast<Eigen::Index>(full.size());
+  const auto count = static_cast<Eigen::Index>(coupled.size());
   matrix.resize(count, count);
   Vector column(nx_);
   const Real *u_ww = u[west_west].data(), *u_w = u[west].data(), *u_c = u[centre].data(), *u_e = u[east].data(),
              *u_s = u[south].data(), *u_n = u[north].data();
   for (Eigen::Index m = 0; m < count; ++m) {
-    const int k = full[m];
+    const int k = coupled[m];
     const Part *own = influence(own_row, j) - k, *before = influence(row_before, j) - k,
                *after = influence(row_after, j) - k;
-    for (int i = full.front(); i <= full.back(); ++i) {
+    for (int i = coupled.front(); i <= coupled.back(); ++i) {
       column[i] = u_ww[i] * own[i - 2] + u_w[i] * own[i - 1] + u_c[i] * own[i] + u_e[i] * own[i + 1] +
                   u_s[i] * before[i] + u_n[i] * after[i];
     }
@@ -63,23 +69,23 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix&
     if (k > 0) column[k - 1] += v[east][k - 1];
     if (k + 1 < nx_) column[k + 1] += v[west][k + 1];
     if (k + 2 < nx_) column[k + 2] += v[west_west][k + 2];
-    for (Eigen::Index r = 0; r < count; ++r) matrix(r, m) = column[full[r]];
+    for (Eigen::Index r = 0; r < count; ++r) matrix(r, m) = column[coupled[r]];
   }
 }
 
 template <class Real>
-bool RowSmoother<Real>::serve(const FilmState& state, ShiftOf<Real> shift) const {
+bool RowSmoother<Real>::serve(ShiftOf<Real> shift) const {
   constexpr double same = 1e-6;          // lengths of steps differ by round-off
-  constexpr double most_changed = 0.01;  // of the full nodes
+  constexpr double most_changed = 0.01;  // of the coupled nodes
   if (use_.linearisations == 0 || std::abs(shift - use_.shift) > same * std::abs(shift)) return false;
-  double changed = 0.0, full = 0.0;
+  double changed = 0.0, all = 0.0;
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
-      full += state.full_film.row(i)[j];
-      changed += std::abs(state.full_film.row(i)[j] - factored_full_.row(i)[j]);
+      all += this->coupled_.row(i)[j];
+      changed += std::abs(this->coupled_.row(i)[j] - factored_.row(i)[j]);
     }
   }
-  if (changed > most_changed * full) return false;
+  if (changed > most_changed * all) return false;
   return use_.last * use_.linearisations <= use_.cost + use_.relaxations;
 }
 
@@ -87,18 +93,19 @@ template <class Real>
 void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
                                SmootherFactors factors) {
   const ScopedEvent event(Kernel::smoother_factor);
-  const bool kept = factors == SmootherFactors::of_earlier_states_too && serve(state, shift);
+  this->find_coupled(state, long_wave_deformation_);
+  const bool kept = factors == SmootherFactors::of_earlier_states_too && serve(shift);
   if (!kept) {
-    for (Row& row : rows_) row.full.clear();
-    factored_full_ = state.full_film;
+    for (Row& row : rows_) row.coupled.clear();
+    factored_ = this->coupled_;
     for (int i = 0; i < nx_; ++i) {
       for (std::size_t j = 0; j < rows_.size(); ++j) {
-        if (state.full_film.row(i)[j] != 0.0) rows_[j].full.push_back(i);
+        if (this->coupled_.row(i)[j] != 0.0) rows_[j].coupled.push_back(i);
       }
     }
     Matrix matrix;
     for (std::size_t j = 0; j < rows_.size(); ++j) {
-      if (rows_[j].full.empty()) continue;
+      if (rows_[j].coupled.empty()) continue;
       assemble(linear, static_cast<int>(j), matrix);
       rows_[j].factors.compute(matrix);
     }
@@ -108,12 +115,11 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   use_.last = 0;
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
-      this->full_film_.row(i)[j] = static_cast<Part>(state.full_film.row(i)[j]);  // 0 or 1
       inverse_scale_.row(i)[j] = Real(1) / linear.by_pressure[centre].row(i)[j];
     }
   }
   for (std::size_t j = 0; j < rows_.size(); ++j) {
-    for (const int i : rows_[j].full) inverse_scale_.row(i)[j] *= Real(1) - this->full_film_.row(i)[j];
+    for (const int i : rows_[j].coupled) inverse_scale_.row(i)[j] *= Real(1) - this->coupled_.row(i)[j];
   }
 }
 
@@ -126,15 +132,15 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
     for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += inverse_scale_.row(i)[j] * residual.row(i)[j];
   }
   for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const std::vector<int>& full = rows_[j].full;
-    if (full.empty()) continue;
-    values_.resize(static_cast<Eigen::Index>(full.size()));
-    for (std::size_t m = 0; m < full.size(); ++m) {
-      values_[static_cast<Eigen::Index>(m)] = residual.row(full[m])[j] * Real(this->full_film_.row(full[m])[j]);
+    const std::vector<int>& coupled = rows_[j].coupled;
+    if (coupled.empty()) continue;
+    values_.resize(static_cast<Eigen::Index>(coupled.size()));
+    for (std::size_t m = 0; m < coupled.size(); ++m) {
+      values_[static_cast<Eigen::Index>(m)] = residual.row(coupled[m])[j] * Real(this->coupled_.row(coupled[m])[j]);
     }
     values_ = rows_[j].factors.solve(values_);
-    for (std::size_t m = 0; m < full.size(); ++m) {
-      change.row(full[m])[j] += values_[static_cast<Eigen::Index>(m)] * Real(this->full_film_.row(full[m])[j]);
+    for (std::size_t m = 0; m < coupled.size(); ++m) {
+      change.row(coupled[m])[j] += values_[static_cast<Eigen::Index>(m)] * Real(this->coupled_.row(coupled[m])[j]);
     }
   }
 }

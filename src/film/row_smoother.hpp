@@ -1,9 +1,10 @@
 // Relaxation of the linearised film row by row, each by a direct solve of its whole matrix.
 //
-// The matrix of a row has all its full nodes: what their pressures change in the row by conduction and wedge, and by
-// the deformation of the row itself and of the rows beside it, however far along X. The changes of other rows are left
-// out: all rows are relaxed at once (block Jacobi), and the number of processes is irrelevant. Krylov's method takes 7
-// to 15 of these where rows are graded towards the ends of a face, as long as they are not finer than 0.02 a.
+// The matrix of a row has all its coupled nodes, full ones and those whose asperities carry: what their pressures
+// change in the row by conduction and wedge, and by the deformation of the row itself and of the rows beside it,
+// however far along X. The changes of other rows are left out: all rows are relaxed at once (block Jacobi), and the
+// number of processes is irrelevant. Krylov's method takes 7 to 15 of these where rows are graded towards the ends of a
+// face, as long as they are not finer than 0.02 a.
 //
 // Factors cost as much as ten or more relaxations. In time steps of equal length they serve later linearisations too,
 // until one takes more relaxations than all since the factors were made have cost on average, the factors included:
@@ -41,10 +42,10 @@ private:
   }
   void assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix);
   /// Whether the present factors serve a linearisation about this state as well.
-  bool serve(const FilmState& state, ShiftOf<Real> shift) const;
+  bool serve(ShiftOf<Real> shift) const;
 
   struct Row {
-    std::vector<int> full;  ///< lines of the nodes that were full when its factors were made
+    std::vector<int> coupled;  ///< lines of the nodes that were coupled when its factors were made
     Eigen::PartialPivLU<Matrix> factors;
   };
   /// What the present factors have been used for.
@@ -59,8 +60,9 @@ private:
   int nx_;
   std::array<std::vector<Part>, places> influence_;
   std::vector<Row> rows_;
-  Field<double> factored_full_;  ///< 1 where nodes were full when factors were made, else 0
-  Field<Real> inverse_scale_;    ///< of nodes that factors are not used for, else 0
+  double long_wave_deformation_;  ///< 2 pi C_h
+  Field<Part> factored_;          ///< coupled() when factors were made
+  Field<Real> inverse_scale_;     ///< of nodes that factors are not used for, else 0
   Use use_;
   Vector values_;
 };

@@ -23,17 +23,21 @@ public:
   Smoother& operator=(const Smoother&) = delete;
 
   /// Makes the factors of all rows of a film that was linearised for this shift, or keeps earlier ones where it may.
-  /// full_film() is then 1 where Reynolds' equation holds, else 0.
+  /// coupled() is then 1 where rows depend on other nodes, else 0.
   virtual void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
                       SmootherFactors factors) = 0;
-  const Field<Part>& full_film() const { return full_film_; }
+  const Field<Part>& coupled() const { return coupled_; }
   /// change += one relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   virtual void relax(Field<Real>& residual, Field<Real>& change) = 0;
 
 protected:
-  explicit Smoother(const Grid& grid) : full_film_(grid) {}
+  explicit Smoother(const Grid& grid) : coupled_(grid) {}
 
-  Field<Part> full_film_;
+  /// Where Reynolds' equation holds, and at dry nodes whose asperities carry: their rows d (v - P_a' u) feel the
+  /// deformation.
+  void find_coupled(const FilmState& state, double elastic_coefficient);
+
+  Field<Part> coupled_;
 };
 
 /// The one that serves the rows of the grid. Grid, halo and deformation must outlive it.

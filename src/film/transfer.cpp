@@ -123,6 +123,10 @@ FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const H
   FilmState coarse(coarse_grid);
   for (const auto field : state_fields) inject(fine_grid, coarse_grid, fine.*field, coarse.*field);
   if (fine.across) inject(fine_grid, coarse_grid, *fine.across, coarse.across.emplace(coarse_grid));
+  if (fine.rough) {
+    RoughGap& gap = coarse.rough.emplace(coarse_grid);
+    for (const auto field : rough_gap_fields) inject(fine_grid, coarse_grid, (*fine.rough).*field, gap.*field);
+  }
   exchange_ghosts(coarse_halo, coarse);
   return coarse;
 }

@@ -41,7 +41,8 @@ void check_validity(const ContactFilm& film, const FilmQuantities& quantities, c
   if (!quantities.finite) {
     throw SolveError(where + ": the film is not finite; use a finer grid (grid_nx, grid_ny)");
   }
-  if (quantities.smallest_film <= 0.0) {
+  // Rough surfaces carry each other where their mean planes overlap.
+  if (quantities.smallest_film <= 0.0 && !film.scales().solids.rough) {
     std::ostringstream message;
     if (film.scales().solids.face && film.scales().solids.face->end != EndFace::free) {
       message << where << ": smallest film " << quantities.smallest_film * film.scales().thickness

@@ -9,13 +9,17 @@ namespace gearfilm {
 namespace {
 
 constexpr double starvation = 0.003;
+constexpr double least_gap = 0.3;  // of rough surfaces that oil flows through, in sigma
 
 }  // namespace
 
 ExpectedFilm::ExpectedFilm(const Scales& scales)
     : film(expected_central_film(scales.solids, scales.oil, scales.operation) / scales.thickness),
       lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
-      ellipticity(scales.hertz.ellipticity) {}
+      ellipticity(scales.hertz.ellipticity),
+      rough(scales.solids.rough != nullptr) {
+  if (rough) film = std::max(film, least_gap * scales.solids.rough->sigma() / scales.thickness);
+}
 
 double inlet_rise(const ExpectedFilm& expected) { return std::cbrt(expected.film * expected.film); }
 

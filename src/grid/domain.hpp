@@ -23,13 +23,14 @@ struct Domain {
 constexpr Domain paper_domain(double M) { return M < 200.0 ? Domain{-4.5, 1.5, 3.0} : Domain{-2.083, 1.25, 1.1}; }
 
 /// The film to be expected in the reference contact, by the formula of Nijenbanning, Venner and Moes, of a line contact
-/// by that of Moes.
+/// by that of Moes. Rough surfaces that come nearer to each other leave a gap of 0.3 sigma to the flow.
 struct ExpectedFilm {
   explicit ExpectedFilm(const Scales& scales);
 
   double film = 0.0;         ///< H
   double lubricant = 0.0;    ///< L
   double ellipticity = 0.0;  ///< kappa
+  bool rough = false;        ///< between rough surfaces that carry where the film is thin
 };
 
 /// H^(2/3), the length over which pressure rises in the inlet, in units of a.

@@ -16,6 +16,7 @@
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_teeth.hpp"
+#include "input/case_roughness.hpp"
 #include "input/case_traction.hpp"
 #include "input/point_table.hpp"
 #include "mesh/static_mesh.hpp"
@@ -353,8 +354,9 @@ CaseInput make_case(const ParameterValues& values) {
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
-  const ReferenceContact reference =
+  ReferenceContact reference =
       result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
+  reference.solids.rough = read_rough_surfaces(values, reference.solids.reduced_modulus);
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);

@@ -26,7 +26,7 @@ Domain read_domain(const ParameterValues& values, const Scales& scales) {
 /// For the contact of such scales, in units of its own half axes.
 Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, double accuracy) {
   ExpectedFilm film(scales);
-  film.film = std::max(film.film, thinnest_film / scales.thickness);
+  if (!film.rough) film.film = std::max(film.film, thinnest_film / scales.thickness);
   return steps_for(discretisation, film, accuracy);
 }
 
@@ -124,7 +124,7 @@ double time_step(const CaseInput& result) {
 std::string thin_film_remark(const CaseInput& problem) {
   const ParameterValues& values = problem.parameters;
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
-  if (expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
+  if (problem.scales.solids.rough || expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
   return worded(std::setprecision(2), "the film to be expected is ", 1e9 * expected,
                 " nm; films between smooth surfaces below ", 1e9 * thinnest_film,
                 " nm are no films: the grid is chosen for ", 1e9 * thinnest_film,

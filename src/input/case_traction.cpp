@@ -9,12 +9,6 @@
 namespace gearfilm {
 namespace {
 
-/// Keys of both bodies: sections pinion and wheel of a pair, section contact of a bare contact.
-std::array<std::string, 2> body_keys(const ParameterValues& values, const std::string& name) {
-  if (values.text("case.kind") != "gear_pair") return {"contact." + name + "_1", "contact." + name + "_2"};
-  return {"pinion." + name, "wheel." + name};
-}
-
 ShearLawKind law_named(const std::string& name) {
   if (name == "newtonian") return ShearLawKind::newtonian;
   if (name == "carreau") return ShearLawKind::carreau;
@@ -86,11 +80,12 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   }
   check_sliding(values);
   TractionModel model;
+  model.boundary_coefficient = values.real("friction.boundary_coefficient");
   model.law = read_law(values);
   model.shear_couples_film = shears_in_film(values, model.law);
-  const std::array<std::string, 2> conductivity = body_keys(values, "conductivity");
-  const std::array<std::string, 2> density = body_keys(values, "density");
-  const std::array<std::string, 2> heat_capacity = body_keys(values, "heat_capacity");
+  const std::array<std::string, 2> conductivity = values.body_keys("conductivity");
+  const std::array<std::string, 2> density = values.body_keys("density");
+  const std::array<std::string, 2> heat_capacity = values.body_keys("heat_capacity");
   const std::array<std::string, 2> bulk = {"thermal.bulk_pinion", "thermal.bulk_wheel"};
   for (std::size_t k = 0; k < bulk.size(); ++k) {
     model.bodies[k] = {.temperature = values.real_if_given(bulk[k]).value_or(values.real("thermal.temperature")),
@@ -100,15 +95,6 @@ std::optional<TractionModel> read_traction(const ParameterValues& values) {
   }
   if (heated) model.heat = read_heat(values);
   return model;
-}
-
-std::optional<double> read_roughness(const ParameterValues& values) {
-  std::optional<double> squares;
-  for (const std::string& key : body_keys(values, "roughness")) {
-    if (values.has(key)) squares = squares.value_or(0.0) + values.real(key) * values.real(key);
-  }
-  if (!squares || *squares == 0.0) return {};
-  return std::sqrt(*squares);
 }
 
 }  // namespace gearfilm

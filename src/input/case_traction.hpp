@@ -1,4 +1,4 @@
-// Friction, heat and roughness of a case.
+// Friction and heat of a case.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,5 @@ namespace gearfilm {
 /// Absent where no law of friction is given. Throws InputError for laws without what they need.
 std::optional<TractionModel> read_traction(const ParameterValues& values);
 
-/// sqrt(Rq_1^2 + Rq_2^2) [m]; absent where neither flank has a roughness.
-std::optional<double> read_roughness(const ParameterValues& values);
 
 }  // namespace gearfilm

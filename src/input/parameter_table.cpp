@@ -42,7 +42,8 @@ Records contact_records() {
       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces"),
       preset(0.0, number("sliding_velocity", "u_1 - u_2", "m/s", closed(-2e4, 2e4),
                          "velocity of body 1 less that of body 2"))};
-  for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body));
+  for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body), roughness_of_body_records(body, "_" + body));
+  records = joined(std::move(records), lay_records());
   const Records finite = joined(
       Records{
           number("load", "w", "N", closed(1e-9, 1e9), "load"),
@@ -355,7 +356,7 @@ Records output_records() {
 
 const std::vector<Parameter>& parameter_table() {
   static const Records table = joined(
-      case_records(), gear_pair_records(), contact_records(), lubricant_records(), traction_records(), grid_records(),
+      case_records(), gear_pair_records(), contact_records(), roughness_records(), lubricant_records(), traction_records(), grid_records(),
       film_records(), steady_records(), static_records(), march_records(), ramp_records(), run_records(),
       load_sharing_records(), start_records(), time_records(), periodic_records(), eigen_records(), sweep_records(),
       continuation_records(), dry_records(), solver_records(), output_records());

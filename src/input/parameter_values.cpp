@@ -67,6 +67,11 @@ void ParameterValues::check_required() const {
   throw InputError(file_ + ": missing for a " + kind_name(scope()) + ": " + missing + "; add to the case file");
 }
 
+std::array<std::string, 2> ParameterValues::body_keys(const std::string& quantity) const {
+  if (text("case.kind") != "gear_pair") return {"contact." + quantity + "_1", "contact." + quantity + "_2"};
+  return {"pinion." + quantity, "wheel." + quantity};
+}
+
 void ParameterValues::refuse(const std::string& name, const std::string& what) const {
   throw InputError(origin(name) + ": '" + name + "' " + what);
 }

@@ -1,6 +1,7 @@
 // The values a case has for the parameters of the table, each with the place it came from.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +46,8 @@ public:
   std::optional<double> real_if_given(const std::string& name) const {
     return has(name) ? std::optional(real(name)) : std::nullopt;
   }
+  /// The keys of a quantity of both bodies: in sections pinion and wheel of a pair, section contact of a bare contact.
+  std::array<std::string, 2> body_keys(const std::string& quantity) const;
   bool yes(const std::string& name) const { return text(name) == "yes"; }
 
   /// Throws InputError: where the value stands, "'NAME' ", and what is said of it.

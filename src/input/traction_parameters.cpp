@@ -27,6 +27,9 @@ Records friction_records() {
        preset(standard.limiting_stress, number("limiting_stress", "tau_L0", "Pa", closed(0, 1e9),
                                                "shear stress below which it is not limited (an assumption)")),
        optional("needed by coulomb", number("coefficient", "mu_c", "-", closed(0, 1), "coulomb: its coefficient")),
+       preset(TractionModel().boundary_coefficient,
+              number("boundary_coefficient", "mu_b", "-", closed(0, 1),
+                     "friction of asperities that touch, with roughness.model (an assumption)")),
        choice("in_film", {"no", "yes"},
               "the film feels the shear law: Reynolds' equation of an oil that is not Newtonian")});
 }
@@ -64,9 +67,7 @@ std::vector<Parameter> heated_body_records(const std::string& subscript, const s
              number("conductivity" + ending, "k_" + subscript, "W/(m K)", closed(0.01, 1000), "thermal conductivity")),
       preset(steel.density, number("density" + ending, "rho_" + subscript, "kg/m^3", closed(100, 30000), "density")),
       preset(steel.heat_capacity, number("heat_capacity" + ending, "c_" + subscript, "J/(kg K)", closed(50, 10000),
-                                         "specific heat capacity")),
-      optional("smooth", number("roughness" + ending, "Rq_" + subscript, "m", closed(0, 1e-4),
-                                "roughness of the flank, root mean square"))};
+                                         "specific heat capacity"))};
 }
 
 std::vector<Parameter> traction_records() { return joined(friction_records(), motion_records(), thermal_records()); }

@@ -23,9 +23,11 @@ double spike_growth(double fine, double coarse, double ratio) {
 
 }  // namespace
 
-double Estimate::relative_error(double least) const { return error / std::max(std::abs(value), least); }
+double Estimate::relative_error() const { return error / std::max(std::abs(value), least); }
 
-double Estimate::relative_rest() const { return std::abs((extrapolated.value() - value) / value); }
+double Estimate::relative_rest() const {
+  return std::abs(extrapolated.value() - value) / std::max(std::abs(value), least);
+}
 
 Estimate estimate(double fine, double coarse, double ratio) {
   const double difference = (fine - coarse) / (ratio * ratio - 1.0);

@@ -21,10 +21,10 @@ struct Estimate {
   double value = 0.0;
   double error = 0.0;                    ///< of the value, absolute
   std::optional<double> extrapolated{};  ///< nothing where no limit is in sight
+  double least = 0.0;                    ///< relative errors are of the value, or of this where it is larger
 
-  /// To the value, or to `least` where that is larger.
-  double relative_error(double least = 0.0) const;
-  /// From the value to the extrapolated one, over the value; of those that have one.
+  double relative_error() const;
+  /// From the value to the extrapolated one, relative; of those that have one.
   double relative_rest() const;
 };
 

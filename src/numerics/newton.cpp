@@ -76,6 +76,12 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
     trial_norm = system.merit(trial_residual);
   };
   take(1.0, change);
+  double part = 1.0;  // of Newton's step that `change` is
+  if (const double excess = system.moved(); excess > 1.0) {
+    part = 1.0 / excess;
+    petsc_check(VecScale(change, part));
+    take(1.0, change);
+  }
   OwnedVec relaxed;
   double at_once = allowed;
   for (int n = 0; n < relaxations && trial_norm > norm; ++n) {
@@ -94,8 +100,9 @@ void search(SNESLineSearch line_search, LinearisedSystem& system, double allowed
       petsc_check(SNESLineSearchSetReason(line_search, SNES_LINESEARCH_FAILED_REDUCT));
       return;
     }
-    const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + norm * norm * length;
-    length = std::clamp(0.5 * norm * norm * length * length / excess, least_part * length, 0.5 * length);
+    const double fall = part * norm * norm;
+    const double excess = 0.5 * (trial_norm * trial_norm - norm * norm) + fall * length;
+    length = std::clamp(0.5 * fall * length * length / excess, least_part * length, 0.5 * length);
     take(length, change);
   }
   petsc_check(VecCopy(trial, state));

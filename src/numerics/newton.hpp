@@ -44,6 +44,9 @@ public:
   /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false
   /// where there are none. `whole` is the change as it was before any call. The system's last state is that after it.
   virtual bool relax_overshot_nodes(Vec /*change*/, Vec /*whole*/, Vec /*before*/, Vec /*after*/) { return false; }
+  /// How far the state that was evaluated last is from that of the Jacobian, over the longest way that one step may go;
+  /// 0 where steps may be of any length.
+  virtual double moved() { return 0.0; }
   /// `to` is a copy of the state `from`: what the system knows of the one holds for the other.
   virtual void copied(Vec /*from*/, Vec /*to*/) {}
   virtual void multiply(Vec change, Vec rows) = 0;

@@ -110,8 +110,9 @@ std::optional<LargestError> largest_of(const std::vector<OrbitError>& errors, co
   for (const OrbitError& error : errors) {
     const std::optional<Estimate> bar = error.in_si(scales);
     if (!bar || !bar->extrapolated) continue;  // a spike's is no fault of this grid alone
-    const double least = error.unit.in_si == units::static_force.in_si ? 1.0 : 0.0;
-    const double relative = bar->relative_error(least);
+    double least = error.unit.in_si == units::static_force.in_si ? 1.0 : 0.0;
+    if (scales.solids.rough && error.unit.in_si == units::metre.in_si) least = scales.solids.rough->sigma();
+    const double relative = Estimate{bar->value, bar->error, bar->extrapolated, least}.relative_error();
     if (!largest || relative > largest->relative)
       largest = LargestError{error.name, relative, std::abs(bar->value) < least};
   }

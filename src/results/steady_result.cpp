@@ -150,7 +150,7 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
   const QuantityInputs at{scales, position.contact, result.quantities, friction, problem.roughness};
-  const AvailableModels given = available_models(true, problem.traction, problem.roughness);
+  const AvailableModels given = available_models(true, problem.traction, problem.roughness, scales.solids);
   for (const auto& quantity : contact_quantities) {
     if (!given.has(quantity.needs)) continue;
     summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));

@@ -187,6 +187,14 @@ bool FilmSystem::relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec aft
   return relaxed != 0;
 }
 
+double FilmSystem::moved() {
+  if (!films_.front()->scales().solids.rough) return 0.0;
+  double moved = 0.0;
+  for (const ContactFilm* film : films_) moved = std::max(moved, film->gap_moved());
+  MPI_Allreduce(MPI_IN_PLACE, &moved, 1, MPI_DOUBLE, MPI_MAX, comm());
+  return moved;
+}
+
 void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);

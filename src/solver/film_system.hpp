@@ -68,6 +68,7 @@ public:
                  SmootherFactors factors = SmootherFactors::of_this_state);
   double merit(Vec rows) override;
   bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
+  double moved() override;
   void copied(Vec from, Vec to) override { versions_.copied(from, to); }
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.

@@ -17,19 +17,34 @@ FilmSolution on_coarser(const Grid& grid, const Grid& coarse_grid, const FilmSol
   return found;
 }
 
-std::optional<GridErrors> errors_between(const Discretisation& discretisation, const FilmQuantities& fine,
-                                         const FilmQuantities& half) {
-  if (!half.finite || half.smallest_film <= 0.0) return {};
+/// Of a film between rough surfaces, which may be thin against sigma and negative: relative to sigma at least.
+Estimate of_rough_film(double fine, double half, double least_bar, double sigma) {
+  Estimate film = estimate_fast(fine, half, 0.0);
+  film.least = sigma;
+  film.error = std::max(film.error, least_bar * std::max(std::abs(fine), sigma));
+  return film;
+}
+
+std::optional<GridErrors> errors_between(const Discretisation& discretisation, const Scales& scales,
+                                         const FilmQuantities& fine, const FilmQuantities& half) {
+  const RoughSurfaces* rough = scales.solids.rough.get();
+  if (!half.finite || (!rough && half.smallest_film <= 0.0)) return {};
   const double step = discretisation.grid().h_x();
   const bool fitted = discretisation.of_films() == FilmDiscretisation::fitted;
   const double spike = fine.spike_pressure, half_spike = half.spike_pressure;
-  return GridErrors{fitted ? estimate_fast(fine.central_film, half.central_film, least_bars.central)
+  GridErrors errors{fitted ? estimate_fast(fine.central_film, half.central_film, least_bars.central)
                            : estimate(fine.central_film, half.central_film),
                     fitted ? estimate_fast(fine.smallest_film, half.smallest_film, least_bars.smallest)
                            : estimate_smallest(fine.smallest_film, half.smallest_film),
                     estimate_beside_spike({fine.central_pressure, spike}, {half.central_pressure, half_spike}, step),
                     estimate_largest({fine.largest_pressure, spike}, {half.largest_pressure, half_spike}, step),
                     estimate_spike(spike, half_spike)};
+  if (rough) {
+    const double sigma = rough->sigma() / scales.thickness;
+    errors.central_film = of_rough_film(fine.central_film, half.central_film, least_bars.central, sigma);
+    errors.smallest_film = of_rough_film(fine.smallest_film, half.smallest_film, least_bars.smallest, sigma);
+  }
+  return errors;
 }
 
 /// From nothing, grid by grid; where a step of that way fails, from the finer film. That alone would take far longer:
@@ -52,12 +67,13 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
   const auto against = [&](Discretisation* coarser) -> std::optional<GridErrors> {
     if (!coarser) return {};
     if (!couple && result.before && fine.prepare_sequencing_grid() == coarser)
-      return errors_between(fine, result.quantities, *result.before);
+      return errors_between(fine, film.scales(), result.quantities, *result.before);
     ContactFilm coarse(SharedDiscretisation(film.discretisation(), coarser), film.scales(), options.multigrid);
     coarse.set_surfaces(injected_surfaces(film.grid(), coarse.grid(), film.surfaces()));
     try {
       const StationaryResult alone = film_on_coarser(film, coarse, load, options, result.solution);
-      return errors_between(fine, result.quantities, couple ? couple(coarse, alone).quantities : alone.quantities);
+      return errors_between(fine, film.scales(), result.quantities,
+                            couple ? couple(coarse, alone).quantities : alone.quantities);
     } catch (const SolveError&) {
       return {};
     }

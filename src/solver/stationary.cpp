@@ -11,6 +11,7 @@
 #include "grid/integral.hpp"
 #include "numerics/tuned.hpp"
 #include "parallel/events.hpp"
+#include "solver/rough_start.hpp"
 
 namespace gearfilm {
 namespace {
@@ -25,6 +26,9 @@ const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "growth of 
 const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
                                     "tolerance of films that are only a way to others");
 const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");
+
+const Tuned<double> parting("stationary_parting", 0.1,
+                            "by how much rough surfaces of a coarser grid are parted on a finer one, in sigma");
 
 double rough(double tolerance) { return std::max<double>(tolerance, rough_tolerance); }
 
@@ -54,6 +58,29 @@ bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolutio
   if (!newton.solve(load, direct)) return solve_through_pseudo_time(newton, load, guess);
   guess = std::move(direct);
   return true;
+}
+
+/// Solves from the dry contact: of rough surfaces from theirs, and as between smooth ones where that fails.
+bool solve_from_dry(StationaryNewton& newton, ContactFilm& film, const LoadCondition& load, FilmSolution& guess) {
+  if (film.scales().solids.rough) {
+    FilmSolution mixed = guess;
+    if (solve_from_dry_contact(newton, film, load, mixed)) {
+      guess = std::move(mixed);
+      return true;
+    }
+  }
+  return solve_from(newton, load, guess);
+}
+
+/// Solves from the film on a coarser grid. Rough surfaces are parted a little, so that oil carries everywhere at first,
+/// and there is a better way than pseudo-time where that fails: the dry contact.
+bool solve_from_coarse(StationaryNewton& newton, const ContactFilm& film, const LoadCondition& load,
+                       FilmSolution& guess) {
+  if (!film.scales().solids.rough) return solve_from(newton, load, guess);
+  if (load.kind == LoadCondition::Kind::force) {
+    guess.H0 += parting * film.scales().solids.rough->sigma() / film.scales().thickness;
+  }
+  return newton.solve(load, guess);
 }
 
 /// Along a whole face or a line: dry pressure, with the dry contact's gap at the film that the formula expects.
@@ -87,7 +114,8 @@ FilmSolution dry_guess(ContactFilm& film, const LoadCondition& load) {
   const Scales& scales = film.scales();
   if (!has_ellipse(scales.solids)) return dry_guess_of_rows(film, load);
   const ContactSolids solids = solids_of(scales, film.conditions());
-  const double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
+  double gap = hamrock_dowson_central(scales.solids, scales.oil, scales.operation);
+  if (scales.solids.rough) gap = std::max(gap, scales.thickness * ExpectedFilm(scales).film);
   FilmSolution guess{std::vector<double>(film.grid().local_size(), 0.0), load.value};
   double force = scales.force(load.value);
   if (load.kind == LoadCondition::Kind::displacement) {
@@ -179,11 +207,11 @@ StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, 
     bool solved = false;
     if (before) {
       result.solution = interpolate(*before, present.grid(), result.solution);
-      solved = solve_from(newton, load, result.solution);
+      solved = solve_from_coarse(newton, present, load, result.solution);
     }
     if (!solved) {
       result.solution = dry_guess(present, load);
-      solved = solve_from(newton, load, result.solution);
+      solved = solve_from_dry(newton, present, load, result.solution);
     }
     if (!solved && n == 0) report_failure(present, newton);
     result.by_grid.push_back(newton.counts());

@@ -1,5 +1,6 @@
 #include "traction/film_line.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lubricant/independent_iterations.hpp"
@@ -45,9 +46,9 @@ void FilmLine::load(int i) {
   const Grid& grid = film_.grid();
   const Scales& scales = film_.scales();
   const Field<double>& P = film_.film_pressure();
-  const bool inside = i > 0 && i < grid.nx() - 1;
+  const bool rough = film_.state().rough.has_value(), inside = i > 0 && i < grid.nx() - 1;
   const double *here = P.row(i), *west = P.row(inside ? i - 1 : i), *east = P.row(inside ? i + 1 : i);
-  const double *H = film_.thickness().row(i), *rho = film_.state().density.row(i);
+  const double *H = film_.mean_gap().row(i), *full = film_.state().full_film.row(i), *rho = film_.state().density.row(i);
   const double by_x = scales.pressure / (2.0 * scales.length * grid.h_x());
   // h^3/(12 eta) = xi_R/rho lambda (a^2/R_x)^3/(12 eta_0)
   const double by_flow = scales.lambda * scales.thickness * scales.thickness * scales.pressure /
@@ -55,11 +56,11 @@ void FilmLine::load(int i) {
   poiseuille_flow(film_.discretisation()->equation(), film_.state(), i, poiseuille);
   for (int j = 0; j < grid.y_count(); ++j) {
     poiseuille[j] *= H[j] > 0.0 ? by_flow / H[j] : 0.0;
-    pressure[j] = scales.pressure * here[j];
+    pressure[j] = scales.pressure * (rough ? std::max(here[j], 0.0) : here[j]);
     thickness[j] = scales.thickness * H[j];
     density[j] = rho[j];
     gradient[j] = by_x * (east[j] - west[j]);
-    full_film[j] = here[j] > 0.0;
+    full_film[j] = here[j] > 0.0 && (!rough || full[j] > 0.0);
   }
   const double ambient = std::log(scales.oil.viscosity);
   std::visit([&](auto viscosity) { set_viscosity(viscosity, ambient, pressure, log_viscosity); }, viscosity_);

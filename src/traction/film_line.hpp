@@ -17,8 +17,8 @@ struct FilmLine {
   /// Line i of the film at its present state.
   void load(int i);
 
-  std::vector<double> pressure;       ///< p [Pa]
-  std::vector<double> thickness;      ///< h [m]
+  std::vector<double> pressure;       ///< p [Pa], of the oil
+  std::vector<double> thickness;      ///< h [m], between rough surfaces their mean gap
   std::vector<double> log_viscosity;  ///< ln(eta/1 Pa s) at the oil's reference temperature
   std::vector<double> density;        ///< rho/rho_0
   std::vector<double> gradient;       ///< dp/dx [Pa/m], central

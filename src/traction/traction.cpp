@@ -42,9 +42,27 @@ std::vector<double> rolling_stress(const ContactFilm& film) {
   std::vector<double> stress(grid.local_size(), 0.0);
   for (int i = 1; i < grid.nx() - 1; ++i) {
     const double *west = film.film_pressure().row(i - 1), *east = film.film_pressure().row(i + 1),
-                 *H = film.thickness().row(i);
+                 *H = film.mean_gap().row(i);
     double* line = stress.data() + static_cast<std::size_t>(i) * grid.y_count();
     for (int j = 0; j < grid.y_count(); ++j) line[j] = scale * H[j] * (east[j] - west[j]);
+  }
+  return stress;
+}
+
+/// mu_b p_a with the sign of sliding [Pa], compact; empty between smooth surfaces.
+std::vector<double> boundary_stress(const TractionModel& model, const ContactFilm& film,
+                                    const std::vector<SurfaceVelocities>& velocities) {
+  if (!film.state().rough) return {};
+  constexpr double sharp = 1e3;  // of u_s/u_m
+  const Grid& grid = film.grid();
+  std::vector<double> stress(grid.local_size());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double sign = std::tanh(sharp * velocities[j].sliding / velocities[j].mean);
+      stress[static_cast<std::size_t>(i) * grid.y_count() + j] =
+          model.boundary_coefficient * sign * film.scales().pressure *
+          asperity_pressure(*film.state().rough, film.total_pressure(), i, j);
+    }
   }
   return stress;
 }
@@ -104,16 +122,34 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   TractionQuantities& quantities = result.quantities;
 
   const std::vector<SurfaceVelocities> velocities = row_velocities(film);
-  const std::vector<double> heat = sliding_heat(velocities, fields.shear_stress);
+  const std::vector<double> of_asperities = boundary_stress(model, film, velocities);
+  std::vector<double> all_stress = fields.shear_stress;
+  for (std::size_t n = 0; n < of_asperities.size(); ++n) all_stress[n] += of_asperities[n];
+  const std::vector<double> heat = sliding_heat(velocities, all_stress);
   std::vector<double> rolling_power = rolling_stress(film);
 
-  enum Sum { stress, rolling, sliding_loss, rolling_loss, pressure, pinion, wheel, oil, generated, sums };
+  enum Sum {
+    stress,
+    rolling,
+    sliding_loss,
+    rolling_loss,
+    pressure,
+    pinion,
+    wheel,
+    oil,
+    generated,
+    boundary,
+    boundary_loss,
+    sums
+  };
   const std::size_t size = grid.local_size();
   std::vector<double> values(sums * size, 0.0);
   const auto put = [&](Sum sum, const std::vector<double>& field) {
     std::ranges::copy(field, values.begin() + static_cast<std::ptrdiff_t>(sum * size));
   };
-  put(stress, fields.shear_stress);
+  put(stress, all_stress);
+  put(boundary, of_asperities);
+  put(boundary_loss, of_asperities.empty() ? of_asperities : sliding_heat(velocities, of_asperities));
   put(rolling, rolling_power);
   for (std::size_t n = 0; n < size; ++n) rolling_power[n] *= 2.0 * velocities[n % velocities.size()].mean;
   put(sliding_loss, heat);
@@ -135,6 +171,9 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   quantities.coefficient = force > 0.0 ? quantities.sliding_force / force : 0.0;
   quantities.power_sliding = total[sliding_loss];
   quantities.power_rolling = total[rolling_loss];
+  quantities.boundary_force = total[boundary];
+  quantities.boundary_coefficient = force > 0.0 ? total[boundary] / force : 0.0;
+  quantities.power_boundary = total[boundary_loss];
 
   std::array<double, 5> maxima = {common_flash(model, grid, scales.length * grid.h_x(), velocities, heat),
                                   largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel),
@@ -161,7 +200,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
 }  // namespace
 
 TractionQuantities with_powers_times(double factor, TractionQuantities quantities) {
-  for (double* power : {&quantities.power_sliding, &quantities.power_rolling, &quantities.heat_pinion,
+  for (double* power : {&quantities.power_sliding, &quantities.power_rolling, &quantities.power_boundary, &quantities.heat_pinion,
                         &quantities.heat_wheel, &quantities.heat_oil}) {
     *power *= factor;
   }

@@ -35,6 +35,8 @@ struct TractionModel {
   std::array<HeatedBody, 2> bodies;  ///< pinion, wheel
   std::optional<HeatOptions> heat;   ///< absent: friction of an isothermal film
 
+  double boundary_coefficient = 0.11;  ///< mu_b of asperities; an assumption
+
   bool shear_couples_film = false;  ///< the film feels the shear law
 
   bool heats_film() const { return heat && heat->couple_film; }

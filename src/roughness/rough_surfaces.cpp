@@ -1,0 +1,36 @@
+#include "roughness/rough_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearfilm {
+namespace {
+
+double combined_lay(const RoughOptions& options) {
+  const double first = options.roughness[0] * options.roughness[0],
+               second = options.roughness[1] * options.roughness[1];
+  if (options.lay[0] == options.lay[1]) return options.lay[0];
+  return std::exp((first * std::log(options.lay[0]) + second * std::log(options.lay[1])) / (first + second));
+}
+
+}  // namespace
+
+RoughSurfaces::RoughSurfaces(const RoughOptions& options, double reduced_modulus)
+    : options_(options),
+      sigma_(std::hypot(options.roughness[0], options.roughness[1])),
+      lay_(combined_lay(options)),
+      asperities_(options.asperities, reduced_modulus),
+      along_(lay_),
+      across_(1.0 / lay_),
+      shear_{ShearFlow(options.lay[0]), ShearFlow(options.lay[1])} {
+  for (std::size_t k = 0; k < share_.size(); ++k) {
+    share_[k] = options.roughness[k] * options.roughness[k] / (sigma_ * sigma_);
+  }
+}
+
+GapFunction RoughSurfaces::shear_flow(double z) const {
+  const GapFunction first = shear_[0](z), second = shear_[1](z);
+  return {share_[0] * first.value - share_[1] * second.value, share_[0] * first.slope - share_[1] * second.slope};
+}
+
+}  // namespace gearfilm
