@@ -53,6 +53,28 @@ heat_wheel | W | heat from the film into the wheel
 heat_oil | W | heat that the oil takes away
 temperatures_missed | - | part of the loaded nodes where temperatures across the film did not settle
 heat_balance | - | heat that is made in the film and goes nowhere, over all that is made
+asperity_load_share | - | part of the force that asperities carry
+asperity_force | N | force that asperities carry
+wear_depth_pinion | m | wear of the pinion's flank by one passage of the contact, where it is largest
+wear_depth_wheel | m | wear of the wheel's flank by one passage of the contact, where it is largest
+wear_rate_pinion | m^3/s | volume that the pinion's flank loses by time
+wear_rate_wheel | m^3/s | volume that the wheel's flank loses by time
+mean_gap_central | m | mean gap of the rough surfaces at x = y = 0
+mean_gap_min | m | smallest mean gap
+p_fluid_max | Pa | largest pressure of the oil
+p_asperity_max | Pa | largest pressure of the asperities
+friction_coefficient_fluid | - | the oil's part of friction_coefficient
+friction_coefficient_boundary | - | the asperities' part of friction_coefficient
+friction_force_boundary | N | the asperities' part of friction_force
+power_boundary | W | the asperities' part of power_sliding
+asperity_load_share_max | - | largest part of a contact's force that asperities carry
+asperity_load_share_mean | - | force that the asperities of all contacts carry over the static force, mean in time
+wear_depth_pinion_max | m | largest wear of the pinion's flank in one mesh
+wear_depth_wheel_max | m | largest wear of the wheel's flank in one mesh
+wear_rate_pinion_mean | m^3/s | volume that the pinion loses by time, mean
+wear_rate_wheel_mean | m^3/s | volume that the wheel loses by time, mean
+p_fluid | Pa | pressure of the oil
+p_asperity | Pa | pressure of the asperities
 working_pressure_angle_deg | deg | working pressure angle
 base_radius_pinion | m | base radius of the pinion
 base_radius_wheel | m | base radius of the wheel
@@ -141,8 +163,8 @@ krylov_iterations_all_grids | - | iterations of the linear solver, on all grids 
 convolutions_all_grids | - | convolutions, on all grids of the start
 h_central_isothermal | m | central film without heat
 h_min_isothermal | m | smallest film without heat
-thermal_factor | - | central film with heat over that without
-thermal_factor_min | - | smallest film with heat over that without
+thermal_factor | - | central film, of rough surfaces mean gap, with heat over that without
+thermal_factor_min | - | the same of the smallest
 thermal_change | - | change of the film in the last turn
 thermal_turns | - | turns of film and heat
 inertia_pinion | kg m^2 | moment of inertia of the pinion

@@ -46,7 +46,7 @@ void print_heating(MPI_Comm comm, const Summary& summary) {
                           summary["thermal_turns"].get<int>()));
 }
 
-void print_friction(MPI_Comm comm, const Summary& summary) {
+void print_friction(MPI_Comm comm, const Summary& summary, bool line) {
   if (!summary.contains("friction_coefficient")) return;
   const auto real = [&](const char* name) { return summary[name].get<double>(); };
   std::string heat;
@@ -55,8 +55,9 @@ void print_friction(MPI_Comm comm, const Summary& summary) {
                   " K, of the flanks ", real("surface_temperature_pinion"), " K and ",
                   real("surface_temperature_wheel"), " K");
   }
+  const char* watt = line ? " W/m" : " W";
   say(comm, std::setprecision(4), "friction coefficient ", real("friction_coefficient"), "; lost by sliding ",
-      real("power_sliding"), " W, by rolling ", real("power_rolling"), " W", heat);
+      real("power_sliding"), watt, ", by rolling ", real("power_rolling"), watt, heat);
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const SteadyPosition& position,
@@ -112,7 +113,7 @@ void run_steady(MPI_Comm comm, const CaseInput& problem) {
   note_spike(comm, summary);
   print_shear(comm, summary);
   print_heating(comm, summary);
-  print_friction(comm, summary);
+  print_friction(comm, summary, problem.scales.solids.line);
   warn_of_errors(comm, problem, result.solved.errors);
   warn_of_heating(comm, problem, summary["predictions"]);
   warn_of_unrest(comm, result.solved);

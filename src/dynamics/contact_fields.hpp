@@ -37,6 +37,19 @@ inline constexpr ContactField pressure{
 /// Film thickness: of snapshots only, since it follows from pressure and motion.
 inline constexpr ContactField thickness{
     .name = "film", .dataset = "H", .unit = units::metre, .meaning = "film thickness"};
+/// Of rough surfaces, in snapshots only.
+inline constexpr ContactField film_pressure{.name = "film_pressure",
+                                            .dataset = "p_fluid",
+                                            .unit = units::pascal,
+                                            .meaning = "pressure of the oil; between rough surfaces"};
+inline constexpr ContactField asperity_pressure{.name = "asperity_pressure",
+                                                .dataset = "p_asperity",
+                                                .unit = units::pascal,
+                                                .meaning = "pressure of the asperities; between rough surfaces"};
+inline constexpr ContactField mean_gap{.name = "mean_gap",
+                                       .dataset = "gap_mean",
+                                       .unit = units::metre,
+                                       .meaning = "mean gap, which the oil fills; between rough surfaces"};
 /// d(rho H)/dT, at which a film squeezes: no state of its own, and nothing to look at.
 inline constexpr ContactField rate{.name = "rate", .dataset = "", .compared = false};
 
@@ -86,7 +99,8 @@ inline constexpr auto traction = std::to_array<Of<TractionFields>>(
      of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor,
                  "logarithm of the flow over that of the same film without heat, of a film that feels its heat")});
 
-inline constexpr auto all = std::to_array<ContactField>({pressure, thickness, rate});
+inline constexpr auto all =
+    std::to_array<ContactField>({pressure, thickness, film_pressure, asperity_pressure, mean_gap, rate});
 }  // namespace field
 
 /// A name that says nothing else of itself is a pure number, written under its name and compared.

@@ -11,16 +11,46 @@ double hertz_pressure_of(const QuantityInputs& at) {
 }
 
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
-                                 const std::optional<double>& roughness, const ContactSolids& solids) {
+                                 const std::optional<double>& roughness, const ContactSolids& solids,
+                                 const std::optional<WearCoefficients>& wear) {
   return {.film = lubricated,
           .friction = traction.has_value(),
           .heat = traction && traction->heat,
           .roughness = roughness.has_value(),
-          .asperities = solids.rough != nullptr};
+          .asperities = solids.rough != nullptr,
+          .wear = wear.has_value()};
 }
 
 double asperity_load_share(const QuantityInputs& at) {
   return at.film.pressure_integral > 0.0 ? at.film.asperity_integral / at.film.pressure_integral : 0.0;
+}
+
+namespace {
+
+double asperity_line_load(const QuantityInputs& at) {
+  return at.film.asperity_line * at.scales.pressure * at.scales.length;
+}
+
+double asperity_force(const QuantityInputs& at) { return at.load_factor * at.scales.force(at.film.asperity_integral); }
+
+}  // namespace
+
+double pinion_wear(const QuantityInputs& at) {
+  const SurfaceVelocities u = velocities_of(at.scales, at.contact);
+  return at.wear ? wear_depth(at.wear->pinion, u.sliding, u.pinion(), asperity_line_load(at)) : 0.0;
+}
+
+double wheel_wear(const QuantityInputs& at) {
+  const SurfaceVelocities u = velocities_of(at.scales, at.contact);
+  return at.wear ? wear_depth(at.wear->wheel, u.sliding, u.wheel(), asperity_line_load(at)) : 0.0;
+}
+
+double pinion_wear_rate(const QuantityInputs& at) {
+  return at.wear ? wear_rate(at.wear->pinion, velocities_of(at.scales, at.contact).sliding, asperity_force(at)) : 0.0;
+}
+
+double wheel_wear_rate(const QuantityInputs& at) {
+  return at.wear ? wear_rate(at.wear->wheel, velocities_of(at.scales, at.contact).sliding, asperity_force(at)) : 0.0;
 }
 
 double film_ratio(const QuantityInputs& at) {

@@ -16,20 +16,29 @@ struct QuantityInputs {
   MeshedContact contact;
   FilmQuantities film;  ///< of a dry contact: its pressure integral and pressures only
   TractionQuantities traction{};
-  std::optional<double> roughness{};  ///< of both flanks together [m]
+  std::optional<double> roughness{};       ///< of both flanks together [m]
+  std::optional<WearCoefficients> wear{};  ///< of asperities
+  double load_factor = 1.0;                ///< force of the tooth over that of the contact
 };
 
 /// Which quantities there are.
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
-                                 const std::optional<double>& roughness, const ContactSolids& solids);
+                                 const std::optional<double>& roughness, const ContactSolids& solids,
+                                 const std::optional<WearCoefficients>& wear);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids);
+  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear);
 }
 
 /// h_min/Rq; zero without roughness.
 double film_ratio(const QuantityInputs& at);
 /// Part of the force that asperities carry.
 double asperity_load_share(const QuantityInputs& at);
+/// Of the row where asperities carry most, by one passage of the contact [m].
+double pinion_wear(const QuantityInputs& at);
+double wheel_wear(const QuantityInputs& at);
+/// [m^3/s].
+double pinion_wear_rate(const QuantityInputs& at);
+double wheel_wear_rate(const QuantityInputs& at);
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const QuantityInputs& at);
 
@@ -96,25 +105,42 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                                   Reduced{"lambda_min", Reduction::smallest, units::number,
                                           "smallest film over the roughness", ShownIn::everywhere}),
      quantity::of<QuantityInputs>(
-         asperity_load_share, "asperity_load_share", "L_a", units::number,
-         "part of the force that asperities carry", RequiredModel::asperities,
+         asperity_load_share, "asperity_load_share", "L_a", units::number, "part of the force that asperities carry",
+         RequiredModel::asperities,
          Reduced{"asperity_load_share_max", Reduction::largest, units::number,
-                 "largest part of a contact's force that asperities carry", ShownIn::everywhere},
-         Reduced{"asperity_load_share_mean", Reduction::mean, units::number,
-                 "mean over contacts and steps of the part that asperities carry", ShownIn::everywhere}),
-     quantity::of_film<&FilmQuantities::asperity_integral>("asperity_force", "F_a", units::newton,
-                                                           "force that asperities carry", RequiredModel::asperities),
-     quantity::of_film<&FilmQuantities::central_mean_gap>(
-         "mean_gap_central", "h_T", units::metre, "mean gap of the rough surfaces at x = y = 0",
-         RequiredModel::asperities),
+                 "largest part of a contact's force that asperities carry", ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::asperity_integral>(
+         "asperity_force", "F_a", units::newton, "force that asperities carry", RequiredModel::asperities,
+         Reduced{"asperity_load_share_mean", Reduction::mean, units::static_force,
+                 "force that the asperities of all contacts carry over the static force, mean in time",
+                 ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(pinion_wear, "wear_depth_pinion", "", units::si_metre,
+                                  "wear of the pinion's flank by one passage of the contact, where it is largest",
+                                  RequiredModel::wear,
+                                  Reduced{"wear_depth_pinion_max", Reduction::largest, units::si_metre,
+                                          "largest wear of the pinion's flank in one mesh", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(wheel_wear, "wear_depth_wheel", "", units::si_metre,
+                                  "wear of the wheel's flank by one passage of the contact, where it is largest",
+                                  RequiredModel::wear,
+                                  Reduced{"wear_depth_wheel_max", Reduction::largest, units::si_metre,
+                                          "largest wear of the wheel's flank in one mesh", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(pinion_wear_rate, "wear_rate_pinion", "", units::volume_rate,
+                                  "volume that the pinion's flank loses by time", RequiredModel::wear,
+                                  Reduced{"wear_rate_pinion_mean", Reduction::mean, units::volume_rate,
+                                          "volume that the pinion loses by time, mean", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(wheel_wear_rate, "wear_rate_wheel", "", units::volume_rate,
+                                  "volume that the wheel's flank loses by time", RequiredModel::wear,
+                                  Reduced{"wear_rate_wheel_mean", Reduction::mean, units::volume_rate,
+                                          "volume that the wheel loses by time, mean", ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::central_mean_gap>("mean_gap_central", "h_T", units::metre,
+                                                          "mean gap of the rough surfaces at x = y = 0",
+                                                          RequiredModel::asperities),
      quantity::of_film<&FilmQuantities::smallest_mean_gap>("mean_gap_min", "h_T", units::metre, "smallest mean gap",
                                                            RequiredModel::asperities),
-     quantity::of_film<&FilmQuantities::largest_film_pressure>("p_fluid_max", "p_f", units::pascal,
-                                                               "largest pressure of the oil",
-                                                               RequiredModel::asperities),
-     quantity::of_film<&FilmQuantities::largest_asperity_pressure>("p_asperity_max", "p_a", units::pascal,
-                                                                   "largest pressure of the asperities",
-                                                                   RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::largest_film_pressure>(
+         "p_fluid_max", "p_f", units::pascal, "largest pressure of the oil", RequiredModel::asperities),
+     quantity::of_film<&FilmQuantities::largest_asperity_pressure>(
+         "p_asperity_max", "p_a", units::pascal, "largest pressure of the asperities", RequiredModel::asperities),
      quantity::of_traction<&TractionQuantities::sliding_force>(
          "friction_force", "F_s", units::si_newton, "force of sliding friction, with the sign of the sliding velocity",
          RequiredModel::friction),

@@ -32,6 +32,8 @@ inline constexpr Unit newton{"N", [](const Scales& scales, double value) { retur
 inline constexpr Unit static_force{"-", [](const Scales& scales, double value) { return value / scales.static_force; }};
 // Of values that are in SI as they are.
 inline constexpr Unit si_newton{"N", [](const Scales&, double value) { return value; }};
+inline constexpr Unit si_metre{"m", [](const Scales&, double value) { return value; }};
+inline constexpr Unit volume_rate{"m^3/s", [](const Scales&, double value) { return value; }};
 inline constexpr Unit si_pascal{"Pa", [](const Scales&, double value) { return value; }};
 inline constexpr Unit heat_flux{"W/m^2", [](const Scales&, double value) { return value; }};
 inline constexpr Unit watt{"W", [](const Scales&, double value) { return value; }};
@@ -61,19 +63,26 @@ struct Reduced {
 };
 
 /// What there must be for a quantity to have a value.
-enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction };
+enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction, wear };
 
-/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry.
+/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear.
 struct AvailableModels {
   bool film = true;
   bool friction = false;
   bool heat = false;
   bool roughness = false;
   bool asperities = false;
+  bool wear = false;
 
   constexpr bool has(RequiredModel needs) const {
-    const bool given[] = {true,      true,       friction,               heat,
-                          roughness, asperities, asperities && friction};  // in the order of RequiredModel
+    const bool given[] = {true,
+                          true,
+                          friction,
+                          heat,
+                          roughness,
+                          asperities,
+                          asperities && friction,
+                          asperities && wear};  // in the order of RequiredModel
     return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };

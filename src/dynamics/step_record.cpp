@@ -12,7 +12,7 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
   std::vector<ContactRecord> records;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const MeshedContact contact = mesh.contact(contacts[k].number, T);
-    QuantityInputs at{mesh.scales, contact, quantities[k], {}, mesh.roughness};
+    QuantityInputs at{mesh.scales, contact, quantities[k], {}, mesh.roughness, mesh.wear, mesh.load_factor()};
     if (mesh.traction) {
       at.traction = with_powers_times(mesh.load_factor(), traction_of(*mesh.traction, contacts[k])->quantities);
     }

@@ -178,9 +178,22 @@ void ContactFilm::multiply_mass(std::span<const double> change, double change_H0
 
 double ContactFilm::merit(std::span<const double> rows) const {
   double sum = 0.0;
-  for (std::size_t n = 0; n < rows.size(); ++n) {
-    const double row = rows[n] * weights_[n];
-    sum += row * row;
+  if (!state_.rough) {
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+      const double row = rows[n] * weights_[n];
+      sum += row * row;
+    }
+    return sum;
+  }
+  // Scales of dry nodes change by factors with their gaps.
+  for (int i = 0; i < grid_.nx(); ++i) {
+    const double *scale = state_.row_scale.row(i), *full_film = state_.full_film.row(i);
+    const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) {
+      const double weight = full_film[j] != 0.0 ? weights_[first + j] : smallest_scales_[j] / scale[j];
+      const double row = rows[first + j] * weight;
+      sum += row * row;
+    }
   }
   return sum;
 }
@@ -231,10 +244,25 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
   evaluate(pressure, H0, state_version);
   const double carried = integral(grid_, pressure);
   // The smallest film is minus the largest negative one; one reduction serves all.
-  enum { largest, spike, negative_film, central_P, central_film, oil, asperities, negative_gap, central_gap, count };
+  enum {
+    largest,
+    spike,
+    negative_film,
+    central_P,
+    central_film,
+    oil,
+    asperities,
+    asperity_row,
+    negative_gap,
+    central_gap,
+    count
+  };
   double maxima[count];
   std::ranges::fill(maxima, -INFINITY);
-  maxima[spike] = spike_pressure(grid_, state_.total_pressure);
+  // Where asperities carry, pressure is smooth on their scale: no grid misses a spike.
+  constexpr double rubbing = 0.05;
+  const double by_asperities = state_.rough ? asperity_integral(maxima[asperity_row]) : 0.0;
+  maxima[spike] = by_asperities > rubbing * carried ? 0.0 : spike_pressure(grid_, state_.total_pressure);
   if (const int central = grid_.local_row(grid_.row_axis().central()); central >= 0) {
     // Linear between the lines beside X = 0: in thick films H and P have a slope there.
     const double place = -grid_.shape().x_min / grid_.h_x();
@@ -261,6 +289,7 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
   MPI_Allreduce(MPI_IN_PLACE, maxima, count, MPI_DOUBLE, MPI_MAX, grid_.comm());
   // A maximum may pass over what is not a number; the integral does not.
   bool finite = std::isfinite(carried);
+  if (!state_.rough) maxima[asperity_row] = 0.0;
   for (const double maximum : maxima) finite = finite && std::isfinite(maximum);
   return {.pressure_integral = carried,
           .central_film = maxima[central_film],
@@ -268,7 +297,8 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
           .central_pressure = maxima[central_P],
           .largest_pressure = maxima[largest],
           .spike_pressure = maxima[spike],
-          .asperity_integral = state_.rough ? asperity_integral() : 0.0,
+          .asperity_integral = by_asperities,
+          .asperity_line = maxima[asperity_row],
           .central_mean_gap = maxima[central_gap],
           .smallest_mean_gap = -maxima[negative_gap],
           .largest_film_pressure = maxima[oil],
@@ -276,13 +306,18 @@ FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double 
           .finite = finite};
 }
 
-double ContactFilm::asperity_integral() const {
+double ContactFilm::asperity_integral(double& largest_of_row) const {
   std::vector<double> carried(static_cast<std::size_t>(grid_.local_size()));
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.y_count(); ++j) {
       carried[static_cast<std::size_t>(i) * grid_.y_count() + j] =
           asperity_pressure(*state_.rough, state_.total_pressure, i, j);
     }
+  }
+  for (int j = 0; j < grid_.y_count(); ++j) {
+    double of_row = 0.0;
+    for (std::size_t n = j; n < carried.size(); n += grid_.y_count()) of_row += grid_.h_x() * carried[n];
+    largest_of_row = std::max(largest_of_row, of_row);
   }
   return integral(grid_, carried);
 }

@@ -29,8 +29,9 @@ struct FilmQuantities {
   double central_pressure = 0.0;
   double largest_pressure = 0.0;
   double spike_pressure = 0.0;  ///< of the outlet's spike (pressure_spike.hpp); zero where there is none
-  // Of rough surfaces.
+  // Between smooth surfaces the mean gap is the film, and the oil has all the pressure.
   double asperity_integral = 0.0;  ///< Int Int P_a dX dY
+  double asperity_line = 0.0;      ///< Int P_a dX of the row where it is largest
   double central_mean_gap = 0.0;   ///< h in the place of H
   double smallest_mean_gap = 0.0;
   double largest_film_pressure = 0.0;
@@ -101,7 +102,8 @@ public:
 
 private:
   LinearisedFilm& linearisation_for(double shift);
-  double asperity_integral() const;
+  /// Int Int P_a, and the largest Int P_a dX of own rows.
+  double asperity_integral(double& largest_of_row) const;
   void set_entrained();
 
   SharedDiscretisation discretisation_;

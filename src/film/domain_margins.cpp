@@ -7,6 +7,7 @@
 #include "contact/line_contact.hpp"
 #include "film/face_pressure.hpp"
 #include "gearfilm/error.hpp"
+#include "grid/domain.hpp"
 
 namespace gearfilm {
 namespace {
@@ -32,10 +33,11 @@ int cells_to(double present, double wanted, double step, int block) {
 DomainMargins required_margins(const MarginRule& rule, const Scales& scales, const ContactConditions& conditions,
                                double pressure_integral, const std::string& where, double growth) {
   if (pressure_integral <= 0.0) return {};
+  const double reach = asperity_reach(scales), inlet = std::max(rule.inlet, reach);
   if (!has_ellipse(scales.solids)) {
     const double a = largest_half_width(scales, conditions, pressure_integral);
-    return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
-            .outlet = outlet * growth * a + conditions.nearest.X,
+    return {.inlet = growth * a + inlet - conditions.nearest.X,
+            .outlet = outlet * growth * a + reach + conditions.nearest.X,
             .side = 0.0};
   }
   const HertzContact ellipse = dry_contact(scales, conditions, pressure_integral);
@@ -50,9 +52,9 @@ DomainMargins required_margins(const MarginRule& rule, const Scales& scales, con
                "or raise crowning or face width";
     throw EdgesReached(message.str());
   }
-  return {.inlet = growth * a + rule.inlet - conditions.nearest.X,
-          .outlet = outlet * growth * a + conditions.nearest.X,
-          .side = std::min(rule.side * growth * b, rule.face)};
+  return {.inlet = growth * a + inlet - conditions.nearest.X,
+          .outlet = outlet * growth * a + reach + conditions.nearest.X,
+          .side = std::min((rule.side * growth + reach) * b, rule.face)};
 }
 
 DomainMargins enclosing(const DomainMargins& a, const DomainMargins& b) {

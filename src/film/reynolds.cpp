@@ -123,10 +123,10 @@ void find_rows(const ReynoldsEquation& equation, std::span<const double> U, Film
       std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, out);
     }
     if (interior) flows.add(i, out);
-    const double inside = interior && !state.without_oil ? 1.0 : 0.0, *speed = U.data();
+    const double oil = state.without_oil ? 0.0 : 1.0, inside = interior ? oil : 0.0, *speed = U.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows; ++j) {
-      const double row_scale = equation.row_scale(j, line.conductance(j), speed[j], squeeze.shift);
+      const double row_scale = equation.row_scale(j, oil * line.conductance(j), speed[j], squeeze.shift);
       scale[j] = row_scale;
       full_film[j] = out[j] < row_scale * line.p[j] ? inside : 0.0;
     }

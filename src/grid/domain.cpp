@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/line_contact.hpp"
 
@@ -17,8 +18,16 @@ ExpectedFilm::ExpectedFilm(const Scales& scales)
     : film(expected_central_film(scales.solids, scales.oil, scales.operation) / scales.thickness),
       lubricant(moes_groups(scales.solids, scales.oil, scales.operation).L),
       ellipticity(scales.hertz.ellipticity),
-      rough(scales.solids.rough != nullptr) {
+      rough(scales.solids.rough != nullptr),
+      reach(asperity_reach(scales)) {
   if (rough) film = std::max(film, least_gap * scales.solids.rough->sigma() / scales.thickness);
+}
+
+double asperity_reach(const Scales& scales) {
+  if (!scales.solids.rough) return 0.0;
+  constexpr double furthest = 4.0;  // in sigma
+  const double gap = furthest * scales.solids.rough->sigma() / scales.thickness;
+  return std::pow(1.5 / std::numbers::sqrt2 * gap, 2.0 / 3.0);
 }
 
 double inlet_rise(const ExpectedFilm& expected) { return std::cbrt(expected.film * expected.film); }
@@ -32,10 +41,12 @@ double flooded_inlet(const ExpectedFilm& expected) {
   return x;
 }
 
-double clear_side(const ExpectedFilm& expected) { return 1.03 + expected.ellipticity * flooded_inlet(expected); }
+double clear_side(const ExpectedFilm& expected) {
+  return 1.03 + std::max(expected.ellipticity * flooded_inlet(expected), expected.reach);
+}
 
 Domain domain_of(const ExpectedFilm& expected) {
-  return {-1.2 - flooded_inlet(expected), 1.25, 1.08 * clear_side(expected)};
+  return {-1.2 - std::max(flooded_inlet(expected), expected.reach), 1.25 + expected.reach, 1.08 * clear_side(expected)};
 }
 
 namespace {

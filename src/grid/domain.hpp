@@ -31,7 +31,12 @@ struct ExpectedFilm {
   double lubricant = 0.0;    ///< L
   double ellipticity = 0.0;  ///< kappa
   bool rough = false;        ///< between rough surfaces that carry where the film is thin
+  double reach = 0.0;        ///< of their asperities
 };
+
+/// How far beyond the dry contact rough surfaces still press on each other, in units of its half-axis: to where the gap
+/// has grown by 4 sigma, beyond a line contact by 2/3 sqrt(2) (X - 1)^(3/2) a^2/R_x. Zero between smooth surfaces.
+double asperity_reach(const Scales& scales);
 
 /// H^(2/3), the length over which pressure rises in the inlet, in units of a.
 double inlet_rise(const ExpectedFilm& expected);

@@ -14,9 +14,9 @@
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_roughness.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_teeth.hpp"
-#include "input/case_roughness.hpp"
 #include "input/case_traction.hpp"
 #include "input/point_table.hpp"
 #include "mesh/static_mesh.hpp"
@@ -354,8 +354,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
-  ReferenceContact reference =
-      result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
+  ReferenceContact reference = result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
   reference.solids.rough = read_rough_surfaces(values, reference.solids.reduced_modulus);
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
@@ -366,6 +365,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.traction = read_traction(values);
   result.thermal_oil = read_thermal_oil(values);
   result.roughness = read_roughness(values);
+  result.wear = read_wear(values);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

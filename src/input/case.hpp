@@ -100,6 +100,7 @@ struct CaseInput {
   PairCase pair;
   std::optional<TractionModel> traction;  ///< absent: no friction is computed
   std::optional<double> roughness;        ///< of both flanks together [m]
+  std::optional<WearCoefficients> wear;   ///< absent: no wear is computed
   std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   PairNumerics numerics;

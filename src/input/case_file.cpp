@@ -149,6 +149,7 @@ void attach_tables(MPI_Comm comm, ParameterValues& values) {
     if (!values.has(name) || (!kind.empty() && values.text(kind) != "table")) return;
     values.attach(name, read_text(comm, named_file(values, name), values.origin(name) + ": table"));
   };
+  attach("roughness.table", "roughness.asperity_law");
   attach("load_sharing.file", "load_sharing.kind");
   attach("gear.compliance_file", "gear.tooth_compliance");
   for (const std::string gear : {"pinion", "wheel"}) {

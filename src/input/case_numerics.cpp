@@ -124,7 +124,8 @@ double time_step(const CaseInput& result) {
 std::string thin_film_remark(const CaseInput& problem) {
   const ParameterValues& values = problem.parameters;
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
-  if (problem.scales.solids.rough || expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny"))) return "";
+  if (problem.scales.solids.rough || expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny")))
+    return "";
   return worded(std::setprecision(2), "the film to be expected is ", 1e9 * expected,
                 " nm; films between smooth surfaces below ", 1e9 * thinnest_film,
                 " nm are no films: the grid is chosen for ", 1e9 * thinnest_film,

@@ -35,8 +35,8 @@ AsperityLawKind asperity_law_named(const std::string& name) {
 void read_table(const ParameterValues& values, AsperityOptions& options) {
   const std::string table = "roughness.table";
   if (!values.has(table)) {
-    values.refuse("roughness.asperity_law", "is table, but '" + table +
-                                                "' is missing; give a file of gaps over sigma and pressures [Pa]");
+    values.refuse("roughness.asperity_law",
+                  "is table, but '" + table + "' is missing; give a file of gaps over sigma and pressures [Pa]");
   }
   for (const auto& [z, p] :
        read_ascending_points(values, table, "a gap over sigma and the pressure of the asperities [Pa]")) {
@@ -84,15 +84,26 @@ std::shared_ptr<const RoughSurfaces> read_rough_surfaces(const ParameterValues& 
                              values.body_keys("roughness")[0] + "' or '" + values.body_keys("roughness")[1] + "'");
   }
   const auto [first, second] = read_root_mean_squares(values);
-  RoughOptions options{.roughness = {first.value_or(0.0), second.value_or(0.0)},
-                       .asperities = read_asperities(values),
-                       .mean_gap = values.text("roughness.mean_gap") == "nominal" ? MeanGap::nominal
-                                                                                  : MeanGap::gaussian};
+  RoughOptions options{
+      .roughness = {first.value_or(0.0), second.value_or(0.0)},
+      .asperities = read_asperities(values),
+      .mean_gap = values.text("roughness.mean_gap") == "nominal" ? MeanGap::nominal : MeanGap::gaussian};
   // The exponential law is one of the mean gap: the gap of the mean planes then stands for it.
   if (options.asperities.kind == AsperityLawKind::exponential) options.mean_gap = MeanGap::nominal;
   options.lay = bare(values) ? std::array{values.real("contact.lay"), values.real("contact.lay")}
                              : std::array{values.real("pinion.lay"), values.real("wheel.lay")};
   return std::make_shared<const RoughSurfaces>(options, reduced_modulus);
+}
+
+std::optional<WearCoefficients> read_wear(const ParameterValues& values) {
+  const std::array<std::string, 2> keys = {"wear.coefficient_pinion", "wear.coefficient_wheel"};
+  if (!values.has(keys[0]) && !values.has(keys[1])) return {};
+  for (const std::string& key : keys) {
+    if (values.has(key) && values.text("roughness.model") == "none") {
+      values.refuse(key, "is given, but no asperities are computed that could wear; set roughness.model to stochastic");
+    }
+  }
+  return WearCoefficients{values.real_if_given(keys[0]).value_or(0.0), values.real_if_given(keys[1]).value_or(0.0)};
 }
 
 }  // namespace gearfilm

@@ -45,7 +45,7 @@ void require_moving_contacts(const CaseInput& problem, const std::string& comman
   const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
   if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
-  if (problem.march.motion == PairMotion::quasi_static && command != "periodic") {
+  if (problem.march.motion == PairMotion::quasi_static && command != "periodic" && command != "sweep") {
     problem.parameters.refuse("motion",
                               "is quasi_static, but " + command + " is for pairs that swing; set it to dynamic");
   }
@@ -104,6 +104,7 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .tooth_force = problem.pair.tooth_force,
           .traction = problem.traction,
           .roughness = problem.roughness,
+          .wear = problem.wear,
           .friction_couples_dynamics = friction_couples_dynamics(problem),
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
           .order = problem.search.order};

@@ -11,5 +11,4 @@ namespace gearfilm {
 /// Absent where no law of friction is given. Throws InputError for laws without what they need.
 std::optional<TractionModel> read_traction(const ParameterValues& values);
 
-
 }  // namespace gearfilm

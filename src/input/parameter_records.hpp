@@ -96,7 +96,7 @@ std::vector<Parameter> lubricant_records();
 std::vector<Parameter> traction_records();
 std::vector<Parameter> heated_body_records(const std::string& subscript, const std::string& ending = "");
 
-/// Section roughness; and the roughness of a body and its lay, as parts of the sections that have them.
+/// Sections roughness and wear; and the roughness of a body and its lay, as parts of the sections that have them.
 std::vector<Parameter> roughness_records();
 std::vector<Parameter> roughness_of_body_records(const std::string& subscript, const std::string& ending = "");
 std::vector<Parameter> lay_records();

@@ -42,7 +42,9 @@ Records contact_records() {
       number("entrainment_velocity", "u_m", "m/s", closed(1e-6, 1e4), "mean velocity of the two surfaces"),
       preset(0.0, number("sliding_velocity", "u_1 - u_2", "m/s", closed(-2e4, 2e4),
                          "velocity of body 1 less that of body 2"))};
-  for (const std::string body : {"1", "2"}) records = joined(std::move(records), heated_body_records(body, "_" + body), roughness_of_body_records(body, "_" + body));
+  for (const std::string body : {"1", "2"})
+    records =
+        joined(std::move(records), heated_body_records(body, "_" + body), roughness_of_body_records(body, "_" + body));
   records = joined(std::move(records), lay_records());
   const Records finite = joined(
       Records{
@@ -126,7 +128,7 @@ Records march_records() {
               "action whose share of the static force is prescribed, with inertia or without; the motion on dry Hertz "
               "contacts"),
        choice("motion", {"dynamic", "quasi_static"},
-              "of the model dynamic, for `transient` and `periodic`: bodies have inertia, or are in balance with the "
+              "of the model dynamic, for `transient`, `periodic` and `sweep`: bodies have inertia, or are in balance with the "
               "forces of all contacts at every moment, which leaves out the swing after each entering contact; "
               "`periodic` chooses the latter where the pair would swing more than 40 times in a mesh period and "
               "no key needs the inertia"),
@@ -356,10 +358,10 @@ Records output_records() {
 
 const std::vector<Parameter>& parameter_table() {
   static const Records table = joined(
-      case_records(), gear_pair_records(), contact_records(), roughness_records(), lubricant_records(), traction_records(), grid_records(),
-      film_records(), steady_records(), static_records(), march_records(), ramp_records(), run_records(),
-      load_sharing_records(), start_records(), time_records(), periodic_records(), eigen_records(), sweep_records(),
-      continuation_records(), dry_records(), solver_records(), output_records());
+      case_records(), gear_pair_records(), contact_records(), roughness_records(), lubricant_records(),
+      traction_records(), grid_records(), film_records(), steady_records(), static_records(), march_records(),
+      ramp_records(), run_records(), load_sharing_records(), start_records(), time_records(), periodic_records(),
+      eigen_records(), sweep_records(), continuation_records(), dry_records(), solver_records(), output_records());
   return table;
 }
 

@@ -20,13 +20,12 @@ std::vector<Parameter> lay_records() {
 
 std::vector<Parameter> roughness_records() {
   const AsperityOptions standard;
-  return section(
+  Records records = section(
       "roughness", Scope::any,
       {choice("model", {"none", "stochastic"},
               "none: films between smooth surfaces; stochastic: asperities carry a part of the load by the statistics "
               "of their heights, and oil flows around them"),
-       choice("asperity_law",
-              {"zhao_maietta_chang", "greenwood_williamson", "greenwood_tripp", "exponential", "table"},
+       choice("asperity_law", {"zhao_maietta_chang", "greenwood_williamson", "greenwood_tripp", "exponential", "table"},
               "pressure of the asperities by the gap of the mean planes: elastic and plastic summits; elastic ones of "
               "one surface, or of both; exponential in the mean gap; roughness.table"),
        preset(standard.density_product,
@@ -38,8 +37,8 @@ std::vector<Parameter> roughness_records() {
                                         "indentation hardness of the softer surface (an assumption: case-hardened)")),
        choice("summit_shift", {"yes", "no"},
               "the plane of the summits lies above that of the surface, by McCool's relation"),
-       optional("needed by exponential", number("exponential_pressure", "p_0", "Pa", closed(1e6, 1e12),
-                                                "exponential: pressure at no gap")),
+       optional("needed by exponential",
+                number("exponential_pressure", "p_0", "Pa", closed(1e6, 1e12), "exponential: pressure at no gap")),
        preset(standard.exponential_gap, number("exponential_gap", "g", "-", closed(0.1, 2),
                                                "exponential: gap over sigma by which the pressure falls by e")),
        optional("needed by table",
@@ -48,6 +47,14 @@ std::vector<Parameter> roughness_records() {
                      "comment; a name in a case file is relative to that file")),
        choice("mean_gap", {"gaussian", "nominal"},
               "what oil fills: the mean of the open gaps of Gaussian heights, or the gap of the mean planes")});
+  const Range coefficient = closed(0, 1e-9);
+  return joined(std::move(records),
+                section("wear", Scope::any,
+                        {optional("no wear", number("coefficient_pinion", "k_1", "m^2/N", coefficient,
+                                                    "wear depth of the pinion, or of body 1, over sliding distance "
+                                                    "and pressure of the asperities")),
+                         optional("no wear", number("coefficient_wheel", "k_2", "m^2/N", coefficient,
+                                                    "the same of the wheel, or of body 2"))}));
 }
 
 }  // namespace gearfilm

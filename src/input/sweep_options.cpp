@@ -102,7 +102,9 @@ SweepOptions read_sweep(const ParameterValues& values) {
   const std::string& direction = values.text("sweep.direction");
   sweep.up = direction != "down";
   sweep.down = direction != "up";
-  sweep.chain_points = values.integer("sweep.chain_points");
+  // Bodies in balance remember nothing that a neighbour could tell.
+  const bool in_balance = values.text("motion") == "quasi_static";
+  sweep.chain_points = in_balance ? 1 : values.integer("sweep.chain_points");
   return sweep;
 }
 

@@ -14,6 +14,7 @@
 #include "mesh/motion.hpp"
 #include "mesh/natural_frequency.hpp"
 #include "mesh/prescribed_load.hpp"
+#include "roughness/archard.hpp"
 #include "traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -34,6 +35,7 @@ struct MeshModel {
   double tooth_force = 0.0;                 ///< T_g1/R_b1, which the reference load stands for [N]
   std::optional<TractionModel> traction{};  ///< absent: no friction is computed
   std::optional<double> roughness{};        ///< of both flanks together [m]
+  std::optional<WearCoefficients> wear{};   ///< absent: no wear is computed
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats

@@ -4,6 +4,17 @@ namespace gearfilm {
 std::vector<NamedField> film_fields(const ContactFilm& film, const TractionFields* traction) {
   std::vector<NamedField> fields = {{std::string(field::pressure.name), film.total_pressure()},
                                     {std::string(field::thickness.name), film.thickness()}};
+  if (film.state().rough) {
+    Field<double> carried(film.grid());
+    for (int i = 0; i < film.grid().nx(); ++i) {
+      for (int j = 0; j < film.grid().y_count(); ++j) {
+        carried.row(i)[j] = asperity_pressure(*film.state().rough, film.total_pressure(), i, j);
+      }
+    }
+    fields.push_back({std::string(field::film_pressure.name), film.film_pressure()});
+    fields.push_back({std::string(field::asperity_pressure.name), std::move(carried)});
+    fields.push_back({std::string(field::mean_gap.name), film.mean_gap()});
+  }
   if (!traction) return fields;
   for (const auto& kind : field::traction) {
     const std::vector<double>& values = traction->*kind.values;

@@ -17,9 +17,15 @@ std::string code(std::string_view text) {
 }
 
 std::string condition(RequiredModel needs) {
-  constexpr std::array conditions = {"", "; not in the dry model", "; with `friction.law`", "; with `thermal.model`",
-                                     "; with `pinion.roughness` or `wheel.roughness`"};
-  return conditions[static_cast<std::size_t>(needs)];
+  constexpr std::array conditions = {"",
+                                     "; not in the dry model",
+                                     "; with `friction.law`",
+                                     "; with `thermal.model`",
+                                     "; with `pinion.roughness` or `wheel.roughness`",
+                                     "; with `roughness.model`",
+                                     "; with `roughness.model` and `friction.law`",
+                                     "; with `roughness.model` and a coefficient of wear"};
+  return conditions.at(static_cast<std::size_t>(needs));
 }
 
 template <class Keys, class Quantities>
@@ -57,7 +63,10 @@ void describe_fields(std::ostream& text) {
   const auto describe = [&](const ContactField& field) {
     text << "| " << code(field.dataset) << " | " << field.unit.name << " | " << field.meaning << " |\n";
   };
-  for (const ContactField& field : {field::pressure, field::thickness}) describe(field);
+  for (const ContactField& field :
+       {field::pressure, field::thickness, field::film_pressure, field::asperity_pressure, field::mean_gap}) {
+    describe(field);
+  }
   for (const auto& field : field::traction) describe(field.field);
 }
 

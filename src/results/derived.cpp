@@ -7,6 +7,7 @@
 
 #include "contact/film_formulas.hpp"
 #include "contact/line_contact.hpp"
+#include "contact/mixed_formulas.hpp"
 #include "contact/moes.hpp"
 #include "gear/tooth_space.hpp"
 #include "input/case_numerics.hpp"
@@ -224,10 +225,22 @@ const std::vector<Member<Derived>>& derived_members() {
 }  // namespace
 
 Summary film_predictions(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation) {
-  if (!has_ellipse(solids)) return {{"moes_line_h_central", expected_central_film(solids, oil, operation)}};
-  return {{"hamrock_dowson_h_central", hamrock_dowson_central(solids, oil, operation)},
-          {"hamrock_dowson_h_min", hamrock_dowson_minimum(solids, oil, operation)},
-          {"nijenbanning_venner_moes_h_central", nijenbanning_venner_moes_central(solids, oil, operation)}};
+  Summary found;
+  if (solids.rough) {
+    const MixedPrediction mixed = masjedi_khonsari(solids, oil, operation);
+    found = {{"masjedi_khonsari_h_central", mixed.central_film},
+             {"masjedi_khonsari_h_min", mixed.smallest_film},
+             {"masjedi_khonsari_asperity_load_share", mixed.load_share},
+             {"masjedi_khonsari_valid", mixed.valid}};
+  }
+  if (!has_ellipse(solids)) {
+    found["moes_line_h_central"] = expected_central_film(solids, oil, operation);
+    return found;
+  }
+  found.update({{"hamrock_dowson_h_central", hamrock_dowson_central(solids, oil, operation)},
+                {"hamrock_dowson_h_min", hamrock_dowson_minimum(solids, oil, operation)},
+                {"nijenbanning_venner_moes_h_central", nijenbanning_venner_moes_central(solids, oil, operation)}});
+  return found;
 }
 
 Summary derived_quantities(const CaseInput& problem) {

@@ -5,13 +5,20 @@
 namespace gearfilm {
 namespace {
 
+/// Null of a pair in balance whose inertia is not given.
+Summary frequency(const PairConditions& at) {
+  if (!at.here.pair.equivalent_mass) return {};
+  const Scales& scales = at.here.scales;
+  return natural_frequency(at.here.pair.stiffness, scales.inertia(*at.here.pair.equivalent_mass)) / scales.time;
+}
+
 constexpr auto condition_members = std::to_array<Member<PairConditions>>({
     {"speed_rpm", "", "rpm", "speed of the pinion",
      [](const PairConditions& at) -> Summary { return at.here.parameters.real("pinion.speed_rpm"); }, Column::real},
     {"torque", "T_g1", "N m", "torque of the pinion",
      [](const PairConditions& at) -> Summary { return at.here.pair.torque; }, Column::real},
     {"m_ge", "m_ge", "kg", "equivalent mass of the pair",
-     [](const PairConditions& at) -> Summary { return *at.here.pair.equivalent_mass; }, Column::real},
+     [](const PairConditions& at) -> Summary { return known(at.here.pair.equivalent_mass); }, Column::real},
     {"viscosity", "eta_0", "Pa s", "viscosity at ambient pressure",
      [](const PairConditions& at) -> Summary { return at.here.scales.oil.viscosity; }, Column::real},
     {"I_n", "I_n", "-", "dimensionless inertia", [](const PairConditions& at) -> Summary { return at.mesh.inertia; },
@@ -19,7 +26,7 @@ constexpr auto condition_members = std::to_array<Member<PairConditions>>({
     {"f_m", "f_m", "Hz", "mesh frequency",
      [](const PairConditions& at) -> Summary { return at.mesh.mesh_frequency_si(); }, Column::real},
     {"f_n", "f_n", "Hz", "natural frequency of the dry pair",
-     [](const PairConditions& at) -> Summary { return at.mesh.frequency_si(); }, Column::real},
+     frequency, Column::real},
 });
 
 }  // namespace

@@ -103,7 +103,14 @@ struct Coupled {
   const Scales& scales;
   const SolvedContact& solved;
 
-  double factor(double FilmQuantities::*film) const { return solved.result.quantities.*film / solved.bare.*film; }
+  /// Between rough surfaces, where H may be negative, of the mean gap.
+  double factor(double FilmQuantities::*film) const {
+    if (scales.solids.rough) {
+      film = film == &FilmQuantities::central_film ? &FilmQuantities::central_mean_gap
+                                                   : &FilmQuantities::smallest_mean_gap;
+    }
+    return solved.result.quantities.*film / solved.bare.*film;
+  }
   double bare(double FilmQuantities::*film) const { return scales.thickness * solved.bare.*film; }
 };
 
@@ -112,9 +119,9 @@ constexpr auto heat_members = std::to_array<Member<Coupled>>({
      [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::central_film); }},
     {"h_min_isothermal", "", "m", "smallest film without heat",
      [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::smallest_film); }},
-    {"thermal_factor", "", "-", "central film with heat over that without",
+    {"thermal_factor", "", "-", "central film, of rough surfaces mean gap, with heat over that without",
      [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::central_film); }},
-    {"thermal_factor_min", "", "-", "smallest film with heat over that without",
+    {"thermal_factor_min", "", "-", "the same of the smallest",
      [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::smallest_film); }},
     {"thermal_turns", "", "-", "turns of film and heat",
      [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
@@ -129,9 +136,9 @@ constexpr auto shear_members = std::to_array<Member<Coupled>>({
      [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::central_film); }},
     {"h_min_newtonian", "", "m", "smallest film of a Newtonian oil",
      [](const Coupled& of) -> Summary { return of.bare(&FilmQuantities::smallest_film); }},
-    {"shear_factor", "", "-", "central film over that of a Newtonian oil",
+    {"shear_factor", "", "-", "central film, of rough surfaces mean gap, over that of a Newtonian oil",
      [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::central_film); }},
-    {"shear_factor_min", "", "-", "smallest film over that of a Newtonian oil",
+    {"shear_factor_min", "", "-", "the same of the smallest",
      [](const Coupled& of) -> Summary { return of.factor(&FilmQuantities::smallest_film); }},
     {"shear_turns", "", "-", "turns of film and shear",
      [](const Coupled& of) -> Summary { return of.solved.coupled->turns; }},
@@ -149,8 +156,11 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
   summary["nx"] = grid.nx();
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
-  const QuantityInputs at{scales, position.contact, result.quantities, friction, problem.roughness};
-  const AvailableModels given = available_models(true, problem.traction, problem.roughness, scales.solids);
+  const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
+  const QuantityInputs at{scales,       position.contact, result.quantities, friction, problem.roughness,
+                          problem.wear, load_factor};
+  const AvailableModels given =
+      available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear);
   for (const auto& quantity : contact_quantities) {
     if (!given.has(quantity.needs)) continue;
     summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));

@@ -1,6 +1,7 @@
 #include "results/sweep_point.hpp"
 
 #include "orbits/described_dry_orbit.hpp"
+#include "results/friction_summary.hpp"
 #include "results/orbit_summary.hpp"
 
 namespace gearfilm {
@@ -26,6 +27,7 @@ Monodromy read_monodromy(const Summary& rows) {
 
 void add_orbit(const MeshModel& mesh, const DescribedOrbit& found, Summary& result) {
   result.update(orbit_summary(mesh, found));
+  add_efficiency(mesh, result);
   result["monodromy"] = monodromy_json(found.orbit.monodromy);
 }
 

@@ -37,13 +37,14 @@ std::vector<TableColumn> columns_of_point() {
 
 /// One row a point.
 void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& results) {
-  const AvailableModels given = available_models(!problem.dry(), problem.traction, problem.roughness,
-                                                 problem.scales.solids);
+  const AvailableModels given =
+      available_models(!problem.dry(), problem.traction, problem.roughness, problem.scales.solids, problem.wear);
   std::vector<TableColumn> columns = columns_of_point();
   for (const PeriodQuantity& quantity : period_quantities) {
     if (quantity.of_sweep() && given.has(quantity.needs))
       columns.push_back({std::string(quantity.name), std::string(quantity.unit.name)});
   }
+  if (given.friction) columns = joined(columns, {{"mean_friction_coefficient", "-"}, {"efficiency", "-"}});
   columns = joined(columns, orbit_columns());
   std::vector<double> rows;
   for (const Summary& point : results) {

@@ -1,7 +1,7 @@
 // Integrals over Gaussian heights, which laws of asperities are made of.
 //
 //   F_n(u) = (2 pi)^(-1/2) Int_u^inf (s - u)^n exp(-s^2/2) ds ,   F_n' = -n F_(n-1)
-// Source: Greenwood and Williamson, doi 10.1098/rspa.1966.0242 (the integrals; not read, checked against closed forms).
+// Their values agree with closed forms (parabolic cylinder functions).
 #pragma once
 
 namespace gearfilm {

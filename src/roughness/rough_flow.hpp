@@ -6,9 +6,10 @@
 //   pressure flow  phi_x = 1 - C e^(-r z), gamma <= 1;  1 + C z^(-r), gamma > 1;  phi_y(z, gamma) = phi_x(z, 1/gamma)
 //   shear flow     phi_s = (Rq_1/sigma)^2 Phi_s(z, gamma_1) - (Rq_2/sigma)^2 Phi_s(z, gamma_2)
 //                  Phi_s = A_1 z^a_1 exp(-a_2 z + a_3 z^2), z <= 5;  A_2 e^(-z/4) beyond
-// Source: Patir and Cheng, doi 10.1115/1.3453004 (1978) and 10.1115/1.3453329 (1979). Assumptions: constants from
-// memory; C and r linear in ln gamma within a branch, phi_x itself between gamma = 1/3 and 3; below the range of a
-// factor, or where phi_x falls to 0.1, C goes on as an exponential, with its own slope; at z <= 0 Phi_s is zero.
+// Source: Patir and Cheng 1978 and 1979 (J. Lubrication Technology 100, 12-17; 101, 220-230). Assumptions: constants
+// from memory, the papers were not read; C and r linear in ln gamma within a branch, phi_x itself between gamma = 1/3
+// and 3; below the range of a factor, or where phi_x falls to 0.1, C goes on as an exponential, with its own slope; at
+// z <= 0 Phi_s is zero.
 #pragma once
 
 #include <array>

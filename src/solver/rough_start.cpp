@@ -26,7 +26,8 @@ bool solve_from_dry_contact(StationaryNewton& newton, ContactFilm& film, const L
   FilmSolution dry = guess;
   if (!given) {
     const FilmQuantities smooth = film.quantities(guess.pressure, 0.0);
-    const double touching = rough.asperities().gap_under(first_share * film.scales().pressure * smooth.largest_pressure);
+    const double touching =
+        rough.asperities().gap_under(first_share * film.scales().pressure * smooth.largest_pressure);
     dry.H0 = sigma * touching - smooth.central_film - load.compliance(0, 0) * smooth.pressure_integral;
     if (!solve_dry(newton, film, load, dry)) return false;
   }

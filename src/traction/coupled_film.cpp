@@ -191,8 +191,9 @@ CoupledFilm solve_coupled(ContactFilm& film, const LoadCondition& load, const So
     way = std::min(1.0, 2.0 * way);
     present = std::move(moved);
     const FilmQuantities &last = found.film.quantities, &now = next->quantities;
-    found.change = std::max(relative_change(last.central_film, now.central_film),
-                            relative_change(last.smallest_film, now.smallest_film));
+    // Between rough surfaces the mean gap, which is positive.
+    found.change = std::max(relative_change(last.central_mean_gap, now.central_mean_gap),
+                            relative_change(last.smallest_mean_gap, now.smallest_mean_gap));
     found.newton += next->counts.newton;
     found.film = std::move(*next);
   }

@@ -6,6 +6,7 @@
 
 #include "gearfilm/error.hpp"
 #include "lubricant/independent_iterations.hpp"
+#include "traction/boundary_friction.hpp"
 #include "traction/film_energy_equation.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"
@@ -40,6 +41,10 @@ public:
         base_wheel_(rows()),
         gain_(static_cast<std::size_t>(rows()) * points()) {
     const std::size_t nodes = grid_.local_size();
+    contact_heat_ = boundary_stress(model, film);
+    for (std::size_t n = 0; n < contact_heat_.size(); ++n) {
+      contact_heat_[n] *= line_.velocities[n % line_.velocities.size()].sliding;
+    }
     for (const SurfaceVelocities& u : line_.velocities) {
       response_pinion_.push_back(surface_response(model.bodies[0], u.pinion()));
       response_wheel_.push_back(surface_response(model.bodies[1], u.wheel()));
@@ -123,6 +128,11 @@ private:
     for (int l = 0; l < FilmEnergyEquation::lanes; ++l) {
       const int j = std::min(first + l, solved_.end - 1);
       load_lane(l, j);
+      if (!contact_heat_.empty()) {
+        const double half = 0.5 * source_.own_weight() * contact_heat_[at(i, j)];
+        across_.base_pinion[l] += response_pinion_[j] * half;
+        across_.base_wheel[l] += response_wheel_[j] * half;
+      }
       if (own_) {
         load_own_flow(l, i, j);
       } else {
@@ -303,9 +313,10 @@ private:
   void store_lane(int l, int i, int j) {
     const std::size_t node = at(i, j);
     fields_.shear_stress[node] = std::copysign(across_.stress()[l], line_.velocities[j].sliding);
-    fields_.heat_flux_pinion[node] = across_.heat_pinion(l);
-    fields_.heat_flux_wheel[node] = across_.heat_wheel(l);
-    fields_.heat_generated[node] = across_.heat_generated()[l];
+    const double rubbed = contact_heat_.empty() ? 0.0 : contact_heat_[node];
+    fields_.heat_flux_pinion[node] = across_.heat_pinion(l) + 0.5 * rubbed;
+    fields_.heat_flux_wheel[node] = across_.heat_wheel(l) + 0.5 * rubbed;
+    fields_.heat_generated[node] = across_.heat_generated()[l] + rubbed;
     fields_.heat_carried[node] = across_.heat_carried()[l];
     if (across_.unconverged(l)) fields_.unconverged_nodes += 1.0;
     store_temperatures(i, j, across_.mean_temperature()[l], across_.largest_temperature()[l]);
@@ -365,7 +376,8 @@ private:
   std::vector<double> flow_;                      // rho/rho_0 times the mean flow of the last full node of every row
   std::vector<double> base_pinion_, base_wheel_;  // sums of moving_source.hpp
   std::vector<double> gain_;
-  int last_returning_ = 0;  // line where oil turns back
+  std::vector<double> contact_heat_;  // of asperities that rub [W/m^2]; empty between smooth surfaces
+  int last_returning_ = 0;            // line where oil turns back
   TractionFields fields_;
 };
 

@@ -28,7 +28,7 @@ struct TractionFields {
   std::vector<double> temperature_mean;  ///< over the film
   std::vector<double> temperature_mid;   ///< at z = h/2
   std::vector<double> temperature_max;   ///< across the film
-  std::vector<double> heat_flux_pinion;  ///< from the film [W/m^2]
+  std::vector<double> heat_flux_pinion;  ///< from film and asperities [W/m^2]
   std::vector<double> heat_flux_wheel;
   std::vector<double> heat_generated;   ///< in the film [W/m^2]
   std::vector<double> heat_carried;     ///< away by the oil [W/m^2]

@@ -48,7 +48,10 @@ void FilmLine::load(int i) {
   const Field<double>& P = film_.film_pressure();
   const bool rough = film_.state().rough.has_value(), inside = i > 0 && i < grid.nx() - 1;
   const double *here = P.row(i), *west = P.row(inside ? i - 1 : i), *east = P.row(inside ? i + 1 : i);
-  const double *H = film_.mean_gap().row(i), *full = film_.state().full_film.row(i), *rho = film_.state().density.row(i);
+  const double *H = film_.mean_gap().row(i),
+               *rho = film_.state().density.row(i);
+  // Dry nodes of rough surfaces have what Newton's method leaves.
+  const double least = rough ? 1e-6 : 0.0;
   const double by_x = scales.pressure / (2.0 * scales.length * grid.h_x());
   // h^3/(12 eta) = xi_R/rho lambda (a^2/R_x)^3/(12 eta_0)
   const double by_flow = scales.lambda * scales.thickness * scales.thickness * scales.pressure /
@@ -60,7 +63,7 @@ void FilmLine::load(int i) {
     thickness[j] = scales.thickness * H[j];
     density[j] = rho[j];
     gradient[j] = by_x * (east[j] - west[j]);
-    full_film[j] = here[j] > 0.0 && (!rough || full[j] > 0.0);
+    full_film[j] = here[j] > least;
   }
   const double ambient = std::log(scales.oil.viscosity);
   std::visit([&](auto viscosity) { set_viscosity(viscosity, ambient, pressure, log_viscosity); }, viscosity_);

@@ -8,6 +8,7 @@
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
 #include "parallel/agreement.hpp"
+#include "traction/boundary_friction.hpp"
 #include "traction/film_line.hpp"
 #include "traction/moving_source.hpp"
 #include "traction/sheared_flow.hpp"
@@ -45,24 +46,6 @@ std::vector<double> rolling_stress(const ContactFilm& film) {
                  *H = film.mean_gap().row(i);
     double* line = stress.data() + static_cast<std::size_t>(i) * grid.y_count();
     for (int j = 0; j < grid.y_count(); ++j) line[j] = scale * H[j] * (east[j] - west[j]);
-  }
-  return stress;
-}
-
-/// mu_b p_a with the sign of sliding [Pa], compact; empty between smooth surfaces.
-std::vector<double> boundary_stress(const TractionModel& model, const ContactFilm& film,
-                                    const std::vector<SurfaceVelocities>& velocities) {
-  if (!film.state().rough) return {};
-  constexpr double sharp = 1e3;  // of u_s/u_m
-  const Grid& grid = film.grid();
-  std::vector<double> stress(grid.local_size());
-  for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.y_count(); ++j) {
-      const double sign = std::tanh(sharp * velocities[j].sliding / velocities[j].mean);
-      stress[static_cast<std::size_t>(i) * grid.y_count() + j] =
-          model.boundary_coefficient * sign * film.scales().pressure *
-          asperity_pressure(*film.state().rough, film.total_pressure(), i, j);
-    }
   }
   return stress;
 }
@@ -122,7 +105,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   TractionQuantities& quantities = result.quantities;
 
   const std::vector<SurfaceVelocities> velocities = row_velocities(film);
-  const std::vector<double> of_asperities = boundary_stress(model, film, velocities);
+  const std::vector<double> of_asperities = boundary_stress(model, film);
   std::vector<double> all_stress = fields.shear_stress;
   for (std::size_t n = 0; n < of_asperities.size(); ++n) all_stress[n] += of_asperities[n];
   const std::vector<double> heat = sliding_heat(velocities, all_stress);
@@ -163,7 +146,9 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   put(oil, fields.heat_carried);
   put(generated, fields.heat_generated);
   std::vector<double> total = integrals(grid, values, sums);
-  for (double& integral : total) integral *= scales.length * scales.length;
+  // Of a line contact by unit length.
+  const double area = scales.solids.line ? scales.length : scales.length * scales.length;
+  for (double& integral : total) integral *= area;
 
   quantities.sliding_force = total[stress];
   quantities.rolling_force = total[rolling];
@@ -200,8 +185,8 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
 }  // namespace
 
 TractionQuantities with_powers_times(double factor, TractionQuantities quantities) {
-  for (double* power : {&quantities.power_sliding, &quantities.power_rolling, &quantities.power_boundary, &quantities.heat_pinion,
-                        &quantities.heat_wheel, &quantities.heat_oil}) {
+  for (double* power : {&quantities.power_sliding, &quantities.power_rolling, &quantities.power_boundary,
+                        &quantities.heat_pinion, &quantities.heat_wheel, &quantities.heat_oil}) {
     *power *= factor;
   }
   return quantities;

@@ -3,17 +3,16 @@
 //   t_1 = -(tau_m + h p_x/2),  t_2 = tau_m - h p_x/2          traction on pinion and wheel along +x
 //   F_s = Int Int tau_m,  F_r = Int Int h p_x/2,  F_1 = -F_s - F_r,  F_2 = F_s - F_r,  mu = F_s/F
 //   power lost = Int Int (u_s tau_m + u_m h p_x) = u_s F_s + 2 u_m F_r where all rows move alike
-// tau_m is zero where the film is cavitated. It has the sign of the sliding velocity, which is that of xi. Between rough
-// surfaces h is the mean gap, p in h p_x the pressure of the oil, and asperities add mu_b p_a to tau_m:
-//   F_s = Int Int (tau_m + mu_b p_a tanh(u_s/(u_m/1000))) ,  mu = mu_fluid + mu_boundary
-// with a continuous sign, so that nothing jumps at the pitch point.
+// tau_m is zero where the film is cavitated. It has the sign of the sliding velocity, which is that of xi. Between
+// rough surfaces h is the mean gap, p in h p_x the pressure of the oil, and asperities add their friction tau_b
+// (boundary_friction.hpp): F_s = Int Int (tau_m + tau_b).
 #pragma once
 
 #include "traction/film_heat.hpp"
 
 namespace gearfilm {
 
-/// SI.
+/// SI; forces, powers and heats of a line contact by unit length.
 struct TractionQuantities {
   double sliding_force = 0.0;  ///< F_s [N]
   double rolling_force = 0.0;  ///< F_r [N]
@@ -23,7 +22,7 @@ struct TractionQuantities {
   double boundary_force = 0.0;        ///< [N]
   double boundary_coefficient = 0.0;  ///< its part of mu
   double power_boundary = 0.0;        ///< [W]
-  double power_rolling = 0.0;  ///< 2 u_m F_r [W]
+  double power_rolling = 0.0;         ///< 2 u_m F_r [W]
   /// Largest rise of the surfaces' temperature if both had the same, all heat of sliding going into them [K].
   double flash = 0.0;
   // With heat only.

@@ -23,7 +23,7 @@ from gearfilm.report import BARE, main_figures, page, write_report  # noqa: E402
 
 COARSE = {"grid_nx": 65, "grid_ny": 33, "grid_y_half": 1.4}
 DRY = ["-model", "dry", "-dry_damping_ratio", 0.02]
-UNITS = {"m", "-", "Pa", "N", "W", "K", "m/s", "s"}
+UNITS = {"m", "-", "Pa", "N", "W", "K", "m/s", "s", "m^3/s"}
 OWN_WORDS = {"mesh_period", "nx"}       # of figures that mean more than one thing in the manual
 CHROMIUM = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync"]

@@ -30,6 +30,7 @@ KINDS = {
     "poincare": Kind("transient", "motion once a mesh period"),
     "static": Kind("static", "transmission error, load shares and mesh stiffness"),
     "friction": Kind("transient, periodic or steady", "friction coefficient, losses and temperatures"),
+    "mixed": Kind("sweep, periodic, transient or steady", "load, friction and wear of asperities; Stribeck curve"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
 }

@@ -1,0 +1,133 @@
+// Stationary films between rough surfaces: limits, derivatives, and the same film on any number of processes.
+#include <fstream>
+
+#include "placed_film.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// A contact with surfaces of so much roughness, as a part of a^2/R_x.
+FilmCase rough(FilmCase contact, double part, RoughOptions options = {}) {
+  const double one = part * contact.scales.thickness / std::sqrt(2.0);
+  if (options.roughness[0] == 0.0) options.roughness = {one, one};
+  contact.scales.solids.rough = std::make_shared<const RoughSurfaces>(options, contact.scales.solids.reduced_modulus);
+  return contact;
+}
+
+TEST(RoughFilm, of_vanishing_roughness_is_that_of_smooth_surfaces) {
+  const FilmCase smooth = moes_contact(200.0, 10.0, 0.5);
+  const SolverOptions exact{.newton = {.tolerance = 1e-11}};
+  const SolvedFilm expected(PETSC_COMM_WORLD, smooth, 65, 33, exact);
+  const FilmCase nearly = rough(smooth, 1e-12);
+  const Grid grid(PETSC_COMM_WORLD, nearly.shape(65, 33));
+  ContactFilm film(discretise(grid, nearly.scales), nearly.scales, exact.multigrid);
+  const auto found =
+      continue_stationary(film, LoadCondition::force(nearly.scales.static_force), exact, expected.result.solution);
+  EXPECT_NEAR(found.quantities.central_film / expected.result.quantities.central_film, 1.0, 1e-8);
+  EXPECT_NEAR(found.quantities.smallest_film / expected.result.quantities.smallest_film, 1.0, 1e-8);
+  EXPECT_EQ(found.quantities.asperity_integral, 0.0);
+}
+
+/// Flanks of different roughness and lay that slide on each other.
+struct SlidingFilm {
+  SlidingFilm() {
+    film.set_surfaces(surfaces_of(grid, contact.scales, {.sliding = 0.4}));
+    result = solve_stationary(film, LoadCondition::force(contact.scales.static_force), {});
+  }
+
+  FilmCase contact = [] {
+    const FilmCase smooth = moes_contact(200.0, 10.0, 0.5);
+    const double unit = smooth.scales.thickness;
+    return rough(smooth, 0.0, {.roughness = {0.05 * unit, 0.02 * unit}, .lay = {0.5, 2.0}});
+  }();
+  Grid grid{PETSC_COMM_WORLD, contact.shape(65, 33)};
+  ContactFilm film{discretise(grid, contact.scales), contact.scales, MultigridOptions{}};
+  StationaryResult result;
+};
+
+// Only changes of full nodes whose neighbours are full: the oil of dry ones has a kink where its pressure vanishes.
+TEST(RoughFilm, jacobian_passes_taylor_test) {
+  const SlidingFilm solved;
+  EXPECT_GT(solved.result.quantities.asperity_integral, 0.03 * solved.result.quantities.pressure_integral);
+  const Grid& grid = solved.grid;
+  ContactFilm film(solved.film.discretisation(), solved.contact.scales, {.precision = Precision::double_precision});
+  film.set_surfaces(solved.film.surfaces());
+  const std::vector<double>& pressure = solved.result.solution.pressure;
+  const double H0 = solved.result.solution.H0;
+  const std::size_t size = pressure.size();
+  std::vector<double> change(size, 0.0), slope(size), at_state(size);
+  film.residual(pressure, H0, {}, at_state);
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const double full = film.state().full_film.row(i)[j];
+      const std::size_t n = static_cast<std::size_t>(i) * grid.y_count() + j;
+      change[n] = full * 1e-2 * film.film_pressure().row(i)[j] * std::sin(2.3 * grid.x(i) + 0.9 * grid.y(j));
+    }
+  }
+  film.linearise(pressure, H0, {}, 0.0);
+  film.multiply(change, 0.0, slope);
+  // Where the oil is full well within the contact.
+  const auto counts = [&](int i, int j) {
+    return std::abs(grid.x(i)) < 0.7 && std::abs(grid.y(j)) < 0.7 * grid.shape().row_axis.half_width() / 3.0;
+  };
+  double before = 0.0;
+  for (const double step : {0.4, 0.2, 0.1}) {
+    std::vector<double> moved(pressure), remainder(size);
+    for (std::size_t n = 0; n < size; ++n) moved[n] += step * change[n];
+    film.residual(moved, H0, {}, remainder);
+    double sum = 0.0;
+    for (int i = 0; i < grid.nx(); ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        const std::size_t n = static_cast<std::size_t>(i) * grid.y_count() + j;
+        const double left = remainder[n] - at_state[n] - step * slope[n];
+        if (counts(i, j)) sum += left * left;
+      }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    if (before > 0.0) {
+      EXPECT_NEAR(std::log2(std::sqrt(before / sum)), 2.0, 0.1);
+    }
+    before = sum;
+  }
+}
+
+TEST(RoughFilm, is_the_same_on_any_number_of_processes) {
+  const SlidingFilm together;
+  static const SolvedFilm alone(PETSC_COMM_SELF, rough(moes_contact(200.0, 10.0, 0.5), 0.05), 65, 33);
+  const SolvedFilm shared(PETSC_COMM_WORLD, rough(moes_contact(200.0, 10.0, 0.5), 0.05), 65, 33);
+  EXPECT_NEAR(shared.result.quantities.central_film, alone.result.quantities.central_film, 1e-8);
+  EXPECT_NEAR(shared.result.quantities.asperity_integral, alone.result.quantities.asperity_integral, 1e-7);
+  EXPECT_TRUE(together.result.quantities.finite);
+}
+
+// A circular contact, W = 1e-6, hardness 0.01 E', sigma = 2e-5 R_x.
+TEST(RoughFilm, without_oil_is_the_dry_contact_of_rough_surfaces) {
+  constexpr double modulus = 2.26e11, radius = 0.01;
+  ContactSolids solids{.radius_x = radius, .radius_y = radius, .reduced_modulus = modulus};
+  const double one = 2e-5 * radius / std::sqrt(2.0);
+  RoughOptions options{.roughness = {one, one}};
+  options.asperities.hardness = 0.01 * modulus;
+  solids.rough = std::make_shared<const RoughSurfaces>(options, modulus);
+  const Scales scales = make_scales(solids, {.viscosity = 0.04, .pressure_viscosity = 2e-8},
+                                    {.load = 1e-6 * modulus * radius * radius, .entrainment_velocity = 0.5});
+  const FilmCase contact{scales, {-2.0, 2.0, 2.0}};
+  const Grid grid(PETSC_COMM_WORLD, contact.shape(97, 65));
+  ContactFilm film(discretise(grid, scales), scales, MultigridOptions{});
+  FilmSolution solution{std::vector<double>(grid.local_size()), 0.0};
+  hertz_pressure(grid, scales, dry_contact(scales, film.conditions(), scales.static_force), solution.pressure);
+  const double touching = scales.solids.rough->asperities().gap_under(0.9 * scales.pressure);
+  solution.H0 = touching * scales.solids.rough->sigma() / scales.thickness -
+                film.quantities(solution.pressure, 0.0).central_film;
+  film.set_without_oil(true);
+  StationaryNewton newton({&film}, {});
+  ASSERT_TRUE(newton.solve(LoadCondition::force(scales.static_force), solution));
+  EXPECT_LE(newton.counts().newton, 9);
+  const FilmQuantities found = newton.quantities().front();
+  const double expected =
+      nlohmann::json::parse(std::ifstream(std::string(GEARFILM_REFERENCE_DIR) + "/rough.json")).at("dry_circle");
+  EXPECT_NEAR(found.largest_pressure, expected, 0.002);
+  EXPECT_NEAR(found.asperity_integral / found.pressure_integral, 1.0, 1e-8);
+}
+
+}  // namespace
+}  // namespace gearfilm
