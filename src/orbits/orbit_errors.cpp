@@ -74,7 +74,7 @@ std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
 
 std::string LargestError::text() const {
   return worded(quantity, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
-                (of_static_force ? " of the static force" : ""));
+                scale);
 }
 
 FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,
@@ -110,11 +110,13 @@ std::optional<LargestError> largest_of(const std::vector<OrbitError>& errors, co
   for (const OrbitError& error : errors) {
     const std::optional<Estimate> bar = error.in_si(scales);
     if (!bar || !bar->extrapolated) continue;  // a spike's is no fault of this grid alone
-    double least = error.unit.in_si == units::static_force.in_si ? 1.0 : 0.0;
-    if (scales.solids.rough && error.unit.in_si == units::metre.in_si) least = scales.solids.rough->sigma();
+    const bool force = error.unit.in_si == units::static_force.in_si;
+    const bool rough = scales.solids.rough && error.unit.in_si == units::metre.in_si;
+    const double least = force ? 1.0 : rough ? scales.solids.rough->sigma() : 0.0;
     const double relative = Estimate{bar->value, bar->error, bar->extrapolated, least}.relative_error();
-    if (!largest || relative > largest->relative)
-      largest = LargestError{error.name, relative, std::abs(bar->value) < least};
+    if (largest && relative <= largest->relative) continue;
+    const bool by_scale = std::abs(bar->value) < least;
+    largest = LargestError{error.name, relative, !by_scale ? "" : force ? " of the static force" : " of the roughness"};
   }
   return largest;
 }
