@@ -50,7 +50,8 @@ struct FaceWeights {
 };
 
 /// Conductance of the face between node j of line `a` and node m of line `b`, from H_f and its derivatives by H.
-[[gnu::always_inline]] inline FaceConductance fitted_conductance(const StateLine& a, int j, const StateLine& b, int m,
+template <class Line>
+[[gnu::always_inline]] inline FaceConductance fitted_conductance(const Line& a, int j, const Line& b, int m,
                                                                  double film, const FaceWeights& weights) {
   const double h = film > 0.0 ? film : 0.0, rho = 0.5 * (a.rho[j] + b.rho[m]), square = h * h, cube = h * square;
   const LogarithmicMean phi = logarithmic_mean(a.phi[j], b.phi[m], a.f[j], b.f[m]);
@@ -63,8 +64,8 @@ struct FaceWeights {
           by_h * weights.node_1};
 }
 
-[[gnu::always_inline]] inline FaceConductance central_conductance(const StateLine& a, int j, const StateLine& b,
-                                                                  int m) {
+template <class Line>
+[[gnu::always_inline]] inline FaceConductance central_conductance(const Line& a, int j, const Line& b, int m) {
   return {0.5 * (a.conductance(j) + b.conductance(m)), 0.5 * a.conductance_by_pressure(j),
           0.5 * b.conductance_by_pressure(m),          0.0,
           0.5 * a.conductance_by_thickness(j),         0.5 * b.conductance_by_thickness(m)};
@@ -76,7 +77,7 @@ struct FaceFlow {
 };
 
 /// Through the faces between a line and the next one, over h_x.
-template <FilmDiscretisation discretisation>
+template <FilmDiscretisation discretisation, class Line = StateLine>
 class FlowAlongX {
 public:
   /// Through the faces behind line i.
@@ -125,18 +126,18 @@ private:
     if constexpr (discretisation == FilmDiscretisation::central) return central_conductance(here_, j, next_, j);
     const double film = film_.w * w_.g[j] + film_.node_0 * here_.g[j] + film_.node_1 * next_.g[j];
     return fitted_conductance(here_, j, next_, j, film,
-                              {film_.w * w_.g_H[j], film_.node_0 * here_.g_H[j], film_.node_1 * next_.g_H[j]});
+                              {film_.w * w_.g_by_H(j), film_.node_0 * here_.g_by_H(j), film_.node_1 * next_.g_by_H(j)});
   }
 
-  StateLine w_, here_, next_;
+  Line w_, here_, next_;
   FaceWeights film_, upwind_;
   double bend_, inverse_h_x_, inverse_h_x2_, carrying_;
 };
 
 /// Between node j of a line and node j + 1, without the distances of the rows; W is none. The line is one for flow
 /// across.
-template <FilmDiscretisation discretisation>
-[[gnu::always_inline]] inline FaceFlow flow_along_y(const StateLine& line, int j) {
+template <FilmDiscretisation discretisation, class Line>
+[[gnu::always_inline]] inline FaceFlow flow_along_y(const Line& line, int j) {
   const int m = j + 1;
   const auto flow = [&](const FaceConductance& xi, double A_0, double A_1) -> FaceFlow {
     const double difference = line.p[m] - line.p[j];
@@ -156,9 +157,26 @@ template <FilmDiscretisation discretisation>
   } else {
     const double A = 0.5 * (A_0 + A_1);
     FaceConductance xi = fitted_conductance(line, j, line, m, 0.5 * (line.g[j] + line.g[m]),
-                                            {0.0, 0.5 * line.g_H[j], 0.5 * line.g_H[m]});
+                                            {0.0, 0.5 * line.g_by_H(j), 0.5 * line.g_by_H(m)});
     xi.value *= A;
     return flow(xi, A, A);
+  }
+}
+
+/// Calls compute<discretisation, Line>() for the discretisation of an equation and the surfaces of a state.
+template <class Compute>
+void with_kinds(const ReynoldsEquation& equation, const FilmState& state, Compute compute) {
+  const auto of_surfaces = [&]<FilmDiscretisation discretisation>() {
+    if (state.rough) {
+      compute.template operator()<discretisation, LineOfState<true>>();
+    } else {
+      compute.template operator()<discretisation, LineOfState<false>>();
+    }
+  };
+  if (equation.discretisation == FilmDiscretisation::fitted) {
+    of_surfaces.template operator()<FilmDiscretisation::fitted>();
+  } else {
+    of_surfaces.template operator()<FilmDiscretisation::central>();
   }
 }
 

@@ -77,9 +77,11 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
 
 enum class FlowDirection : std::uint8_t { along, across };
 
-/// The fields of a state on one line of nodes, with their ghosts, for flow along the entrainment or across it.
-struct StateLine {
-  StateLine(const FilmState& state, int i, FlowDirection direction = FlowDirection::along)
+/// The fields of a state on one line of nodes, with their ghosts, for flow along the entrainment or across it. Loops
+/// over smooth surfaces that know it need not read what is 1 or 0 there.
+template <bool may_be_rough>
+struct LineOfState {
+  LineOfState(const FilmState& state, int i, FlowDirection direction = FlowDirection::along)
       : p(state.film_pressure().row(i)),
         h(state.mean_gap().row(i)),
         h_H(state.ones.data() + 1),
@@ -94,7 +96,7 @@ struct StateLine {
         f_p(state.log_fluidity_by_pressure.row(i)),
         entrained(state.entrained.row(i)),
         across(state.across ? state.across->row(i) : state.ones.data() + 1) {
-    if (!state.rough) return;
+    if (!may_be_rough || !state.rough) return;
     const RoughGap& gap = *state.rough;
     const bool along = direction == FlowDirection::along;
     h_H = gap.mean_by_gap.row(i);
@@ -104,23 +106,35 @@ struct StateLine {
     slid_H = gap.slid_by_gap.row(i);
   }
 
+  [[gnu::always_inline]] double h_by_H(int j) const { return may_be_rough ? h_H[j] : 1.0; }
+  [[gnu::always_inline]] double g_by_H(int j) const { return may_be_rough ? g_H[j] : 1.0; }
+  [[gnu::always_inline]] static double sliding_part(const double* factor, const double* flow, int j) {
+    return may_be_rough ? factor[j] * flow[j] : 0.0;
+  }
+
   /// m = rho [h (U + W) + slid], what the wedge carries, with its derivatives by P and H.
-  double carried(int j) const { return rho[j] * (h[j] * entrained[j] + slid[j]); }
-  double carried_by_pressure(int j) const { return rho_p[j] * (h[j] * entrained[j] + slid[j]); }
-  double carried_by_thickness(int j) const { return rho[j] * (h_H[j] * entrained[j] + slid_H[j]); }
+  [[gnu::always_inline]] double carried(int j) const {
+    return rho[j] * h[j] * entrained[j] + sliding_part(rho, slid, j);
+  }
+  [[gnu::always_inline]] double carried_by_pressure(int j) const {
+    return rho_p[j] * h[j] * entrained[j] + sliding_part(rho_p, slid, j);
+  }
+  [[gnu::always_inline]] double carried_by_thickness(int j) const {
+    return rho[j] * entrained[j] * h_by_H(j) + sliding_part(rho, slid_H, j);
+  }
   /// xi_R. A film H < 0 (met only inside an iteration) conducts nothing.
-  double conductance(int j) const {
+  [[gnu::always_inline]] double conductance(int j) const {
     const double film = g[j] > 0.0 ? g[j] : 0.0;
     return rho[j] * phi[j] * (film * film * film);
   }
   /// d xi_R/dP at constant H, and d xi_R/dH at constant P.
-  double conductance_by_pressure(int j) const {
+  [[gnu::always_inline]] double conductance_by_pressure(int j) const {
     const double film = g[j] > 0.0 ? g[j] : 0.0;
     return phi[j] * (film * film * film) * (rho_p[j] + rho[j] * f_p[j]);
   }
-  double conductance_by_thickness(int j) const {
+  [[gnu::always_inline]] double conductance_by_thickness(int j) const {
     const double film = g[j] > 0.0 ? g[j] : 0.0;
-    return 3.0 * rho[j] * phi[j] * (film * film) * g_H[j];
+    return 3.0 * rho[j] * phi[j] * (film * film) * g_by_H(j);
   }
 
   const double* p;              ///< of the oil
@@ -129,6 +143,8 @@ struct StateLine {
   const double *slid, *slid_H;  ///< what sliding carries beside the entrainment
   const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
 };
+
+using StateLine = LineOfState<true>;
 
 /// Oil properties of one contact in dimensionless form.
 class FilmProperties {

@@ -12,7 +12,7 @@ struct FaceDerivatives {
   explicit FaceDerivatives(int faces) : p_w(faces), p_0(faces), p_1(faces), h_w(faces), h_0(faces), h_1(faces) {}
 
   template <class FlowAt>
-  void find(int faces, FlowAt flow_at) {
+  [[gnu::always_inline]] void find(int faces, FlowAt flow_at) {
     double *by_p_w = p_w.data(), *by_p_0 = p_0.data(), *by_p_1 = p_1.data();
     double *by_h_w = h_w.data(), *by_h_0 = h_0.data(), *by_h_1 = h_1.data();
     GEARFILM_INDEPENDENT_ITERATIONS
@@ -32,7 +32,7 @@ struct FaceDerivatives {
 
 /// The rows of inner lines, one after the other; those of nodes that are not full have the scale d on their diagonal
 /// only.
-template <class Real, FilmDiscretisation discretisation>
+template <class Real, FilmDiscretisation discretisation, class Line>
 class LineRows {
 public:
   LineRows(const ReynoldsEquation& equation, const FilmState& state, ShiftOf<Real> shift)
@@ -49,8 +49,9 @@ public:
   void find(int i, FilmStencil<Real>& linear) {
     std::swap(west_, east_);
     find_along_x(i);
-    const StateLine line(state_, i), across(state_, i, FlowDirection::across);
-    across_.find(count_ + 1, [&](int j) { return flow_along_y<discretisation>(across, j - 1); });
+    const Line line(state_, i), across(state_, i, FlowDirection::across);
+    across_.find(
+        count_ + 1, [&](int j) __attribute__((always_inline)) { return flow_along_y<discretisation>(across, j - 1); });
     write<&FilmStencil<Real>::by_pressure>(
         i, {west_.p_w.data(), west_.p_0.data(), west_.p_1.data()},
         {east_.p_w.data(), east_.p_0.data(), east_.p_1.data()}, across_.p_0.data(), across_.p_1.data(),
@@ -59,7 +60,7 @@ public:
     write<&FilmStencil<Real>::by_thickness>(
         i, {west_.h_w.data(), west_.h_0.data(), west_.h_1.data()},
         {east_.h_w.data(), east_.h_0.data(), east_.h_1.data()}, across_.h_0.data(), across_.h_1.data(),
-        [&](int j) { return line.rho[j] * line.h_H[j]; }, none.data(), linear);
+        [&](int j) { return line.rho[j] * line.h_by_H(j); }, none.data(), linear);
   }
 
 private:
@@ -68,8 +69,9 @@ private:
   };
 
   void find_along_x(int i) {
-    const FlowAlongX<discretisation> flow(equation_, state_, i);
-    east_.find(count_, [&](int j) { return flow.at(j); });
+    const FlowAlongX<discretisation, Line> flow(equation_, state_, i);
+    east_.find(
+        count_, [&](int j) __attribute__((always_inline)) { return flow.at(j); });
   }
 
   /// V or W of line i; mass: the derivative of rho H, other: the diagonal of nodes that are not full.
@@ -143,12 +145,10 @@ void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const Film
   const ScopedEvent event(Kernel::linearise);
   const int last = equation.grid.nx() - 1;
   linearise_edge(state, 0, linear);
-  const auto inner_lines = [&](auto rows) {
+  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line>() {
+    LineRows<Real, discretisation, Line> rows(equation, state, shift);
     for (int i = 1; i < last; ++i) rows.find(i, linear);
-  };
-  equation.discretisation == FilmDiscretisation::fitted
-      ? inner_lines(LineRows<Real, FilmDiscretisation::fitted>(equation, state, shift))
-      : inner_lines(LineRows<Real, FilmDiscretisation::central>(equation, state, shift));
+  });
   linearise_edge(state, last, linear);
   if (state.rough) add_asperities(state, linear);
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double carrying_share = 0.2;  // c of face_flow.hpp
 
 /// What flows through the faces of one line's cells, from process to process the same.
-template <FilmDiscretisation discretisation>
+template <FilmDiscretisation discretisation, class Line>
 class CellFlows {
 public:
   CellFlows(const ReynoldsEquation& equation, const FilmState& state)
@@ -40,13 +40,13 @@ public:
 
 private:
   void find_along_x(int i) {
-    const FlowAlongX<discretisation> flow(equation_, state_, i);
+    const FlowAlongX<discretisation, Line> flow(equation_, state_, i);
     double* east = east_.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows_; ++j) east[j] = flow.at(j).value;
   }
   void find_along_y(int i) {
-    const StateLine line(state_, i, FlowDirection::across);
+    const Line line(state_, i, FlowDirection::across);
     double* face = across_.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j <= rows_; ++j) face[j] = flow_along_y<discretisation>(line, j - 1).value;
@@ -105,16 +105,16 @@ ReynoldsEquation::ReynoldsEquation(const Grid& on_grid, double C_h, FilmDiscreti
 namespace {
 
 /// R of the own inner nodes, with the scales of rows and the nodes that are full by themselves.
-template <FilmDiscretisation discretisation>
+template <FilmDiscretisation discretisation, class Line>
 void find_rows(const ReynoldsEquation& equation, std::span<const double> U, FilmState& state, const Squeeze& squeeze,
                std::span<double> residual) {
   const Grid& grid = equation.grid;
   const int rows = grid.y_count();
   const RowRange inner = grid.inner_rows();
-  CellFlows<discretisation> flows(equation, state);
+  CellFlows<discretisation, Line> flows(equation, state);
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
-    const StateLine line(state, i);
+    const Line line(state, i);
     double *full_film = state.full_film.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
     if (squeeze.rate.empty() || !interior) {
@@ -140,9 +140,9 @@ void find_rows(const ReynoldsEquation& equation, std::span<const double> U, Film
 void reynolds_residual(const ReynoldsEquation& equation, std::span<const double> entrainment, FilmState& state,
                        const Squeeze& squeeze, std::span<double> residual) {
   const ScopedEvent event(Kernel::residual);
-  equation.discretisation == FilmDiscretisation::fitted
-      ? find_rows<FilmDiscretisation::fitted>(equation, entrainment, state, squeeze, residual)
-      : find_rows<FilmDiscretisation::central>(equation, entrainment, state, squeeze, residual);
+  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line>() {
+    find_rows<discretisation, Line>(equation, entrainment, state, squeeze, residual);
+  });
   const Grid& grid = equation.grid;
   if (!state.without_oil) advance_fronts(grid, state, residual);
   for (int i = 0; i < grid.nx(); ++i) {
