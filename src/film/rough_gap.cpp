@@ -1,32 +1,37 @@
 #include "film/rough_gap.hpp"
 
+#include "parallel/events.hpp"
+
 namespace gearfilm {
 
-void evaluate(const Scales& scales, const Grid& grid, std::span<const double> sliding,
+void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std::span<const double> sliding,
               const Field<double>& total_pressure, const Field<double>& thickness, RoughGap& gap) {
+  const ScopedEvent event(Kernel::film_properties);
   const RoughSurfaces& rough = *scales.solids.rough;
-  const double sigma = rough.sigma() / scales.thickness, inverse = 1.0 / sigma;
-  const bool isotropic = rough.isotropic(), slides = rough.has_shear_flow();
+  const double sigma = rough.sigma() / scales.thickness, inverse = 1.0 / sigma, unit = 1.0 / scales.pressure;
   for (int i = 0; i < grid.nx(); ++i) {
     const double *P = total_pressure.row(i), *H = thickness.row(i);
+    double *P_f = gap.film_pressure.row(i), *slope = gap.asperity_slope.row(i), *mean = gap.mean.row(i),
+           *mean_H = gap.mean_by_gap.row(i), *along = gap.along.row(i), *along_H = gap.along_by_gap.row(i),
+           *across = gap.across.row(i), *across_H = gap.across_by_gap.row(i);
     for (int j = 0; j < grid.y_count(); ++j) {
-      const double z = inverse * H[j];
-      AsperityLaw::Value asperities{0.0, 0.0};
-      if (!grid.is_boundary(i, j)) asperities = rough.asperities()(z);
-      gap.film_pressure.row(i)[j] = P[j] - asperities.pressure / scales.pressure;
-      gap.asperity_slope.row(i)[j] = asperities.slope * inverse / scales.pressure;
-      const GapFunction mean = rough.mean_gap(z), along = rough.conducting_along(z);
-      const GapFunction across = isotropic ? along : rough.conducting_across(z);
-      gap.mean.row(i)[j] = sigma * mean.value;
-      gap.mean_by_gap.row(i)[j] = mean.slope;
-      gap.along.row(i)[j] = sigma * along.value;
-      gap.along_by_gap.row(i)[j] = along.slope;
-      gap.across.row(i)[j] = sigma * across.value;
-      gap.across_by_gap.row(i)[j] = across.slope;
-      if (!slides) continue;
-      const GapFunction shear = rough.shear_flow(z);
-      gap.slid.row(i)[j] = 0.5 * sliding[j] * sigma * shear.value;
-      gap.slid_by_gap.row(i)[j] = 0.5 * sliding[j] * shear.slope;
+      const GapTable::Values at = table(inverse * H[j]);
+      const double carries = grid.is_boundary(i, j) ? 0.0 : unit;
+      P_f[j] = P[j] - carries * at.pressure;
+      slope[j] = carries * inverse * at.pressure_slope;
+      mean[j] = sigma * at.mean.value;
+      mean_H[j] = at.mean.slope;
+      along[j] = sigma * at.along.value;
+      along_H[j] = at.along.slope;
+      across[j] = sigma * at.across.value;
+      across_H[j] = at.across.slope;
+    }
+    if (!rough.has_shear_flow()) continue;
+    double *slid = gap.slid.row(i), *slid_H = gap.slid_by_gap.row(i);
+    for (int j = 0; j < grid.y_count(); ++j) {
+      const GapFunction shear = rough.shear_flow(inverse * H[j]);
+      slid[j] = 0.5 * sliding[j] * sigma * shear.value;
+      slid_H[j] = 0.5 * sliding[j] * shear.slope;
     }
   }
 }

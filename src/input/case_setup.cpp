@@ -45,9 +45,14 @@ void require_moving_contacts(const CaseInput& problem, const std::string& comman
   const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
   if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
-  if (problem.march.motion == PairMotion::quasi_static && command != "periodic" && command != "sweep") {
-    problem.parameters.refuse("motion",
-                              "is quasi_static, but " + command + " is for pairs that swing; set it to dynamic");
+  // Of what is swept the mass means nothing to bodies in balance, and marches are about their swing.
+  const bool states_alone =
+      problem.sweep.kind == SweepKind::periodic && problem.sweep.parameter != "gear.equivalent_mass";
+  const bool in_balance_too = command == "periodic" || (command == "sweep" && states_alone);
+  if (problem.march.motion == PairMotion::quasi_static && !in_balance_too) {
+    problem.parameters.refuse("motion", "is quasi_static, but " + command +
+                                            (command == "sweep" ? " of marches or masses" : "") +
+                                            " is for pairs that swing; set it to dynamic");
   }
 }
 

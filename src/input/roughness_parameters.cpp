@@ -13,7 +13,7 @@ std::vector<Parameter> roughness_of_body_records(const std::string& subscript, c
 }
 
 std::vector<Parameter> lay_records() {
-  return {preset(1.0, number("lay", "gamma", "-", closed(1.0 / 9.0, 9.0),
+  return {preset(1.0, number("lay", "gamma", "-", closed(0.11, 9),
                              "correlation length of the roughness along the entrainment over that across it: below 1 "
                              "ground along the face, above 1 finished along the profile"))};
 }

@@ -49,6 +49,8 @@ struct Place {
 }  // namespace
 
 GapFunction gaussian_mean_gap(double z) {
+  constexpr double apart = 8.0;  // beyond it heights add less than round-off
+  if (z > apart) return {z, 1.0};
   const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
   const double distribution = 0.5 * std::erfc(-z / std::numbers::sqrt2);
   return {z * distribution + density, distribution};
@@ -85,7 +87,8 @@ ConductingGap::ConductingGap(double lay) {
 GapFunction ConductingGap::pressure_flow(double z) const {
   GapFunction flow{1.0, 0.0};
   for (const Term& term : terms_) {
-    if (term.factor == 0.0) continue;
+    constexpr double negligible = 36.0;  // exponent
+    if (term.factor == 0.0 || (!term.power && term.rate * z > negligible)) continue;
     const double part = term.factor * (term.power ? std::pow(z, -term.rate) : std::exp(-term.rate * z));
     flow.value += part;
     flow.slope -= part * (term.power ? term.rate / z : term.rate);
@@ -99,6 +102,7 @@ GapFunction ConductingGap::operator()(double z) const {
     return {value, exponent_ * value};
   }
   const GapFunction flow = pressure_flow(z);
+  if (flow.value == 1.0) return {z, 1.0};
   const double root = std::cbrt(flow.value);
   return {z * root, root + z * flow.slope / (3.0 * root * root)};
 }

@@ -25,7 +25,7 @@ struct GapFunction {
 /// h_T/sigma.
 GapFunction gaussian_mean_gap(double z);
 
-/// C^(1/3) for one lay in [1/9, 9].
+/// C^(1/3) for one lay, 0.11 to 9.
 class ConductingGap {
 public:
   explicit ConductingGap(double lay);
@@ -46,7 +46,7 @@ private:
   double first_ = 0.0, value_ = 0.0, exponent_ = 0.0;  ///< z_0, C^(1/3) there, its relative slope
 };
 
-/// Phi_s for one lay in [1/9, 9].
+/// Phi_s for one lay, 0.11 to 9.
 class ShearFlow {
 public:
   explicit ShearFlow(double lay);

@@ -17,7 +17,7 @@ enum class MeanGap : std::uint8_t {
 
 struct RoughOptions {
   std::array<double, 2> roughness{};    ///< Rq of both flanks [m]
-  std::array<double, 2> lay{1.0, 1.0};  ///< gamma of both, in [1/9, 9]
+  std::array<double, 2> lay{1.0, 1.0};  ///< gamma of both, 0.11 to 9
   AsperityOptions asperities{};
   MeanGap mean_gap = MeanGap::gaussian;
 };

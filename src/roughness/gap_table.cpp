@@ -1,0 +1,50 @@
+#include "roughness/gap_table.hpp"
+
+#include <cmath>
+
+namespace gearfilm {
+
+GapTable::GapTable(const RoughSurfaces& surfaces) : surfaces_(surfaces), isotropic_(surfaces.isotropic()) {
+  const int count = static_cast<int>(std::lround((last - first) / step)) + 1;
+  for (int k = 0; k < count; ++k) {
+    const double z = first + k * step;
+    const AsperityLaw::Value asperities = surfaces.asperities()(z);
+    const GapFunction mean = surfaces.mean_gap(z), along = surfaces.conducting_along(z),
+                      across = surfaces.conducting_across(z);
+    points_.push_back({{std::log(asperities.pressure), mean.value, std::log(along.value), std::log(across.value)},
+                       {step * asperities.slope / asperities.pressure, step * mean.slope,
+                        step * along.slope / along.value, step * across.slope / across.value}});
+  }
+}
+
+GapTable::Values GapTable::beyond(double z) const {
+  const GapFunction along = surfaces_.conducting_along(z);
+  if (z >= last) return {0.0, 0.0, {z, 1.0}, along, isotropic_ ? along : surfaces_.conducting_across(z)};
+  const AsperityLaw::Value asperities = surfaces_.asperities()(z);
+  return {asperities.pressure, asperities.slope, surfaces_.mean_gap(z), along,
+          isotropic_ ? along : surfaces_.conducting_across(z)};
+}
+
+GapTable::Values GapTable::operator()(double z) const {
+  if (!(z > first && z < last)) return beyond(z);
+  const double place = (z - first) * (1.0 / step);
+  const auto k = static_cast<std::size_t>(place);
+  const Point &a = points_[k], &b = points_[k + 1];
+  const double t = place - static_cast<double>(k), rest = 1.0 - t;
+  const double to_b = t * t * (3.0 - 2.0 * t), by_a = t * rest * rest, by_b = -t * t * rest;
+  const double slope_b = 6.0 * t * rest, slope_by_a = rest * (1.0 - 3.0 * t), slope_by_b = t * (3.0 * t - 2.0);
+  const auto interpolated = [&](Function f) -> GapFunction {
+    const double rise = b.value[f] - a.value[f];
+    return {a.value[f] + to_b * rise + by_a * a.rise[f] + by_b * b.rise[f],
+            (slope_b * rise + slope_by_a * a.rise[f] + slope_by_b * b.rise[f]) * (1.0 / step)};
+  };
+  const auto exponential = [](const GapFunction& logarithm) -> GapFunction {
+    const double value = std::exp(logarithm.value);
+    return {value, value * logarithm.slope};
+  };
+  const GapFunction pressure = exponential(interpolated(log_pressure)), along = exponential(interpolated(log_along));
+  return {pressure.value, pressure.slope, interpolated(mean_gap), along,
+          isotropic_ ? along : exponential(interpolated(log_across))};
+}
+
+}  // namespace gearfilm
