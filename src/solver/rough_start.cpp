@@ -1,7 +1,5 @@
 #include "solver/rough_start.hpp"
 
-#include <array>
-
 namespace gearfilm {
 namespace {
 
@@ -10,10 +8,15 @@ constexpr double first_share = 0.9;
 
 /// The dry contact, with P = P_a(H).
 bool solve_dry(StationaryNewton& newton, ContactFilm& film, const LoadCondition& load, FilmSolution& contact) {
-  film.set_without_oil(true);
-  const bool found = newton.solve(load, contact);
-  film.set_without_oil(false);
-  return found;
+  struct Drained {
+    explicit Drained(ContactFilm& of) : film(of) { film.set_without_oil(true); }
+    ~Drained() { film.set_without_oil(false); }
+    Drained(const Drained&) = delete;
+    Drained& operator=(const Drained&) = delete;
+    ContactFilm& film;
+  };
+  const Drained drained(film);
+  return newton.solve(load, contact);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(ContactQuantities, sliding_is_negative_before_the_pitch_point_and_positive_
 }
 
 TEST(ContactQuantities, film_comes_back_out_of_the_quantities) {
-  const FilmQuantities film{5.0, 0.3, 0.2, 1.1, 1.2, 1.15, true};
+  const FilmQuantities film{5.0, 0.3, 0.2, 1.1, 1.2, 1.15};
   const CaseInput problem = table3_case();
   const FilmQuantities again = film_quantities(contact_record(mesh_of(problem), 0, 0.0, film).quantities);
   EXPECT_EQ(again.pressure_integral, film.pressure_integral);
