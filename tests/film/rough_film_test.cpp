@@ -93,7 +93,7 @@ TEST(RoughFilm, jacobian_passes_taylor_test) {
 
 TEST(RoughFilm, is_the_same_on_any_number_of_processes) {
   const SlidingFilm together;
-  static const SolvedFilm alone(PETSC_COMM_SELF, rough(moes_contact(200.0, 10.0, 0.5), 0.05), 65, 33);
+  const SolvedFilm alone(PETSC_COMM_SELF, rough(moes_contact(200.0, 10.0, 0.5), 0.05), 65, 33);
   const SolvedFilm shared(PETSC_COMM_WORLD, rough(moes_contact(200.0, 10.0, 0.5), 0.05), 65, 33);
   EXPECT_NEAR(shared.result.quantities.central_film, alone.result.quantities.central_film, 1e-8);
   EXPECT_NEAR(shared.result.quantities.asperity_integral, alone.result.quantities.asperity_integral, 1e-7);
