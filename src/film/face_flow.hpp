@@ -126,7 +126,8 @@ private:
     if constexpr (discretisation == FilmDiscretisation::central) return central_conductance(here_, j, next_, j);
     const double film = film_.w * w_.g[j] + film_.node_0 * here_.g[j] + film_.node_1 * next_.g[j];
     return fitted_conductance(here_, j, next_, j, film,
-                              {film_.w * w_.g_by_H(j), film_.node_0 * here_.g_by_H(j), film_.node_1 * next_.g_by_H(j)});
+                              {film_.w * w_.conducting_slope(j), film_.node_0 * here_.conducting_slope(j),
+                               film_.node_1 * next_.conducting_slope(j)});
   }
 
   Line w_, here_, next_;
@@ -157,7 +158,7 @@ template <FilmDiscretisation discretisation, class Line>
   } else {
     const double A = 0.5 * (A_0 + A_1);
     FaceConductance xi = fitted_conductance(line, j, line, m, 0.5 * (line.g[j] + line.g[m]),
-                                            {0.0, 0.5 * line.g_by_H(j), 0.5 * line.g_by_H(m)});
+                                            {0.0, 0.5 * line.conducting_slope(j), 0.5 * line.conducting_slope(m)});
     xi.value *= A;
     return flow(xi, A, A);
   }

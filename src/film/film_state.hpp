@@ -106,8 +106,8 @@ struct LineOfState {
     slid_H = gap.slid_by_gap.row(i);
   }
 
-  [[gnu::always_inline]] double h_by_H(int j) const { return may_be_rough ? h_H[j] : 1.0; }
-  [[gnu::always_inline]] double g_by_H(int j) const { return may_be_rough ? g_H[j] : 1.0; }
+  [[gnu::always_inline]] double mean_slope(int j) const { return may_be_rough ? h_H[j] : 1.0; }
+  [[gnu::always_inline]] double conducting_slope(int j) const { return may_be_rough ? g_H[j] : 1.0; }
   [[gnu::always_inline]] static double sliding_part(const double* factor, const double* flow, int j) {
     return may_be_rough ? factor[j] * flow[j] : 0.0;
   }
@@ -120,7 +120,7 @@ struct LineOfState {
     return rho_p[j] * h[j] * entrained[j] + sliding_part(rho_p, slid, j);
   }
   [[gnu::always_inline]] double carried_by_thickness(int j) const {
-    return rho[j] * entrained[j] * h_by_H(j) + sliding_part(rho, slid_H, j);
+    return rho[j] * entrained[j] * mean_slope(j) + sliding_part(rho, slid_H, j);
   }
   /// xi_R. A film H < 0 (met only inside an iteration) conducts nothing.
   [[gnu::always_inline]] double conductance(int j) const {
@@ -134,7 +134,7 @@ struct LineOfState {
   }
   [[gnu::always_inline]] double conductance_by_thickness(int j) const {
     const double film = g[j] > 0.0 ? g[j] : 0.0;
-    return 3.0 * rho[j] * phi[j] * (film * film) * g_by_H(j);
+    return 3.0 * rho[j] * phi[j] * (film * film) * conducting_slope(j);
   }
 
   const double* p;              ///< of the oil

@@ -60,7 +60,7 @@ public:
     write<&FilmStencil<Real>::by_thickness>(
         i, {west_.h_w.data(), west_.h_0.data(), west_.h_1.data()},
         {east_.h_w.data(), east_.h_0.data(), east_.h_1.data()}, across_.h_0.data(), across_.h_1.data(),
-        [&](int j) { return line.rho[j] * line.h_by_H(j); }, none.data(), linear);
+        [&](int j) { return line.rho[j] * line.mean_slope(j); }, none.data(), linear);
   }
 
 private:

@@ -128,7 +128,8 @@ Records march_records() {
               "action whose share of the static force is prescribed, with inertia or without; the motion on dry Hertz "
               "contacts"),
        choice("motion", {"dynamic", "quasi_static"},
-              "of the model dynamic, for `transient`, `periodic` and `sweep`: bodies have inertia, or are in balance with the "
+              "of the model dynamic, for `transient`, `periodic` and `sweep`: bodies have inertia, or are in balance "
+              "with the "
               "forces of all contacts at every moment, which leaves out the swing after each entering contact; "
               "`periodic` chooses the latter where the pair would swing more than 40 times in a mesh period and "
               "no key needs the inertia"),

@@ -73,8 +73,7 @@ std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
 }  // namespace
 
 std::string LargestError::text() const {
-  return worded(quantity, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %",
-                scale);
+  return worded(quantity, " has an error of about ", std::fixed, std::setprecision(0), 100.0 * relative, " %", scale);
 }
 
 FoundOrbit find_orbit_with_errors(const OrbitProblem& problem, const SharedDiscretisation& films,

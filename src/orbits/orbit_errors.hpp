@@ -28,7 +28,7 @@ std::vector<OrbitError> errors_of(const FoundOrbit& found);
 /// The quantity that is known worst, of those that have a limit in sight.
 struct LargestError {
   std::string quantity;
-  double relative = 0.0;       ///< to its value; to a scale where that is larger, since it may vanish
+  double relative = 0.0;        ///< to its value; to a scale where that is larger, since it may vanish
   std::string_view scale = {};  ///< the static force of forces, the roughness of films between rough surfaces
 
   /// "h_min has an error of about 12 %".

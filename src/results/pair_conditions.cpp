@@ -25,8 +25,7 @@ constexpr auto condition_members = std::to_array<Member<PairConditions>>({
      Column::real},
     {"f_m", "f_m", "Hz", "mesh frequency",
      [](const PairConditions& at) -> Summary { return at.mesh.mesh_frequency_si(); }, Column::real},
-    {"f_n", "f_n", "Hz", "natural frequency of the dry pair",
-     frequency, Column::real},
+    {"f_n", "f_n", "Hz", "natural frequency of the dry pair", frequency, Column::real},
 });
 
 }  // namespace

@@ -48,8 +48,7 @@ void FilmLine::load(int i) {
   const Field<double>& P = film_.film_pressure();
   const bool rough = film_.state().rough.has_value(), inside = i > 0 && i < grid.nx() - 1;
   const double *here = P.row(i), *west = P.row(inside ? i - 1 : i), *east = P.row(inside ? i + 1 : i);
-  const double *H = film_.mean_gap().row(i),
-               *rho = film_.state().density.row(i);
+  const double *H = film_.mean_gap().row(i), *rho = film_.state().density.row(i);
   // Dry nodes of rough surfaces have what Newton's method leaves.
   const double least = rough ? 1e-6 : 0.0;
   const double by_x = scales.pressure / (2.0 * scales.length * grid.h_x());

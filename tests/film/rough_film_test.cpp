@@ -116,8 +116,8 @@ TEST(RoughFilm, without_oil_is_the_dry_contact_of_rough_surfaces) {
   FilmSolution solution{std::vector<double>(grid.local_size()), 0.0};
   hertz_pressure(grid, scales, dry_contact(scales, film.conditions(), scales.static_force), solution.pressure);
   const double touching = scales.solids.rough->asperities().gap_under(0.9 * scales.pressure);
-  solution.H0 = touching * scales.solids.rough->sigma() / scales.thickness -
-                film.quantities(solution.pressure, 0.0).central_film;
+  solution.H0 =
+      touching * scales.solids.rough->sigma() / scales.thickness - film.quantities(solution.pressure, 0.0).central_film;
   film.set_without_oil(true);
   StationaryNewton newton({&film}, {});
   ASSERT_TRUE(newton.solve(LoadCondition::force(scales.static_force), solution));
