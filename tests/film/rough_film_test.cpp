@@ -16,7 +16,8 @@ FilmCase rough(FilmCase contact, double part, RoughOptions options = {}) {
 
 TEST(RoughFilm, of_vanishing_roughness_is_that_of_smooth_surfaces) {
   const FilmCase smooth = moes_contact(200.0, 10.0, 0.5);
-  const SolverOptions exact{.newton = {.tolerance = 1e-11}};
+  SolverOptions exact;
+  exact.newton.tolerance = 1e-11;
   const SolvedFilm expected(PETSC_COMM_WORLD, smooth, 65, 33, exact);
   const FilmCase nearly = rough(smooth, 1e-12);
   const Grid grid(PETSC_COMM_WORLD, nearly.shape(65, 33));
