@@ -135,7 +135,7 @@ TEST(AsperityLaw, falls_everywhere_and_has_its_slope) {
             return GapFunction{std::log(law(at).pressure), law(at).slope / law(at).pressure};
           },
           z);
-      if (std::abs(z) < 12.0) EXPECT_NEAR(law.gap_under(value.pressure), z, 1e-9);
+      EXPECT_NEAR(law.gap_under(value.pressure), z, 1e-9);
     }
   }
 }
