@@ -28,7 +28,7 @@ struct MixedPrediction {
   bool valid = false;
 };
 
-/// Of solids whose roughness is given.
+/// Films and load share of an operation by the formulas; the roughness of the solids must be given.
 MixedPrediction masjedi_khonsari(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation);
 
 }  // namespace gearfilm

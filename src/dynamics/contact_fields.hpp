@@ -37,7 +37,7 @@ inline constexpr ContactField pressure{
 /// Film thickness: of snapshots only, since it follows from pressure and motion.
 inline constexpr ContactField thickness{
     .name = "film", .dataset = "H", .unit = units::metre, .meaning = "film thickness"};
-/// Of rough surfaces, in snapshots only.
+/// What oil and asperities carry between rough surfaces, and their mean gap: of snapshots, no part of a state.
 inline constexpr ContactField film_pressure{.name = "film_pressure",
                                             .dataset = "p_fluid",
                                             .unit = units::pascal,

@@ -33,10 +33,10 @@ inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) 
 double film_ratio(const QuantityInputs& at);
 /// Part of the force that asperities carry.
 double asperity_load_share(const QuantityInputs& at);
-/// Of the row where asperities carry most, by one passage of the contact [m].
+/// Depth that a flank loses by one passage of the contact, in the row where asperities carry most [m] (archard.hpp).
 double pinion_wear(const QuantityInputs& at);
 double wheel_wear(const QuantityInputs& at);
-/// [m^3/s].
+/// Volume that a flank loses by time [m^3/s].
 double pinion_wear_rate(const QuantityInputs& at);
 double wheel_wear_rate(const QuantityInputs& at);
 /// Largest pressure of the dry contact under the same force; zero without force.

@@ -85,7 +85,7 @@ public:
   /// these rows before and after it; false where there are none. Not collective.
   bool relax_overshot_nodes(std::span<double> change, std::span<const double> whole, std::span<const double> before,
                             std::span<const double> after) const;
-  /// Of rough surfaces: how far the gap of the state that was evaluated last is from that of the Jacobian where
+  /// How far the gap between rough surfaces of the state that was evaluated last is from that of the Jacobian where
   /// asperities may touch, over what their pressure lets it move in one iteration. Not collective.
   double gap_moved() const;
   /// dG/dH_0.

@@ -19,7 +19,7 @@ std::array<std::optional<double>, 2> read_root_mean_squares(const ParameterValue
   for (std::size_t k = 0; k < result.size(); ++k) {
     values.require_not_both(squares[k], means[k], "; delete one");
     if (values.has(squares[k])) result[k] = values.real(squares[k]);
-    // Of Gaussian heights.
+    // Rq = (pi/2)^(1/2) Ra holds for Gaussian heights.
     if (values.has(means[k])) result[k] = std::sqrt(0.5 * std::numbers::pi) * values.real(means[k]);
   }
   return result;

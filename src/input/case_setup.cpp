@@ -45,7 +45,7 @@ void require_moving_contacts(const CaseInput& problem, const std::string& comman
   const bool all = problem.march.model == MarchModel::dynamic || (dry_too && problem.dry());
   if (!all) refuse("model", dry_too ? "dynamic or dry" : "dynamic");
   if (problem.march.geometry == MeshGeometry::held) refuse("geometry", "moving");
-  // Of what is swept the mass means nothing to bodies in balance, and marches are about their swing.
+  // Bodies in balance do not feel their mass, and a sweep of marches follows their swing.
   const bool states_alone =
       problem.sweep.kind == SweepKind::periodic && problem.sweep.parameter != "gear.equivalent_mass";
   const bool in_balance_too = command == "periodic" || (command == "sweep" && states_alone);

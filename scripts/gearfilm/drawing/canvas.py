@@ -69,6 +69,19 @@ def read_table(results, name, columns):
     return table
 
 
+def of_last_period(results, rows):
+    """Of the rows of a history, those of the last whole period of a periodic state; of a march all."""
+    begin, end = (results["history"].attrs.get(name, limit)
+                  for name, limit in (("periodic_from", -numpy.inf), ("periodic_to", numpy.inf)))
+    rows = rows[(rows["T"] >= begin - 1e-9) & (rows["T"] <= end + 1e-9)]
+    return rows
+
+
+def by_contact(rows):
+    """One array a contact, of rows of the contacts' history."""
+    return [rows[rows["contact"] == number] for number in numpy.unique(rows["contact"])]
+
+
 def read_summary(folder, command):
     """The values in FOLDER/summary.json of `gearfilm <command>`."""
     path = folder / "summary.json"

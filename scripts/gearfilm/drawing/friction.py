@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy
 from matplotlib import pyplot
 
-from .canvas import BLUE, DARK, GREEN, VERMILLION, Foreign, add_grid, add_legend, open_results, read_table
+from .canvas import (BLUE, DARK, GREEN, VERMILLION, Foreign, add_grid, add_legend, by_contact, of_last_period,
+                     open_results, read_table)
 
 OF_FRICTION = {"contact", "T", "xi", "friction_coefficient", "power_sliding", "power_rolling"}
 OF_HEAT = ("film_temperature_max", "surface_temperature_pinion", "surface_temperature_wheel")
@@ -30,10 +31,7 @@ def read_contacts(results):
     if "friction_coefficient" not in rows.dtype.names:
         raise Foreign("it has no friction; give friction.law")
     read_table(results, "history/contacts", OF_FRICTION)
-    begin, end = (results["history"].attrs.get(name, limit)
-                  for name, limit in (("periodic_from", -numpy.inf), ("periodic_to", numpy.inf)))
-    rows = rows[(rows["T"] >= begin - 1e-9) & (rows["T"] <= end + 1e-9)]
-    return [rows[rows["contact"] == number] for number in numpy.unique(rows["contact"])]
+    return by_contact(of_last_period(results, rows))
 
 
 def read_profile(results, wanted):

@@ -7,7 +7,8 @@ a film at rest: pressures of oil and asperities, and the mean gap, along y = 0.
 import numpy
 from matplotlib import pyplot
 
-from .canvas import BLUE, DARK, GREEN, VERMILLION, Foreign, PlotError, add_grid, add_legend, open_results, read_table
+from .canvas import (BLUE, DARK, GREEN, VERMILLION, Foreign, PlotError, add_grid, add_legend, by_contact,
+                     of_last_period, open_results, read_table)
 from .diagrams import SPEED, varied_quantity
 
 LACK = "it has no asperities; give roughness.model"
@@ -45,11 +46,9 @@ def read_march(results):
     rows = read_table(results, "history/contacts", {"xi", "contact", "T", "force"})
     if "asperity_load_share" not in rows.dtype.names:
         raise Foreign(LACK)
-    begin, end = (results["history"].attrs.get(name, limit)
-                  for name, limit in (("periodic_from", -numpy.inf), ("periodic_to", numpy.inf)))
-    rows = rows[(rows["T"] >= begin - 1e-9) & (rows["T"] <= end + 1e-9)]
+    rows = of_last_period(results, rows)
     rows = rows[rows["force"] > LOADED * rows["force"].max()]
-    return [rows[rows["contact"] == number] for number in numpy.unique(rows["contact"])]
+    return by_contact(rows)
 
 
 def panels_of(names):
