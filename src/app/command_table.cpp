@@ -20,6 +20,7 @@
 #include "results/static_summary.hpp"
 #include "results/steady_result.hpp"
 #include "results/sweep_tables.hpp"
+#include "results/wear_result.hpp"
 
 namespace gearfilm {
 namespace {
@@ -44,10 +45,10 @@ std::string constants_markdown() {
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
          orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
-         StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
+         StaticLoad::markdown() + wear_markdown() + modes_markdown() + derived_markdown() + bench_markdown();
 }
 
-constexpr std::array<Command, 9> case_commands = {{
+constexpr std::array<Command, 10> case_commands = {{
     {"info", run_info, false, false, "derived quantities of a case, no field solve"},
     {"steady", run_steady, false, false, "stationary film of one contact"},
     {"static", run_static, false, false,
@@ -56,6 +57,7 @@ constexpr std::array<Command, 9> case_commands = {{
     {"periodic", run_periodic, true, false, "periodic state by shooting, with Floquet multipliers"},
     {"eigen", run_eigen, true, false, "natural frequencies and damping of the pair, dry and on its films"},
     {"sweep", run_sweep, true, true, "periodic states over a range of speeds, torques or masses"},
+    {"wear", run_wear, true, false, "flanks that wear over many revolutions, with their profiles"},
     {"continuation", run_continuation, true, false,
      "branches of periodic states through folds and flips, all bifurcations located"},
     {"bench", run_bench, false, true, "speed of the kernels, of stationary films and of a mesh period"},

@@ -20,6 +20,8 @@ void run_periodic(MPI_Comm comm, const CaseInput& given);
 void run_eigen(MPI_Comm comm, const CaseInput& given);
 /// Periodic states over a range of speeds, torques or masses.
 void run_sweep(MPI_Comm comm, const CaseInput& problem);
+/// Flanks that wear over many revolutions.
+void run_wear(MPI_Comm comm, const CaseInput& given);
 /// Branches of periodic states in speed, torque or mass.
 void run_continuation(MPI_Comm comm, const CaseInput& problem);
 /// The standard set of speed measurements.

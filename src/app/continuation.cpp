@@ -32,6 +32,7 @@ void check_continuation(const CaseInput& problem) {
                               "to yes");
   }
   require_one_pattern(problem, "continuation");
+  require_standing_heights(problem, "continuation");
   const ContinuationCase& given = problem.continuation;
   if (!given.from) {
     throw InputError("the case '" + problem.name +

@@ -121,6 +121,7 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   }
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);
+  require_standing_heights(given, "eigen");
   if (given.modes.of_orbit) require_one_pattern(given, "eigen");
   CaseInput problem = given;
   problem.numerics.solver.multigrid.precision =

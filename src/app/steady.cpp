@@ -98,6 +98,7 @@ void warn_of_unrest(MPI_Comm comm, const SolvedContact& solved) {
 }  // namespace
 
 void run_steady(MPI_Comm comm, const CaseInput& problem) {
+  require_standing_heights(problem, "steady");
   const SteadyPosition position = steady_position(problem);
   const WideningObserver notice = widening_notice(problem.scales, 1, heated_points(problem));
   const Grid grid(comm, steady_grid(comm, problem, position, notice));  // wrong ones are said before files are removed

@@ -152,7 +152,11 @@ double LubricatedPair::left_over(double T) const {
 }
 
 void LubricatedPair::place(double T) {
-  for (std::size_t k = 0; k < films_.size(); ++k) move_surfaces(*films_[k], mesh_.contact(numbers_[k], T).conditions);
+  for (std::size_t k = 0; k < films_.size(); ++k) {
+    ContactConditions conditions = mesh_.contact(numbers_[k], T).conditions;
+    conditions.texture.moves = true;
+    move_surfaces(*films_[k], conditions);
+  }
   const PairLoad load{mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T) - left_over(T)};
   BodyEquations bodies = fitted(equation_of_motion(load, films_.size()), fit_);
   ReverseFlankForce reverse_flanks;

@@ -32,13 +32,23 @@ std::optional<double> reduced(const std::optional<double>& kept, Reduction reduc
   }
 }
 
+/// Of a step; of contacts the sum.
+double value_in(const StepRecord& record, const PeriodQuantity& quantity) {
+  if (!quantity.of_contact) return step_quantities[quantity.source].value(record);
+  double sum = 0.0;
+  for (const ContactRecord& contact : record.contacts) sum += contact.quantities.values[quantity.source];
+  return sum;
+}
+
 }  // namespace
 
 void MarchStatistics::add(const StepRecord& record, const AvailableModels& given) {
   add_events(record);
   add_loss(record);
   if (record.dT > 0.0) add_to_period(record, given);
-  for (std::size_t n = 0; n < step_quantities.size(); ++n) last_[n] = step_quantities[n].value(record);
+  for (std::size_t n = 0; n < period_quantities.size(); ++n) {
+    if (period_quantities[n].reduction == Reduction::mean) last_[n] = value_in(record, period_quantities[n]);
+  }
 }
 
 void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t quantity, double value, double dT) {
@@ -94,12 +104,11 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
   PeriodQuantities& period = periods_[index];
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (quantity.of_contact || !given.has(quantity.needs)) continue;
-    const double value = step_quantities[quantity.source].value(record);
+    if (!given.has(quantity.needs)) continue;
     if (quantity.reduction == Reduction::mean) {
-      add_to_mean(period.values[n], quantity.source, value, record.dT);
-    } else {
-      period.values[n] = reduced(period.values[n], quantity.reduction, value);
+      add_to_mean(period.values[n], n, value_in(record, quantity), record.dT);
+    } else if (!quantity.of_contact) {
+      period.values[n] = reduced(period.values[n], quantity.reduction, value_in(record, quantity));
     }
   }
   elapsed_ += record.dT;
@@ -113,7 +122,7 @@ void MarchStatistics::add_contact(const ContactRecord& contact, const AvailableM
   if (moments.entered) entered_.reset();
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (!quantity.of_contact || !given.has(quantity.needs)) continue;
+    if (!quantity.of_contact || quantity.reduction == Reduction::mean || !given.has(quantity.needs)) continue;
     period.values[n] =
         reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }

@@ -7,6 +7,7 @@
 #include "contact/contact_law.hpp"
 #include "contact/scales.hpp"
 #include "gear/local_profile.hpp"
+#include "roughness/contact_texture.hpp"
 
 namespace gearfilm {
 
@@ -27,6 +28,7 @@ struct ContactConditions {
   double sliding = 0.0;          ///< S = (u_1 - u_2)/u_m* [-]
   double gap_offset = 0.0;       ///< added to H: tip relief, pitch error [-]
   LocalProfile local{};          ///< added to H along X
+  ContactTexture texture{};      ///< taken from H at every node
   NearestPoint nearest{};        ///< with it
 
   // What a dry contact takes it for.

@@ -49,6 +49,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
 
 void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
   surfaces_ = std::move(surfaces);
+  set_heights();
   set_entrained();
   shown_ = 0;
 }
@@ -59,6 +60,15 @@ void ContactFilm::set_flow_factors(FlowFactors factors) {
   if (flow_factors_.sheared) state_.across.emplace(grid_).load(flow_factors_.cross_flow);
   set_entrained();
   shown_ = 0;
+}
+
+void ContactFilm::set_heights() {
+  state_.heights.reset();
+  if (surfaces_.heights.empty()) return;
+  std::vector<double> carried = surfaces_.heights.mass;
+  const std::size_t rows = surfaces_.entrainment.size();
+  for (std::size_t n = 0; n < carried.size(); ++n) carried[n] *= surfaces_.entrainment[n % rows];
+  state_.heights.emplace(grid_).load(carried);
 }
 
 void ContactFilm::set_entrained() {
@@ -96,7 +106,19 @@ void ContactFilm::residual(std::span<const double> pressure, double H0, const Sq
                            StateVersion state_version) {
   evaluate(pressure, H0, state_version);
   at_linearised_ = false;
-  reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze, rows);
+  find_rows(squeeze, rows);
+}
+
+void ContactFilm::find_rows(const Squeeze& squeeze, std::span<double> rows) {
+  const std::vector<double>& transport = surfaces_.heights.transport;
+  if (transport.empty()) {
+    reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze, rows);
+    return;
+  }
+  std::vector<double> rate(transport.size(), 0.0);
+  std::ranges::copy(squeeze.rate, rate.begin());
+  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] -= transport[n];
+  reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, {rate, squeeze.shift}, rows);
 }
 
 void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<double> mass,
@@ -108,6 +130,7 @@ void ContactFilm::mass(std::span<const double> pressure, double H0, std::span<do
     double* line = mass.data() + static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) line[j] = density[j] * thickness[j];
   }
+  for (std::size_t n = 0; n < surfaces_.heights.mass.size(); ++n) mass[n] += surfaces_.heights.mass[n];
 }
 
 // In single precision the deformation has an error of 1e-7, which a short time step multiplies by its shift: beyond
@@ -128,8 +151,7 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                             StateVersion state_version, SmootherFactors factors) {
   evaluate(pressure, H0, state_version);
-  reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze,
-                    displacement_column_);  // for the full nodes
+  find_rows(squeeze, displacement_column_);  // for the full nodes
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, shift, factors);
   linearised_->displacement_column(displacement_column_);

@@ -62,7 +62,8 @@ public:
   /// rows = G at (pressure, H_0).
   void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
                 StateVersion state_version = 0);
-  /// mass = rho h, h the mean gap, between smooth surfaces H, at (pressure, H_0): what the time scheme differentiates.
+  /// mass = rho h, h the mean gap, between smooth surfaces H, at (pressure, H_0), with q of heights that travel: what
+  /// the time scheme differentiates.
   void mass(std::span<const double> pressure, double H0, std::span<double> mass, StateVersion state_version = 0);
 
   /// Makes the Jacobian at (pressure, H_0), with d(rate)/d(rho H) = shift, for the calls below. The squeeze term
@@ -105,6 +106,9 @@ private:
   /// Int Int P_a, and the largest Int P_a dX of own rows.
   double asperity_integral(double& largest_of_row) const;
   void set_entrained();
+  void set_heights();
+  /// G of the state that is shown.
+  void find_rows(const Squeeze& squeeze, std::span<double> rows);
 
   SharedDiscretisation discretisation_;
   const Grid& grid_;

@@ -5,6 +5,24 @@
 
 namespace gearfilm {
 
+namespace {
+
+/// Takes the heights of both flanks from the gap.
+void take_texture_off(const Grid& grid, const Scales& scales, const ContactTexture& texture, std::vector<double>& gap) {
+  const auto rows = static_cast<std::size_t>(grid.y_count());
+  std::vector<double> across(rows);
+  for (int j = 0; j < grid.y_count(); ++j)
+    across[static_cast<std::size_t>(j)] = texture.across(grid.y(j) * scales.length) / scales.thickness;
+  for (int i = 0; i < grid.nx(); ++i) {
+    const auto [pinion, wheel] = texture.along(grid.x(i) * scales.length);
+    const double along = (pinion.value + wheel.value) / scales.thickness;
+    double* line = gap.data() + static_cast<std::size_t>(i) * rows;
+    for (std::size_t j = 0; j < rows; ++j) line[j] -= along + across[j];
+  }
+}
+
+}  // namespace
+
 ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const ContactConditions& conditions) {
   const auto rows = static_cast<std::size_t>(grid.y_count());
   ContactSurfaces surfaces{.conditions = conditions,
@@ -22,6 +40,9 @@ ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const Contac
     for (int j = 0; j < grid.y_count(); ++j)
       line[j] += (*scales.solids.face)(grid.y(j) * scales.length) / scales.thickness;
   }
+  if (!conditions.texture.flanks) return surfaces;
+  take_texture_off(grid, scales, conditions.texture, surfaces.gap);
+  surfaces.heights = carried_heights(grid, scales, conditions);
   return surfaces;
 }
 
@@ -29,7 +50,11 @@ ContactSurfaces injected_surfaces(const Grid& fine_grid, const Grid& coarse_grid
   Field<double> gap(fine_grid), coarse_gap(coarse_grid);
   gap.load(fine.gap);
   inject(fine_grid, coarse_grid, gap, coarse_gap);
-  ContactSurfaces coarse{fine.conditions, std::vector<double>(coarse_grid.local_size()), {}, {}, fine.of_conditions};
+  ContactSurfaces coarse{.conditions = fine.conditions,
+                         .gap = std::vector<double>(coarse_grid.local_size()),
+                         .entrainment = {},
+                         .sliding = {},
+                         .of_conditions = fine.of_conditions};
   coarse_gap.store(coarse.gap);
   for (int J = 0; J < coarse_grid.y_count(); ++J) {
     const auto j = static_cast<std::size_t>(injected_row(fine_grid, coarse_grid, J));

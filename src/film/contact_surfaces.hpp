@@ -1,6 +1,6 @@
 // The two surfaces of a contact at one moment as its film sees them: values at the own nodes and rows of a grid.
 //
-//   E(X, Y) = offset + X^2/(2 Rbar) + D Y^2/2 + l(Y) + local(X)     the gap without H_0 and without deformation, of
+//   E(X, Y) = offset + X^2/(2 Rbar) + D Y^2/2 + l(Y) + local(X) - t(X, Y)     the gap without H_0 and deformation, of
 //   (24) U(Y), S(Y) = (u_1 + u_2)/(2 u_m*), (u_1 - u_2)/u_m*      velocities of both surfaces along X
 // Source: doi 10.1016/j.triboint.2013.01.017. Films, friction and heat read these and know nothing else of what the
 // surfaces belong to. The difference of the velocities is given beside their mean, for in theirs it would be lost in
@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "film/carried_heights.hpp"
 #include "film/contact_conditions.hpp"
 #include "grid/grid.hpp"
 
@@ -21,6 +22,7 @@ struct ContactSurfaces {
   std::vector<double> gap;          ///< E [-], compact: [nx][own rows]
   std::vector<double> entrainment;  ///< U of every own row [-]
   std::vector<double> sliding;      ///< S of every own row [-]
+  CarriedHeights heights{};         ///< of flanks whose heights travel
   bool of_conditions = false;       ///< they are those of the conditions and have nothing besides
 };
 

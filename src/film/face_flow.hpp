@@ -168,7 +168,7 @@ template <FilmDiscretisation discretisation, class Line>
 template <class Compute>
 void with_kinds(const ReynoldsEquation& equation, const FilmState& state, Compute compute) {
   const auto of_surfaces = [&]<FilmDiscretisation discretisation>() {
-    if (state.rough) {
+    if (state.rough || state.heights) {
       compute.template operator()<discretisation, LineOfState<true>>();
     } else {
       compute.template operator()<discretisation, LineOfState<false>>();

@@ -57,6 +57,8 @@ struct FilmState {
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
   std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
                                            ///< it is 1 everywhere
+  std::optional<Field<double>> heights{};  ///< q U, which the wedge carries of flanks whose heights travel
+                                           ///< (carried_heights.hpp); absent on all processes where none do
   std::optional<RoughGap> rough{};         ///< of rough surfaces, on all processes
   bool without_oil = false;                ///< all nodes are dry
   std::vector<double> ones;                ///< of a line with its ghosts, for what is 1 everywhere
@@ -95,6 +97,7 @@ struct LineOfState {
         f(state.log_fluidity.row(i)),
         f_p(state.log_fluidity_by_pressure.row(i)),
         entrained(state.entrained.row(i)),
+        heights(state.heights ? state.heights->row(i) : state.zeros.data() + 1),
         across(state.across ? state.across->row(i) : state.ones.data() + 1) {
     if (!may_be_rough || !state.rough) return;
     const RoughGap& gap = *state.rough;
@@ -112,9 +115,9 @@ struct LineOfState {
     return may_be_rough ? factor[j] * flow[j] : 0.0;
   }
 
-  /// m = rho [h (U + W) + slid], what the wedge carries, with its derivatives by P and H.
+  /// m = rho [h (U + W) + slid] + q U, what the wedge carries, with its derivatives by P and H.
   [[gnu::always_inline]] double carried(int j) const {
-    return rho[j] * h[j] * entrained[j] + sliding_part(rho, slid, j);
+    return rho[j] * h[j] * entrained[j] + sliding_part(rho, slid, j) + (may_be_rough ? heights[j] : 0.0);
   }
   [[gnu::always_inline]] double carried_by_pressure(int j) const {
     return rho_p[j] * h[j] * entrained[j] + sliding_part(rho_p, slid, j);
@@ -141,7 +144,7 @@ struct LineOfState {
   const double *h, *h_H;        ///< gap that the oil fills, and its derivative by H
   const double *g, *g_H;        ///< conducting gap
   const double *slid, *slid_H;  ///< what sliding carries beside the entrainment
-  const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *across;
+  const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *heights, *across;
 };
 
 using StateLine = LineOfState<true>;

@@ -22,7 +22,7 @@ double relief(const Relief& of, double into) {
 }
 
 /// Slopes of a monotone cubic (Fritsch and Carlson): harmonic means where the secants have one sign, else zero.
-std::vector<double> monotone_slopes(const std::vector<std::pair<double, double>>& points) {
+std::vector<double> monotone_slopes(const FlankCurve& points) {
   std::vector<double> slopes(points.size(), 0.0);
   const auto step = [&](std::size_t n) { return points[n + 1].first - points[n].first; };
   const auto secant = [&](std::size_t n) { return (points[n + 1].second - points[n].second) / step(n); };
@@ -35,7 +35,7 @@ std::vector<double> monotone_slopes(const std::vector<std::pair<double, double>>
   return slopes;
 }
 
-double cubic(const std::vector<std::pair<double, double>>& points, const std::vector<double>& slopes, double at) {
+double cubic(const FlankCurve& points, const std::vector<double>& slopes, double at) {
   if (at <= points.front().first) return points.front().second;
   if (at >= points.back().first) return points.back().second;
   const auto above = std::ranges::upper_bound(points, at, {}, &std::pair<double, double>::first);
@@ -49,11 +49,13 @@ double cubic(const std::vector<std::pair<double, double>>& points, const std::ve
 }  // namespace
 
 Flank::Flank(FlankModification modification, double start, double tip)
-    : modification_(std::move(modification)), start_(start), tip_(tip), slopes_(monotone_slopes(modification_.table)) {}
+    : modification_(std::move(modification)), start_(start), tip_(tip) {
+  for (const FlankCurve& curve : modification_.curves) slopes_.push_back(monotone_slopes(curve));
+}
 
 bool Flank::perfect() const {
   const FlankModification& m = modification_;
-  return m.tip.amount == 0.0 && m.root.amount == 0.0 && m.slope == 0.0 && m.crowning == 0.0 && m.table.empty();
+  return m.tip.amount == 0.0 && m.root.amount == 0.0 && m.slope == 0.0 && m.crowning == 0.0 && m.curves.empty();
 }
 
 double Flank::removed(double rho) const {
@@ -62,7 +64,7 @@ double Flank::removed(double rho) const {
   const double v = (rho - start_) / (tip_ - start_);
   sum += m.slope * v;
   if (m.crowning != 0.0) sum += m.crowning * (2.0 * v - 1.0) * (2.0 * v - 1.0);
-  if (!m.table.empty()) sum += cubic(m.table, slopes_, rho);
+  for (std::size_t n = 0; n < m.curves.size(); ++n) sum += cubic(m.curves[n], slopes_[n], rho);
   return sum;
 }
 

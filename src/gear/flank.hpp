@@ -1,4 +1,4 @@
-// What a flank lacks of the perfect involute: tip and root relief, slope and crowning of the profile, a measured table.
+// What a flank lacks of the perfect involute: tip and root relief, slope and crowning of the profile, measured curves.
 //
 // Measured along the line of action, positive where material is removed, as a function of the flank's radius of
 // curvature rho (the roll length):
@@ -21,12 +21,15 @@ struct Relief {
   ReliefShape shape = ReliefShape::parabolic;
 };
 
+using FlankCurve = std::vector<std::pair<double, double>>;
+
 struct FlankModification {
   Relief tip;
   Relief root;
-  double slope = 0.0;                            ///< f [m]
-  double crowning = 0.0;                         ///< C of the profile [m]
-  std::vector<std::pair<double, double>> table;  ///< rho and material removed [m], ascending in rho; may be empty
+  double slope = 0.0;     ///< f [m]
+  double crowning = 0.0;  ///< C of the profile [m]
+  /// Measured or worn: rho and material removed [m], ascending in rho; their sum counts.
+  std::vector<FlankCurve> curves{};
 };
 
 class Flank {
@@ -43,7 +46,7 @@ private:
   FlankModification modification_;
   double start_ = 0.0;
   double tip_ = 0.0;
-  std::vector<double> slopes_;  ///< of the table's curve at its points
+  std::vector<std::vector<double>> slopes_;  ///< of the curves at their points
 };
 
 }  // namespace gearfilm

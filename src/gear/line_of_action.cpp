@@ -161,6 +161,11 @@ double LineOfAction::radius_wheel(double xi) const {
   return base_radius_wheel_ * std::tan(working_pressure_angle_) - xi;
 }
 
+std::array<double, 2> LineOfAction::involute_lengths(double xi) const {
+  const double pinion = radius_pinion(xi), wheel = radius_wheel(xi);
+  return {0.5 * pinion * pinion / base_radius_pinion_, 0.5 * wheel * wheel / base_radius_wheel_};
+}
+
 double LineOfAction::radius_x(double xi) const {
   const double pinion = radius_pinion(xi);
   const double wheel = radius_wheel(xi);

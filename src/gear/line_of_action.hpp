@@ -33,6 +33,8 @@ public:
   double radius_pinion(double xi) const;
   double radius_wheel(double xi) const;
   double radius_x(double xi) const;
+  /// Lengths of both involutes from their base circles to the contact, rho_i^2/(2 R_bi) [m].
+  std::array<double, 2> involute_lengths(double xi) const;
   /// Reduced radius across the face from both crownings, R_y [m]; infinity for uncrowned gears.
   /// The smallest and the largest R_x on the path of contact over that of the pitch point.
   std::array<double, 2> relative_radii() const;

@@ -17,6 +17,7 @@
 #include "input/case_roughness.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_teeth.hpp"
+#include "input/case_topography.hpp"
 #include "input/case_traction.hpp"
 #include "input/point_table.hpp"
 #include "mesh/static_mesh.hpp"
@@ -84,12 +85,13 @@ struct ReferenceContact {
   ContactOperation operation;
 };
 
-ReferenceContact set_gear_pair(CaseInput& result) {
+ReferenceContact set_gear_pair(CaseInput& result, const WornFlanks& worn) {
   const ParameterValues& values = result.parameters;
   result.pair.gears = read_gear_pair(values);
   result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
   in_file_of(values, [&] { check_tooth_space(*result.pair.gears, *result.pair.line); });
-  result.pair.teeth = in_file_of(values, [&] { return read_teeth(values, *result.pair.gears, *result.pair.line); });
+  result.pair.teeth =
+      in_file_of(values, [&] { return read_teeth(values, *result.pair.gears, *result.pair.line, worn); });
   result.pair.pinion_speed = values.real("pinion.speed_rpm") * 2.0 * pi / 60.0;
   result.pair.torque = values.real("pinion.torque");
   result.pair.tooth_force = result.pair.torque / result.pair.line->base_radius_pinion();
@@ -348,14 +350,20 @@ std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
 
 }  // namespace
 
-CaseInput make_case(const ParameterValues& values) {
+CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   CaseInput result;
   result.parameters = values;
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
-  ReferenceContact reference = result.kind == CaseKind::gear_pair ? set_gear_pair(result) : read_bare_contact(values);
-  reference.solids.rough = read_rough_surfaces(values, reference.solids.reduced_modulus);
+  ReferenceContact reference =
+      result.kind == CaseKind::gear_pair ? set_gear_pair(result, worn) : read_bare_contact(values);
+  FlankTopography topography = in_file_of(
+      values, [&] { return read_topography(values, result.pair.line, reference.solids, oil, reference.operation); });
+  result.pair.topography = topography.flanks;
+  result.pair.shortest_waves = {topography.shortest_along, topography.shortest_across};
+  topography.roughness_ratio = worn.roughness_ratio;
+  reference.solids.rough = read_rough_surfaces(values, topography, reference.solids.reduced_modulus);
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
@@ -364,8 +372,9 @@ CaseInput make_case(const ParameterValues& values) {
   });
   result.traction = read_traction(values);
   result.thermal_oil = read_thermal_oil(values);
-  result.roughness = read_roughness(values);
+  result.roughness = read_roughness(values, topography);
   result.wear = read_wear(values);
+  if (result.wear && result.kind == CaseKind::gear_pair) result.wearing = read_wearing(values, result.roughness);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

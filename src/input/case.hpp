@@ -3,7 +3,10 @@
 
 #include <petscsys.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +19,7 @@
 #include "input/continuation_options.hpp"
 #include "input/parameter_values.hpp"
 #include "input/sweep_options.hpp"
+#include "input/worn_flanks.hpp"
 #include "mesh/prescribed_load.hpp"
 #include "orbits/dry_modes.hpp"
 #include "orbits/orbit_search.hpp"
@@ -34,6 +38,8 @@ struct PairCase {
   std::optional<SpurGearPair> gears;  ///< absent for a bare contact
   std::optional<LineOfAction> line;
   Teeth teeth;
+  std::shared_ptr<const std::array<Topography, 2>> topography;  ///< heights that films follow; none: smooth
+  std::array<double, 2> shortest_waves{HUGE_VAL, HUGE_VAL};     ///< of them, along the flank and across [m]
   double stiffness = 0.0;                 ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
   double pinion_speed = 0.0;              ///< Omega_1 [rad/s]
   double torque = 0.0;                    ///< T_g1 on the pinion [N m]
@@ -85,6 +91,15 @@ struct ModesCase {
   int orbit_periods = 0;  ///< mesh periods for them
 };
 
+/// Flanks that wear over many revolutions.
+struct WearCase {
+  std::optional<double> cycles;           ///< revolutions of the pinion
+  double largest_step = 0.0;              ///< depth over the roughness, from one profile to the next
+  int points = 0;                         ///< places along a flank
+  std::optional<double> final_roughness;  ///< of both flanks together, run in [m]
+  std::optional<double> running_in_work;  ///< of asperities on the area of a flank, in which it runs in [J/m^2]
+};
+
 /// How a run is conducted; no part of its results.
 struct RunCase {
   bool restart = false;              ///< go on where the run stopped
@@ -111,6 +126,7 @@ struct CaseInput {
   SweepOptions sweep;
   ContinuationCase continuation;
   ModesCase modes;
+  WearCase wearing;
   RunCase run;
   ParameterValues parameters;  ///< what was read; parameters.echo() goes into the results
 
@@ -119,7 +135,7 @@ struct CaseInput {
 
 /// Builds the case from a complete set of values. Throws InputError for values that do not fit together: a pair that
 /// cannot mesh, masses or moduli given twice or by half, a position off the path of contact.
-CaseInput make_case(const ParameterValues& values);
+CaseInput make_case(const ParameterValues& values, const WornFlanks& worn = {});
 
 /// Reads a case file under the present command line. Collective; throws InputError on all ranks alike.
 CaseInput read_case(MPI_Comm comm, const std::string& file);

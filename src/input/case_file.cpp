@@ -154,6 +154,7 @@ void attach_tables(MPI_Comm comm, ParameterValues& values) {
   attach("gear.compliance_file", "gear.tooth_compliance");
   for (const std::string gear : {"pinion", "wheel"}) {
     attach(gear + ".profile_file", "");
+    attach(gear + ".surface", "");
     attach(gear + ".lead_file", "");
     attach(gear + ".pitch_errors_file", "");
   }

@@ -9,6 +9,7 @@
 #include "gearfilm/error.hpp"
 #include "input/case_face.hpp"
 #include "mesh/natural_frequency.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
@@ -50,10 +51,36 @@ Steps steps_on_path(const CaseInput& problem, double accuracy) {
   return steps;
 }
 
+const Tuned<double> nodes_in_wave("grid_nodes_in_wave", 30.0,
+                                  "nodes in the shortest wave of the flanks, and time steps in which it passes");
+
+/// The longest steps by which waves of the flanks are resolved, along X and Y.
+Steps steps_by_waves(const CaseInput& problem) {
+  const auto [along, across] = problem.pair.shortest_waves;
+  return {along / (nodes_in_wave * problem.scales.hertz.a), across / (nodes_in_wave * problem.scales.hertz.b)};
+}
+
+void require_resolved_waves(const CaseInput& problem) {
+  const Steps longest = steps_by_waves(problem);
+  const auto require = [&](const std::string& name, int nodes, double length, double step) {
+    const int needed = step < HUGE_VAL ? nodes_along(length, step) : 0;
+    if (nodes >= needed) return;
+    problem.parameters.refuse(
+        problem.parameters.has(name) ? name : "roughness.model",
+        worded("needs ", needed, " nodes where ", nodes, " are given or possible: ", nodes_in_wave,
+               " in the shortest wave of the flanks; give longer waves, a longer roughness.cutoff, or more nodes"));
+  };
+  const Domain& domain = problem.numerics.domain;
+  require("grid.nx", problem.numerics.nx, domain.x_max - domain.x_min, longest.x);
+  if (!problem.numerics.face_rows) require("grid.ny", problem.numerics.ny, 2.0 * domain.y_half, longest.y);
+}
+
 void set_nodes(CaseInput& result) {
   const ParameterValues& values = result.parameters;
   const Domain& domain = result.numerics.domain;
-  const Steps steps = steps_on_path(result, values.real("grid.accuracy"));
+  Steps steps = steps_on_path(result, values.real("grid.accuracy"));
+  const Steps by_waves = steps_by_waves(result);
+  steps = {std::min(steps.x, by_waves.x), std::min(steps.y, by_waves.y)};
   const auto nodes = [&](const std::string& name, int chosen) {
     return values.has(name) ? values.integer(name) : std::min(chosen, most_nodes);
   };
@@ -62,6 +89,7 @@ void set_nodes(CaseInput& result) {
   if (result.scales.solids.line || result.numerics.face_rows) {
     result.numerics.ny = grid_shape(result.numerics, result.scales).ny();
   }
+  require_resolved_waves(result);
 }
 
 // Under more force the ellipse comes nearer to the inlet, but needs no longer one: half of what is there at first
@@ -104,6 +132,20 @@ MultigridOptions read_multigrid_options(const ParameterValues& values) {
           .coarse_sweeps = values.integer("solver.coarse_sweeps"),
           .precision =
               values.text("solver.precision") == "double" ? Precision::double_precision : Precision::single_precision};
+}
+
+/// The longest step in which no flank moves by more than a part of its shortest wave.
+double time_step_by_waves(const CaseInput& problem) {
+  const double shortest = problem.pair.shortest_waves[0];
+  if (!(shortest < HUGE_VAL)) return HUGE_VAL;
+  const LineOfAction& line = *problem.pair.line;
+  double fastest = 0.0;
+  for (const double xi : {line.entry(), line.exit()}) {
+    const double mean = line.entrainment_velocity(xi, problem.pair.pinion_speed);
+    const double sliding = line.sliding_velocity(xi, problem.pair.pinion_speed);
+    fastest = std::max(fastest, mean + 0.5 * std::abs(sliding));
+  }
+  return shortest / (nodes_in_wave * fastest * largest_speed_ratio(problem.parameters) * problem.scales.time);
 }
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
@@ -166,13 +208,18 @@ void set_film_numerics(CaseInput& result) {
 
 void set_time_steps(CaseInput& result) {
   const ParameterValues& values = result.parameters;
-  result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : time_step(result),
+  const double by_waves = time_step_by_waves(result);
+  if (values.has("time.dt") && values.real("time.dt") > by_waves)
+    values.refuse("time.dt", "is " + format_value(values.real("time.dt")) +
+                                 ", in which the shortest wave of the flanks is not resolved; give at most " +
+                                 format_value(by_waves));
+  result.numerics.steps = {.dT = values.has("time.dt") ? values.real("time.dt") : std::min(time_step(result), by_waves),
                            .newton = read_step_newton_options(values, result.scales)};
   result.numerics.step_levels = values.integer("time.levels");
   if (result.march.motion != PairMotion::quasi_static) return;
   const double period = mesh_period(result) / largest_speed_ratio(values);
   result.numerics.steps.of_transfer = part_of_transfer * period / steps_of_transfer;
-  if (!values.has("time.dt")) result.numerics.steps.without_event = period / steps_in_mesh_period;
+  if (!values.has("time.dt")) result.numerics.steps.without_event = std::min(period / steps_in_mesh_period, by_waves);
 }
 
 CaseInput with_chosen_motion(const CaseInput& given, std::string& remark) {

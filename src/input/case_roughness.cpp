@@ -12,15 +12,21 @@ namespace {
 
 bool bare(const ParameterValues& values) { return values.text("case.kind") != "gear_pair"; }
 
-/// Rq of both bodies [m]; absent where it is not given.
-std::array<std::optional<double>, 2> read_root_mean_squares(const ParameterValues& values) {
+/// Rq of both bodies [m]; absent where it is not known.
+std::array<std::optional<double>, 2> read_root_mean_squares(const ParameterValues& values,
+                                                            const FlankTopography& topography) {
   const std::array<std::string, 2> squares = values.body_keys("roughness"), means = values.body_keys("roughness_ra");
-  std::array<std::optional<double>, 2> result;
+  std::array<std::optional<double>, 2> result = topography.shorter;
   for (std::size_t k = 0; k < result.size(); ++k) {
     values.require_not_both(squares[k], means[k], "; delete one");
+    for (const std::string& key : {squares[k], means[k]}) {
+      if (result[k] && values.has(key))
+        values.refuse(key, "is given, but the flank's surface is measured and says how rough it is; delete one");
+    }
     if (values.has(squares[k])) result[k] = values.real(squares[k]);
     // Rq = (pi/2)^(1/2) Ra holds for Gaussian heights.
     if (values.has(means[k])) result[k] = std::sqrt(0.5 * std::numbers::pi) * values.real(means[k]);
+    if (result[k]) *result[k] *= topography.roughness_ratio;
   }
   return result;
 }
@@ -70,20 +76,23 @@ AsperityOptions read_asperities(const ParameterValues& values) {
 
 }  // namespace
 
-std::optional<double> read_roughness(const ParameterValues& values) {
-  const auto [first, second] = read_root_mean_squares(values);
+std::optional<double> read_roughness(const ParameterValues& values, const FlankTopography& topography) {
+  const auto [first, second] = read_root_mean_squares(values, topography);
   const double both = std::hypot(first.value_or(0.0), second.value_or(0.0));
   return both > 0.0 ? std::optional(both) : std::nullopt;
 }
 
-std::shared_ptr<const RoughSurfaces> read_rough_surfaces(const ParameterValues& values, double reduced_modulus) {
+std::shared_ptr<const RoughSurfaces> read_rough_surfaces(const ParameterValues& values,
+                                                         const FlankTopography& topography, double reduced_modulus) {
   const std::string model = "roughness.model";
-  if (values.text(model) == "none") return {};
-  if (!read_roughness(values)) {
+  if (bare(values) && values.text(model) != "none" && values.text(model) != "stochastic")
+    values.refuse(model, "is " + values.text(model) + ", which follows flanks of a gear pair; set it to stochastic");
+  if (!has_stochastic_roughness(values)) return {};
+  if (!read_roughness(values, topography)) {
     values.refuse(model, "is " + values.text(model) + ", but neither surface has a roughness; give '" +
                              values.body_keys("roughness")[0] + "' or '" + values.body_keys("roughness")[1] + "'");
   }
-  const auto [first, second] = read_root_mean_squares(values);
+  const auto [first, second] = read_root_mean_squares(values, topography);
   RoughOptions options{
       .roughness = {first.value_or(0.0), second.value_or(0.0)},
       .asperities = read_asperities(values),
@@ -99,11 +108,25 @@ std::optional<WearCoefficients> read_wear(const ParameterValues& values) {
   const std::array<std::string, 2> keys = {"wear.coefficient_pinion", "wear.coefficient_wheel"};
   if (!values.has(keys[0]) && !values.has(keys[1])) return {};
   for (const std::string& key : keys) {
-    if (values.has(key) && values.text("roughness.model") == "none") {
+    if (values.has(key) && !has_stochastic_roughness(values)) {
       values.refuse(key, "is given, but no asperities are computed that could wear; set roughness.model to stochastic");
     }
   }
   return WearCoefficients{values.real_if_given(keys[0]).value_or(0.0), values.real_if_given(keys[1]).value_or(0.0)};
+}
+
+WearCase read_wearing(const ParameterValues& values, const std::optional<double>& roughness) {
+  const std::string final_roughness = "wear.final_roughness", work = "wear.running_in_work";
+  values.require_both(final_roughness, work, "give both, or neither");
+  WearCase wearing{.cycles = values.real_if_given("wear.cycles"),
+                   .largest_step = values.real("wear.largest_step"),
+                   .points = values.integer("wear.points"),
+                   .final_roughness = values.real_if_given(final_roughness),
+                   .running_in_work = values.real_if_given(work)};
+  if (wearing.final_roughness && roughness && !(*wearing.final_roughness < *roughness))
+    values.refuse(final_roughness, "is " + format_value(*wearing.final_roughness) + " m, not below the roughness " +
+                                       format_value(*roughness) + " m of both flanks together; give a smaller one");
+  return wearing;
 }
 
 }  // namespace gearfilm

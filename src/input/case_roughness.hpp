@@ -4,19 +4,26 @@
 #include <memory>
 #include <optional>
 
+#include "input/case.hpp"
+#include "input/case_topography.hpp"
 #include "input/parameter_values.hpp"
 #include "roughness/archard.hpp"
 #include "roughness/rough_surfaces.hpp"
 
 namespace gearfilm {
 
-/// sqrt(Rq_1^2 + Rq_2^2) [m]; absent where neither surface has a roughness.
-std::optional<double> read_roughness(const ParameterValues& values);
+/// sqrt(Rq_1^2 + Rq_2^2) [m], of measured flanks what is shorter than the cutoff; absent where neither surface has a
+/// roughness.
+std::optional<double> read_roughness(const ParameterValues& values, const FlankTopography& topography);
 
 /// Rough surfaces that films see; null without roughness.model. Throws InputError.
-std::shared_ptr<const RoughSurfaces> read_rough_surfaces(const ParameterValues& values, double reduced_modulus);
+std::shared_ptr<const RoughSurfaces> read_rough_surfaces(const ParameterValues& values,
+                                                         const FlankTopography& topography, double reduced_modulus);
 
 /// Absent without coefficients. Throws InputError where no asperities are computed that could wear.
 std::optional<WearCoefficients> read_wear(const ParameterValues& values);
+
+/// How flanks are worn step by step. Throws InputError.
+WearCase read_wearing(const ParameterValues& values, const std::optional<double>& roughness);
 
 }  // namespace gearfilm

@@ -56,6 +56,13 @@ void require_moving_contacts(const CaseInput& problem, const std::string& comman
   }
 }
 
+void require_standing_heights(const CaseInput& problem, const std::string& command) {
+  if (!(problem.pair.shortest_waves[0] < HUGE_VAL)) return;
+  problem.parameters.refuse("roughness.model", "is " + problem.parameters.text("roughness.model") + ", but " + command +
+                                                   " is at rest and heights travel with their flank; use transient "
+                                                   "or periodic, or roughness.model stochastic");
+}
+
 void require_one_pattern(const CaseInput& problem, const std::string& command) {
   const long pattern = problem.pair.teeth.pattern();
   if (pattern <= problem.search.max_pattern) return;
@@ -105,6 +112,7 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .inertia = inert ? problem.scales.inertia(*problem.pair.equivalent_mass) : 0.0,
           .load = problem.march.load,
           .teeth = problem.pair.teeth,
+          .topography = problem.pair.topography,
           .stiffness = problem.pair.stiffness,
           .tooth_force = problem.pair.tooth_force,
           .traction = problem.traction,

@@ -30,6 +30,8 @@ void require_inertia(const CaseInput& problem);
 /// Throws InputError for a case whose march is of one contact, of contacts that are held, or of dry ones, where a
 /// command needs all lubricated contacts (or dry ones too), which travel.
 void require_moving_contacts(const CaseInput& problem, const std::string& command, bool dry_too);
+/// Throws InputError where heights of the flanks travel, which a film at rest cannot follow.
+void require_standing_heights(const CaseInput& problem, const std::string& command);
 /// Throws InputError where pitch errors make a mesh period differ from the next.
 void require_one_pattern(const CaseInput& problem, const std::string& command);
 /// The case whose periodic state is sought, with the motion that the program may choose (with_chosen_motion), which the

@@ -63,11 +63,11 @@ GearFlanks read_flanks(const ParameterValues& values, const std::string& gear, d
                                   shape_named(values.text(gear + ".root_relief_shape"))},
                          .slope = values.real(gear + ".profile_slope"),
                          .crowning = values.real(gear + ".profile_crowning"),
-                         .table = {}};
+                         .curves = {}};
   if (values.has(gear + ".profile_file")) {
-    flanks.modification.table = read_ascending_points(
+    flanks.modification.curves.push_back(read_ascending_points(
         values, gear + ".profile_file",
-        "a point of the profile; give two numbers, radius of curvature [m] and material removed [m]");
+        "a point of the profile; give two numbers, radius of curvature [m] and material removed [m]"));
   }
   flanks.pitch_errors = read_pitch_errors(values, gear);
   return flanks;
@@ -99,10 +99,14 @@ ComplianceOptions read_compliance(const ParameterValues& values) {
 
 }  // namespace
 
-Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const LineOfAction& line) {
+Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const LineOfAction& line,
+                 const WornFlanks& worn) {
   std::array<GearFlanks, 2> flanks = {
       read_flanks(values, "pinion", line.radius_pinion(line.exit()), line.base_radius_pinion()),
       read_flanks(values, "wheel", line.radius_wheel(line.entry()), line.base_radius_wheel())};
+  for (std::size_t gear = 0; gear < flanks.size(); ++gear) {
+    if (!worn.removed[gear].empty()) flanks[gear].modification.curves.push_back(worn.removed[gear]);
+  }
   const bool field = values.text("gear.profile_local") == "field";
   return {pair, line, std::move(flanks), read_compliance(values), field ? ProfileAction::field : ProfileAction::offset};
 }

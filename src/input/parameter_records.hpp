@@ -100,6 +100,7 @@ std::vector<Parameter> heated_body_records(const std::string& subscript, const s
 std::vector<Parameter> roughness_records();
 std::vector<Parameter> roughness_of_body_records(const std::string& subscript, const std::string& ending = "");
 std::vector<Parameter> lay_records();
+std::vector<Parameter> surface_record();
 
 /// All in one list.
 template <class... More>

@@ -50,6 +50,7 @@ public:
   double mesh_periods(double T) const { return course_.phase(T) / mesh_period(); }
   double time_after(double mesh_periods) const { return course_.time(mesh_periods * mesh_period()); }
   const SpeedCourse& course() const { return course_; }
+  bool held() const { return geometry_ == MeshGeometry::held; }
   /// When contact 0 is at xi.
   double time_at(double xi) const { return course_.time((xi - start_) / velocity_); }
   /// Length travelled along the line of action [m].

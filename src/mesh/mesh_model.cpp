@@ -24,6 +24,11 @@ MeshedContact MeshModel::contact(int number, double T) const {
   const double speed = path.course().speed(T);
   contact.conditions.entrainment *= speed;
   contact.conditions.sliding *= speed;
+  if (topography && path.held()) {
+    const SurfaceVelocities velocities = velocities_of(scales, contact);
+    contact.conditions.texture.place[0] += velocities.pinion() * scales.time * T;
+    contact.conditions.texture.place[1] -= velocities.wheel() * scales.time * T;
+  }
   return contact;
 }
 
@@ -31,6 +36,7 @@ MeshedContact MeshModel::contact_at(int number, double xi) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;
   contact.conditions.local = teeth.local(xi);
+  if (topography) contact.conditions.texture = {topography, path.line().involute_lengths(xi)};
   contact.conditions.nearest = nearest_point(scales, contact.conditions);
   return contact;
 }

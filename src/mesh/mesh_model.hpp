@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -31,6 +33,7 @@ struct MeshModel {
   double inertia = 0.0;                  ///< I_n; 0: quasi-static balance
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
+  std::shared_ptr<const std::array<Topography, 2>> topography{};  ///< heights of both flanks; none: smooth
   double stiffness = 0.0;                   ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
   double tooth_force = 0.0;                 ///< T_g1/R_b1, which the reference load stands for [N]
   std::optional<TractionModel> traction{};  ///< absent: no friction is computed

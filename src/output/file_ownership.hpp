@@ -2,7 +2,7 @@
 // names.
 //
 //   summary.json              JSON object with "provenance"
-//   run.json, sweep.json      JSON object with "command" and "case.kind"
+//   run.json, sweep.json      JSON object with "command" and "case.kind", likewise wear.json
 //   points/*.json             JSON object with "direction" and "value"
 //   results.h5                HDF5 file with the attribute "format_version"; one that a killed march left damaged,
 //   where

@@ -22,9 +22,10 @@ std::string name_of(const SweepPoint& point) {
 
 }  // namespace
 
-SweepPoints::SweepPoints(MPI_Comm comm, const CaseInput& problem) : folder_(problem.run.directory) {
-  const std::filesystem::path file = folder_ / "sweep.json";
-  const Summary identity = identity_of(problem, "sweep", free_in_sweeps);
+SweepPoints::SweepPoints(MPI_Comm comm, const CaseInput& problem, const std::string& command)
+    : folder_(problem.run.directory) {
+  const std::filesystem::path file = folder_ / (command + ".json");
+  const Summary identity = identity_of(problem, command, free_in_sweeps);
   require_replaceable(comm, {file});
   if (const std::optional<Summary> before = read_identity(comm, file)) {
     require_same_identity(*before, identity, file);

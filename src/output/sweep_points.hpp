@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "input/case.hpp"
@@ -27,7 +28,7 @@ struct SweepPoint {
 class SweepPoints {
 public:
   /// Collective. Throws InputError where the folder holds points of another sweep.
-  SweepPoints(MPI_Comm comm, const CaseInput& problem);
+  SweepPoints(MPI_Comm comm, const CaseInput& problem, const std::string& command = "sweep");
 
   std::filesystem::path file(const SweepPoint& point, const std::string& extension = ".json") const;
   /// What is known of a point; nothing where it is still to be computed. Collective on a group of processes, as are

@@ -1,11 +1,15 @@
 // Statistics of rough surfaces against closed forms and the numbers of tests/reference/rough.json.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "roughness/archard.hpp"
+#include "roughness/contact_texture.hpp"
 #include "roughness/height_integrals.hpp"
+#include "roughness/measured_profile.hpp"
 #include "roughness/rough_surfaces.hpp"
 
 namespace gearfilm {
@@ -145,6 +149,73 @@ TEST(Wear, is_zero_without_sliding_and_larger_on_the_slower_flank) {
   const double fast = wear_depth(1e-16, 1.0, 3.5, 1e5), slow = wear_depth(1e-16, -1.0, 2.5, 1e5);
   EXPECT_DOUBLE_EQ(slow / fast, 3.5 / 2.5);
   EXPECT_DOUBLE_EQ(wear_depth(2e-16, 1.0, 3.5, 1e5), 2.0 * fast);
+}
+
+constexpr double length = 0.2e-3, height = 0.3e-6;  // of waves [m]
+
+HeightProfile sampled_wave(double step, int points) {
+  HeightProfile profile{.begin = 1e-3, .step = step, .heights = {}};
+  for (int k = 0; k < points; ++k)
+    profile.heights.push_back(height * std::cos(2.0 * std::numbers::pi * (1e-3 + k * step) / length));
+  return profile;
+}
+
+TEST(Topography, has_the_heights_and_slopes_of_its_waves) {
+  const Topography wavy(Waviness{height, length, 0.5}, {}, {}, 1.0);
+  EXPECT_NEAR(wavy.along(0.0).value, height * std::cos(0.5), 1e-15);
+  const auto at = [&](double s) { return GapFunction{wavy.along(s).value, wavy.along(s).slope}; };
+  for (const double s : {0.01e-3, 0.06e-3, 5.13e-3}) {
+    constexpr double step = 1e-9;
+    EXPECT_NEAR(at(s).slope, (at(s + step).value - at(s - step).value) / (2.0 * step), 1e-6);
+  }
+  EXPECT_FALSE(wavy.varies_across());
+}
+
+// Between points of a wave the spline errs by the fourth power of their distance.
+TEST(Topography, goes_through_the_heights_of_a_profile) {
+  double before = 0.0;
+  for (const int points : {10, 20}) {
+    const Topography measured({}, {}, sampled_wave(length / points, 10 * points), 1.0);
+    double largest = 0.0;
+    for (double s = 1.4e-3; s < 2.4e-3; s += 7e-6) {
+      const double wave = height * std::cos(2.0 * std::numbers::pi * s / length);
+      largest = std::max(largest, std::abs(measured.along(s).value - wave));
+    }
+    EXPECT_LT(largest, 0.02 * height);
+    if (before > 0.0) EXPECT_NEAR(before / largest, 16.0, 3.0);
+    before = largest;
+  }
+  const Topography measured({}, {}, sampled_wave(length / 20, 200), 1.0);
+  EXPECT_EQ(measured.along(0.5e-3).value, 0.0);
+  EXPECT_EQ(measured.along(9e-3).value, 0.0);
+}
+
+TEST(ContactTexture, carries_the_heights_of_either_flank_towards_the_outlet) {
+  const auto flanks = std::make_shared<const std::array<Topography, 2>>(std::array{
+      Topography(Waviness{height, length, 0.0}, {}, {}, 1.0), Topography(Waviness{height, length, 0.0}, {}, {}, 1.0)});
+  constexpr double travelled = 0.03e-3, x = 0.01e-3;
+  const ContactTexture before{flanks, {5e-3, 3e-3}}, after{flanks, {5e-3 + travelled, 3e-3 - travelled}};
+  for (std::size_t flank : {0, 1}) {
+    EXPECT_NEAR(after.along(x + travelled)[flank].value, before.along(x)[flank].value, 1e-18);
+    EXPECT_NEAR(after.along(x + travelled)[flank].slope, before.along(x)[flank].slope, 1e-12);
+    EXPECT_NEAR(before.along(x)[flank].slope,
+                (before.along(x + 1e-9)[flank].value - before.along(x - 1e-9)[flank].value) / 2e-9, 1e-6);
+  }
+}
+
+TEST(MeasuredProfile, is_split_in_halves_at_the_cutoff_and_loses_its_form) {
+  std::vector<std::pair<double, double>> points;
+  for (int k = 0; k <= 2000; ++k) {
+    const double s = 1e-3 + 2e-6 * k, v = k / 1000.0 - 1.0;
+    points.emplace_back(s, height * std::cos(2.0 * std::numbers::pi * s / length) + 1e-6 + 2e-6 * v + 3e-6 * v * v);
+  }
+  const SplitProfile split = split_profile(points, length);
+  EXPECT_NEAR(split.form, 3e-6, 0.01e-6);
+  EXPECT_NEAR(split.rms, height / std::sqrt(2.0), 0.01 * height);
+  EXPECT_NEAR(split.resolved_rms / split.rms, 0.5, 0.01);  // a wave as long as the cutoff
+  EXPECT_NEAR(split.shorter_rms / split.rms, 0.5, 0.01);
+  EXPECT_NEAR(split_profile(points, length / 20.0).resolved_rms / split.rms, 1.0, 0.01);
+  EXPECT_EQ(split.resolved.heights.front(), 0.0);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Flank, has_its_reliefs_where_they_belong) {
     const double half = shape == ReliefShape::parabolic ? 0.25 : 0.5;
     EXPECT_NEAR(flank.removed(tip - 0.5 * length), half * 60e-6, 1e-16);
   }
-  const Flank inclined({.tip = {}, .root = {}, .slope = 8e-6, .crowning = 4e-6, .table = {}}, start, tip);
+  const Flank inclined({.tip = {}, .root = {}, .slope = 8e-6, .crowning = 4e-6, .curves = {}}, start, tip);
   EXPECT_NEAR(inclined.removed(start), 4e-6, 1e-18);
   EXPECT_NEAR(inclined.removed(0.5 * (start + tip)), 4e-6, 1e-18);
   EXPECT_NEAR(inclined.removed(tip), 12e-6, 1e-18);
@@ -138,7 +138,7 @@ TEST(Flank, has_its_reliefs_where_they_belong) {
 
 TEST(Flank, follows_a_measured_table_without_overshooting) {
   FlankModification measured;
-  measured.table = {{0.012, 0.0}, {0.015, 0.0}, {0.018, 5e-6}, {0.021, 5e-6}, {0.024, 20e-6}};
+  measured.curves = {{{0.012, 0.0}, {0.015, 0.0}, {0.018, 5e-6}, {0.021, 5e-6}, {0.024, 20e-6}}};
   const Flank flank(measured, 0.012, 0.024);
   double before = 0.0;
   for (int n = 0; n <= 240; ++n) {

@@ -31,12 +31,13 @@ KINDS = {
     "static": Kind("static", "transmission error, load shares and mesh stiffness"),
     "friction": Kind("transient, periodic or steady", "friction coefficient, losses and temperatures"),
     "mixed": Kind("sweep, periodic, transient or steady", "load, friction and wear of asperities; Stribeck curve"),
+    "wear": Kind("wear", "depth that the flanks have lost, over roll angle and face"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
 }
 # Commands whose results are drawn, the usual kind first.
 USUAL = {"steady": ("film",), "transient": ("march",), "periodic": ("orbit", "march", "film"), "sweep": ("sweep",),
-         "continuation": ("branch",), "static": ("static",)}
+         "continuation": ("branch",), "static": ("static",), "wear": ("wear",)}
 
 
 def module_of(kind):
