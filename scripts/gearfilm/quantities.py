@@ -75,6 +75,22 @@ wear_rate_pinion_mean | m^3/s | volume that the pinion loses by time, mean
 wear_rate_wheel_mean | m^3/s | volume that the wheel loses by time, mean
 p_fluid | Pa | pressure of the oil
 p_asperity | Pa | pressure of the asperities
+von_mises_max_pinion | Pa | largest von Mises stress below the contact, in the row y = 0; in the pinion
+von_mises_depth_pinion | m | its depth
+shear_max_pinion | Pa | largest half difference of principal stresses there; in the pinion
+shear_depth_pinion | m | its depth
+orthogonal_shear_pinion | Pa | half the range of tau_xz along x, the largest over depth; in the pinion
+orthogonal_shear_depth_pinion | m | its depth
+surface_tension_pinion | Pa | largest principal stress at the pinion's surface; zero where none is tensile
+von_mises_pinion | Pa | von Mises stress in the pinion at the depth where it is largest below y = 0
+von_mises_max_wheel | Pa | largest von Mises stress below the contact, in the row y = 0; in the wheel
+von_mises_depth_wheel | m | its depth
+shear_max_wheel | Pa | largest half difference of principal stresses there; in the wheel
+shear_depth_wheel | m | its depth
+orthogonal_shear_wheel | Pa | half the range of tau_xz along x, the largest over depth; in the wheel
+orthogonal_shear_depth_wheel | m | its depth
+surface_tension_wheel | Pa | largest principal stress at the wheel's surface; zero where none is tensile
+von_mises_wheel | Pa | von Mises stress in the wheel at the depth where it is largest below y = 0
 working_pressure_angle_deg | deg | working pressure angle
 base_radius_pinion | m | base radius of the pinion
 base_radius_wheel | m | base radius of the wheel

@@ -12,13 +12,15 @@ double hertz_pressure_of(const QuantityInputs& at) {
 
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
                                  const std::optional<double>& roughness, const ContactSolids& solids,
-                                 const std::optional<WearCoefficients>& wear) {
+                                 const std::optional<WearCoefficients>& wear,
+                                 const std::optional<StressModel>& stress) {
   return {.film = lubricated,
           .friction = traction.has_value(),
           .heat = traction && traction->heat,
           .roughness = roughness.has_value(),
           .asperities = solids.rough != nullptr,
-          .wear = wear.has_value()};
+          .wear = wear.has_value(),
+          .stress = stress.has_value()};
 }
 
 double asperity_load_share(const QuantityInputs& at) {

@@ -19,14 +19,15 @@ struct QuantityInputs {
   std::optional<double> roughness{};       ///< of both flanks together [m]
   std::optional<WearCoefficients> wear{};  ///< of asperities
   double load_factor = 1.0;                ///< force of the tooth over that of the contact
+  ContactStress stress{};                  ///< below the film
 };
 
 /// Which quantities there are.
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
                                  const std::optional<double>& roughness, const ContactSolids& solids,
-                                 const std::optional<WearCoefficients>& wear);
+                                 const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear);
+  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear, mesh.stress);
 }
 
 /// h_min/Rq; zero without roughness.
@@ -54,6 +55,12 @@ constexpr Quantity<QuantityInputs> of_film(const Rest&... rest) {
 template <double TractionQuantities::*value, class... Rest>
 constexpr Quantity<QuantityInputs> of_traction(const Rest&... rest) {
   return of<QuantityInputs>([](const QuantityInputs& at) { return at.traction.*value; }, rest...);
+}
+
+/// A number of the stresses in one body, in SI.
+template <std::size_t body, double BodyStress::*value, class... Rest>
+constexpr Quantity<QuantityInputs> of_stress(const Rest&... rest) {
+  return of<QuantityInputs>([](const QuantityInputs& at) { return at.stress[body].*value; }, rest...);
 }
 
 }  // namespace quantity
@@ -205,7 +212,59 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                  ShownIn::march}),
      quantity::of_traction<&TractionQuantities::energy_residual>(
          "heat_balance", "", units::number, "heat that is made in the film and goes nowhere, over all that is made",
-         RequiredModel::heat)});
+         RequiredModel::heat),
+     quantity::of_stress<pinion_body, &BodyStress::von_mises>(
+         "von_mises_max_pinion", "sigma_v", units::si_pascal,
+         "largest von Mises stress below the contact, in the row y = 0; in the pinion", RequiredModel::stress,
+         Reduced{"von_mises_max_pinion", Reduction::largest, units::si_pascal,
+                 "largest von Mises stress below the contact, in the row y = 0; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::von_mises_depth>("von_mises_depth_pinion", "z", units::si_metre,
+                                                                    "its depth", RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::shear>(
+         "shear_max_pinion", "tau_1", units::si_pascal,
+         "largest half difference of principal stresses there; in the pinion", RequiredModel::stress,
+         Reduced{"shear_max_pinion", Reduction::largest, units::si_pascal,
+                 "largest half difference of principal stresses there; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::shear_depth>("shear_depth_pinion", "z", units::si_metre, "its depth",
+                                                                RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::orthogonal_shear>(
+         "orthogonal_shear_pinion", "tau_xz", units::si_pascal,
+         "half the range of tau_xz along x, the largest over depth; in the pinion", RequiredModel::stress,
+         Reduced{"orthogonal_shear_pinion", Reduction::largest, units::si_pascal,
+                 "half the range of tau_xz along x, the largest over depth; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::orthogonal_shear_depth>(
+         "orthogonal_shear_depth_pinion", "z", units::si_metre, "its depth", RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::surface_tension>(
+         "surface_tension_pinion", "sigma_I", units::si_pascal,
+         "largest principal stress at the pinion's surface; zero where none is tensile", RequiredModel::stress,
+         Reduced{"surface_tension_pinion", Reduction::largest, units::si_pascal,
+                 "largest principal stress at the pinion's surface; zero where none is tensile", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::von_mises>(
+         "von_mises_max_wheel", "sigma_v", units::si_pascal,
+         "largest von Mises stress below the contact, in the row y = 0; in the wheel", RequiredModel::stress,
+         Reduced{"von_mises_max_wheel", Reduction::largest, units::si_pascal,
+                 "largest von Mises stress below the contact, in the row y = 0; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::von_mises_depth>("von_mises_depth_wheel", "z", units::si_metre,
+                                                                   "its depth", RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::shear>(
+         "shear_max_wheel", "tau_1", units::si_pascal,
+         "largest half difference of principal stresses there; in the wheel", RequiredModel::stress,
+         Reduced{"shear_max_wheel", Reduction::largest, units::si_pascal,
+                 "largest half difference of principal stresses there; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::shear_depth>("shear_depth_wheel", "z", units::si_metre, "its depth",
+                                                               RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::orthogonal_shear>(
+         "orthogonal_shear_wheel", "tau_xz", units::si_pascal,
+         "half the range of tau_xz along x, the largest over depth; in the wheel", RequiredModel::stress,
+         Reduced{"orthogonal_shear_wheel", Reduction::largest, units::si_pascal,
+                 "half the range of tau_xz along x, the largest over depth; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::orthogonal_shear_depth>(
+         "orthogonal_shear_depth_wheel", "z", units::si_metre, "its depth", RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::surface_tension>(
+         "surface_tension_wheel", "sigma_I", units::si_pascal,
+         "largest principal stress at the wheel's surface; zero where none is tensile", RequiredModel::stress,
+         Reduced{"surface_tension_wheel", Reduction::largest, units::si_pascal,
+                 "largest principal stress at the wheel's surface; zero where none is tensile", ShownIn::everywhere})});
 
 /// A quantity by its name: one that does not exist ends the compilation.
 struct ContactQuantityName {

@@ -63,9 +63,10 @@ struct Reduced {
 };
 
 /// What there must be for a quantity to have a value.
-enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction, wear };
+enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction, wear, stress };
 
-/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear.
+/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear, stresses
+/// below it.
 struct AvailableModels {
   bool film = true;
   bool friction = false;
@@ -73,16 +74,12 @@ struct AvailableModels {
   bool roughness = false;
   bool asperities = false;
   bool wear = false;
+  bool stress = false;
 
   constexpr bool has(RequiredModel needs) const {
-    const bool given[] = {true,
-                          true,
-                          friction,
-                          heat,
-                          roughness,
-                          asperities,
-                          asperities && friction,
-                          asperities && wear};  // in the order of RequiredModel
+    const bool given[] = {
+        true,  true, friction, heat, roughness, asperities, asperities && friction, asperities && wear,
+        stress};  // in the order of RequiredModel
     return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };

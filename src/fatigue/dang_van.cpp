@@ -14,12 +14,12 @@ using std::numbers::sqrt2;
 double shear_of(const DeviatorPoint& v) {
   static const double first = std::sqrt(2.0 / 3.0);
   const double xx = first * v[0], difference = sqrt2 * v[1];
-  return largest_shear({.xx = xx,
-                        .yy = 0.5 * (difference - xx),
-                        .zz = -0.5 * (difference + xx),
-                        .yz = v[2] / sqrt2,
-                        .xz = v[3] / sqrt2,
-                        .xy = v[4] / sqrt2});
+  return largest_shear_stress({.xx = xx,
+                               .yy = 0.5 * (difference - xx),
+                               .zz = -0.5 * (difference + xx),
+                               .yz = v[2] / sqrt2,
+                               .xz = v[3] / sqrt2,
+                               .xy = v[4] / sqrt2});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "input/case_numerics.hpp"
 #include "input/case_roughness.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_stress.hpp"
 #include "input/case_teeth.hpp"
 #include "input/case_traction.hpp"
 #include "input/point_table.hpp"
@@ -366,6 +367,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.thermal_oil = read_thermal_oil(values);
   result.roughness = read_roughness(values);
   result.wear = read_wear(values);
+  result.stress = read_stress(values);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

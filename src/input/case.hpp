@@ -19,6 +19,7 @@
 #include "mesh/prescribed_load.hpp"
 #include "orbits/dry_modes.hpp"
 #include "orbits/orbit_search.hpp"
+#include "traction/film_stress.hpp"
 #include "traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -101,6 +102,7 @@ struct CaseInput {
   std::optional<TractionModel> traction;  ///< absent: no friction is computed
   std::optional<double> roughness;        ///< of both flanks together [m]
   std::optional<WearCoefficients> wear;   ///< absent: no wear is computed
+  std::optional<StressModel> stress;      ///< absent: no stresses below films are computed
   std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   PairNumerics numerics;

@@ -101,6 +101,9 @@ std::vector<Parameter> roughness_records();
 std::vector<Parameter> roughness_of_body_records(const std::string& subscript, const std::string& ending = "");
 std::vector<Parameter> lay_records();
 
+/// Section stress.
+std::vector<Parameter> stress_records();
+
 /// All in one list.
 template <class... More>
 Records joined(Records first, const More&... more) {

@@ -15,6 +15,7 @@
 #include "mesh/natural_frequency.hpp"
 #include "mesh/prescribed_load.hpp"
 #include "roughness/archard.hpp"
+#include "traction/film_stress.hpp"
 #include "traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -36,6 +37,7 @@ struct MeshModel {
   std::optional<TractionModel> traction{};  ///< absent: no friction is computed
   std::optional<double> roughness{};        ///< of both flanks together [m]
   std::optional<WearCoefficients> wear{};   ///< absent: no wear is computed
+  std::optional<StressModel> stress{};      ///< absent: no stresses below films are computed
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats

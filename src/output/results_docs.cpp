@@ -24,7 +24,8 @@ std::string condition(RequiredModel needs) {
                                      "; with `pinion.roughness` or `wheel.roughness`",
                                      "; with `roughness.model`",
                                      "; with `roughness.model` and `friction.law`",
-                                     "; with `roughness.model` and a coefficient of wear"};
+                                     "; with `roughness.model` and a coefficient of wear",
+                                     "; with `stress.model`"};
   return conditions.at(static_cast<std::size_t>(needs));
 }
 

@@ -43,7 +43,7 @@ Stress operator*(double factor, const Stress& t) {
 
 double von_mises(const Stress& stress) { return std::sqrt(3.0 * invariants(stress).J2); }
 
-double largest_shear(const Stress& stress) {
+double largest_shear_stress(const Stress& stress) {
   const Invariants of = invariants(stress);
   return of.J2 > 0.0 ? std::sqrt(of.J2) * std::sin(angle_of(of) + std::numbers::pi / 3.0) : 0.0;
 }

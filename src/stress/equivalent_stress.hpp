@@ -25,7 +25,7 @@ Stress operator*(double factor, const Stress& stress);
 inline double hydrostatic(const Stress& stress) { return (stress.xx + stress.yy + stress.zz) / 3.0; }
 double von_mises(const Stress& stress);
 /// Half the difference of the largest and the smallest principal stress.
-double largest_shear(const Stress& stress);
+double largest_shear_stress(const Stress& stress);
 double largest_principal(const Stress& stress);
 
 }  // namespace gearfilm

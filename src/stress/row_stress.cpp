@@ -10,12 +10,12 @@ namespace gearfilm {
 RowStress::RowStress(const Grid& grid, const RowStressOptions& options)
     : comm_(grid.comm()),
       rank_(grid.rank()),
+      options_(options),
       lines_(grid.shape(), options.reach),
       spectra_(grid, lines_),
-      depths_(options.depths),
       depth_ranges_(cut_evenly(static_cast<int>(options.depths.size()), grid.processes())),
       symmetric_(options.row == grid.row_axis().mirror_row()),
-      sums_(depths_.size() * spectra_.sum_size()),
+      sums_(depths().size() * spectra_.sum_size()),
       whole_(own_depths().count() * spectra_.sum_size()) {
   for (SectionStress& body : result_) body = SectionStress(own_depths().count(), lines_.count);
   const auto& ratio = options.poisson_ratio;
@@ -25,9 +25,9 @@ RowStress::RowStress(const Grid& grid, const RowStressOptions& options)
   for (std::size_t body = 0; body < kernels_.size(); ++body) {
     for (const auto& [load, values] : {std::pair{SurfaceLoad::pressure, &kernels_[body].pressure},
                                        std::pair{SurfaceLoad::shear_x, &kernels_[body].shear}}) {
-      values->resize(depths_.size() * kernel_size_);
-      for (std::size_t k = 0; k < depths_.size(); ++k) {
-        kernels.at(grid.row_axis().y(options.row), depths_[k], load, ratio[body],
+      values->resize(depths().size() * kernel_size_);
+      for (std::size_t k = 0; k < depths().size(); ++k) {
+        kernels.at(grid.row_axis().y(options.row), depths()[k], load, ratio[body],
                    std::span(*values).subspan(k * kernel_size_, kernel_size_));
       }
     }
@@ -37,7 +37,7 @@ RowStress::RowStress(const Grid& grid, const RowStressOptions& options)
 const SectionStresses& RowStress::evaluate(const SurfaceLoads& loads) {
   spectra_.transform(loads);
   const std::size_t size = spectra_.sum_size();
-  for (std::size_t depth = 0; depth < depths_.size(); ++depth) {
+  for (std::size_t depth = 0; depth < depths().size(); ++depth) {
     const auto of_body = [&](const OfBody& body) {
       return PlaceKernels{body.pressure.data() + depth * kernel_size_, body.shear.data() + depth * kernel_size_};
     };

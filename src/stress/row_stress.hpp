@@ -20,6 +20,8 @@ struct RowStressOptions {
   std::vector<double> depths{};  ///< [a], increasing
   std::array<double, body_count> poisson_ratio{};
   double reach = 2.5;  ///< how far the section extends at least to either side of x = 0 [a]
+
+  bool operator==(const RowStressOptions&) const = default;
 };
 
 /// Of both bodies.
@@ -30,7 +32,10 @@ public:
   RowStress(const Grid& grid, const RowStressOptions& options);
 
   const SectionLines& lines() const { return lines_; }
-  const std::vector<double>& depths() const { return depths_; }
+  const RowStressOptions& options() const { return options_; }
+  const std::vector<double>& depths() const { return options_.depths; }
+  /// yz = xy = 0: the section lies in a row of symmetry.
+  bool symmetric() const { return symmetric_; }
   /// Depths that each process keeps, and those of this one.
   std::span<const int> depth_ranges() const { return depth_ranges_; }
   RowRange own_depths() const { return {depth_ranges_[rank_], depth_ranges_[rank_ + 1]}; }
@@ -47,9 +52,9 @@ private:
 
   MPI_Comm comm_;
   int rank_;
+  RowStressOptions options_;
   SectionLines lines_;
   LoadSpectra spectra_;
-  std::vector<double> depths_;
   std::vector<int> depth_ranges_;
   bool symmetric_;  ///< the section lies in a row of symmetry
   std::size_t kernel_size_ = 0;

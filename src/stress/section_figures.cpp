@@ -13,7 +13,7 @@ std::array<double, values_of_a_depth> largest(const SectionStress& section, int 
   for (int line = 0; line < section.lines(); ++line) {
     const Stress stress = section.at(depth, line);
     equivalent = std::max(equivalent, von_mises(stress));
-    shear = std::max(shear, largest_shear(stress));
+    shear = std::max(shear, largest_shear_stress(stress));
     principal = std::max(principal, largest_principal(stress));
     low = std::min(low, stress.xz);
     high = std::max(high, stress.xz);

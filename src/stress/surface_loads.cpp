@@ -9,18 +9,20 @@ constexpr std::size_t load_count = 1 + body_count;
 
 }  // namespace
 
-SurfaceLoads surface_loads(const Grid& grid, std::span<const double> pressure, std::span<const double> half_thickness,
+SurfaceLoads surface_loads(const Grid& grid, FilmPressures pressures, std::span<const double> half_thickness,
                            std::span<const double> shear_stress) {
-  const std::size_t rows = grid.y_count(), size = pressure.size();
-  SurfaceLoads loads{{pressure.begin(), pressure.end()}, {std::vector<double>(size), std::vector<double>(size)}};
+  const std::vector<double>& oil = pressures.of_oil;
+  const std::size_t rows = grid.y_count(), size = oil.size();
+  SurfaceLoads loads{{}, {std::vector<double>(size), std::vector<double>(size)}};
   for (std::size_t n = 0; n < size; ++n) {
-    // P = 0 at both ends of a line.
-    const double before = n >= rows ? pressure[n - rows] : 0.0, behind = n + rows < size ? pressure[n + rows] : 0.0;
+    // p = 0 beyond both ends of a line.
+    const double before = n >= rows ? oil[n - rows] : 0.0, behind = n + rows < size ? oil[n + rows] : 0.0;
     const double rolling = -half_thickness[n] * (behind - before) / (2.0 * grid.h_x());
     const double sliding = shear_stress.empty() ? 0.0 : shear_stress[n];
     loads.shear[pinion_body][n] = rolling - sliding;
     loads.shear[wheel_body][n] = rolling + sliding;
   }
+  loads.pressure = std::move(pressures.total);
   return loads;
 }
 

@@ -1,8 +1,8 @@
 // What a film does to the surfaces of both bodies, and the transforms of its rows along x.
 //
 //   pinion  q = -tau_m - (h/2) dp/dx        wheel  q = +tau_m - (h/2) dp/dx
-// with tau_m the shear stress in the middle of the film. Both together are -h dp/dx, as forces on the film are. The
-// shear across, (h/2) dp/dy, is below 1e-3 of the pressure and left out. In p_h and a.
+// with tau_m the shear stress in the middle of the film and p the pressure of its oil. Both together are -h dp/dx, as
+// forces on the film are. The shear across, (h/2) dp/dy, is below 1e-3 of the pressure and left out. In p_h and a.
 #pragma once
 
 #include <array>
@@ -22,8 +22,14 @@ struct SurfaceLoads {
   std::array<std::vector<double>, body_count> shear;  ///< q along x, on the body
 };
 
-/// Of a film: its pressure, thickness times a/(2 R_x) [a] and shear stress (empty: none).
-SurfaceLoads surface_loads(const Grid& grid, std::span<const double> pressure, std::span<const double> half_thickness,
+/// What presses on the solids, and the part of it that the oil has.
+struct FilmPressures {
+  std::vector<double> total;
+  std::vector<double> of_oil;
+};
+
+/// Of a film: its pressures, h/2 [a] and shear stress (empty: none).
+SurfaceLoads surface_loads(const Grid& grid, FilmPressures pressures, std::span<const double> half_thickness,
                            std::span<const double> shear_stress);
 
 /// What unit loads on the own rows make at one place: K(k) by [component][own row][wave].

@@ -312,7 +312,7 @@ TEST(SurfaceLoads, of_both_bodies_are_the_forces_on_the_film) {
   const Grid grid(MPI_COMM_WORLD, rectangle(33, 17, -2.0, 1.25, 4.0));
   const std::vector<double> pressure = on_grid(grid, skewed), shear = on_grid(grid, hertz(2.0)),
                             thickness(pressure.size(), 1e-3);
-  const SurfaceLoads loads = surface_loads(grid, pressure, thickness, shear);
+  const SurfaceLoads loads = surface_loads(grid, {pressure, pressure}, thickness, shear);
   const std::size_t rows = grid.y_count();
   for (std::size_t n = rows; n + rows < pressure.size(); ++n) {
     const double slope = (pressure[n + rows] - pressure[n - rows]) / (2.0 * grid.h_x());

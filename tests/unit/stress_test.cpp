@@ -148,11 +148,11 @@ TEST(EquivalentStress, is_that_of_eigenvalues) {
     matrix << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
     const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues();
     EXPECT_NEAR(largest_principal(t), principal[2], 1e-12);
-    EXPECT_NEAR(largest_shear(t), 0.5 * (principal[2] - principal[0]), 1e-12);
+    EXPECT_NEAR(largest_shear_stress(t), 0.5 * (principal[2] - principal[0]), 1e-12);
     const double a = principal[0] - principal[1], b = principal[1] - principal[2], c = principal[2] - principal[0];
     EXPECT_NEAR(von_mises(t), std::sqrt(0.5 * (a * a + b * b + c * c)), 1e-12);
   }
-  EXPECT_EQ(largest_shear({.xx = 2.0, .yy = 2.0, .zz = 2.0}), 0.0);
+  EXPECT_EQ(largest_shear_stress({.xx = 2.0, .yy = 2.0, .zz = 2.0}), 0.0);
 }
 
 TEST(StressDepths, lie_closer_at_the_surface_and_find_the_maximum_between_them) {

@@ -1,0 +1,36 @@
+// The stresses below the film of one contact, as it goes on in time. Only reads the film.
+//
+// They are computed once the material has moved so far since they were computed last (StressModel::every); in between
+// the numbers of the last time stand. After every event they are computed anew, so that a march that goes on from a
+// kept state has the same ones.
+#pragma once
+
+#include <optional>
+
+#include "mesh/meshed_contact.hpp"
+#include "traction/film_stress.hpp"
+
+namespace gearfilm {
+
+class StressRecorder {
+public:
+  explicit StressRecorder(StressModel model) : model_(std::move(model)) {}
+
+  /// The stresses below the film at its present state, at time T. Collective.
+  const ContactStress& observe(const ContactFilm& film, const ContactConditions& conditions, double T,
+                               std::span<const double> shear_stress);
+  /// The next ones are computed whatever the way.
+  void begin_anew() { last_.reset(); }
+
+  /// The section that was computed last; of use until another contact's is. Its T says when.
+  const FilmSection& section() const { return section_; }
+  bool is_of(double T) const { return last_ && *last_ == T; }
+
+private:
+  StressModel model_;
+  std::optional<double> last_;
+  FilmSection section_{};
+  ContactStress stress_{};
+};
+
+}  // namespace gearfilm
