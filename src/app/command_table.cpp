@@ -12,6 +12,7 @@
 #include "results/continuation_result.hpp"
 #include "results/derived.hpp"
 #include "results/eigen_summary.hpp"
+#include "results/flank_result.hpp"
 #include "results/march_summary.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
@@ -43,7 +44,7 @@ std::string constants_markdown() {
 
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
-         orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
+         orbit_markdown() + flank_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
          StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
 }
 

@@ -19,7 +19,7 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
       at.traction = with_powers_times(mesh.load_factor(), friction->quantities);
     }
     if (contacts[k].stress) {
-      at.stress = contacts[k].stress->observe(*contacts[k].film, contact.conditions, T,
+      at.stress = contacts[k].stress->observe(*contacts[k].film, contact, T,
                                               friction ? friction->fields.shear_stress : std::vector<double>());
     }
     records.push_back({contacts[k].number, contact.position, quantities_of(at)});

@@ -17,19 +17,20 @@ public:
   explicit StressRecorder(StressModel model) : model_(std::move(model)) {}
 
   /// The stresses below the film at its present state, at time T. Collective.
-  const ContactStress& observe(const ContactFilm& film, const ContactConditions& conditions, double T,
+  const ContactStress& observe(const ContactFilm& film, const MeshedContact& contact, double T,
                                std::span<const double> shear_stress);
   /// The next ones are computed whatever the way.
   void begin_anew() { last_.reset(); }
 
-  /// The section that was computed last; of use until another contact's is. Its T says when.
-  const FilmSection& section() const { return section_; }
+  /// Whether stresses were computed at T, and the section below the film then, where it is kept
+  /// (StressModel::keeps_sections).
   bool is_of(double T) const { return last_ && *last_ == T; }
+  const std::array<SectionRecord, body_count>& records() const { return records_; }
 
 private:
   StressModel model_;
   std::optional<double> last_;
-  FilmSection section_{};
+  std::array<SectionRecord, body_count> records_{};
   ContactStress stress_{};
 };
 

@@ -46,21 +46,29 @@ double dang_van(std::span<const Stress> history, const DangVanOptions& options) 
   return largest;
 }
 
-std::vector<Stress> resampled(std::span<const Stress> history, int parts) {
-  std::vector<Stress> more;
+std::vector<Stress> resampled(std::span<const double> times, std::span<const Stress> history, int parts) {
   const std::size_t n = history.size();
-  if (n == 0) return more;
-  more.reserve((n - 1) * parts + 1);
+  std::vector<Stress> chord, slope, more;
   for (std::size_t k = 0; k + 1 < n; ++k) {
-    const Stress &before = history[k > 0 ? k - 1 : 0], &a = history[k], &b = history[k + 1],
-                 &behind = history[std::min(k + 2, n - 1)];
-    for (int part = 0; part < parts; ++part) {
-      const double t = static_cast<double>(part) / parts, t2 = t * t, t3 = t2 * t;
-      more.push_back((0.5 * (2.0 * t2 - t - t3)) * before + (0.5 * (2.0 - 5.0 * t2 + 3.0 * t3)) * a +
-                     (0.5 * (t + 4.0 * t2 - 3.0 * t3)) * b + (0.5 * (t3 - t2)) * behind);
+    chord.push_back((1.0 / (times[k + 1] - times[k])) * (history[k + 1] + -1.0 * history[k]));
+  }
+  for (std::size_t k = 0; k < n && n > 1; ++k) {
+    if (k == 0 || k + 1 == n) {
+      slope.push_back(k == 0 ? chord.front() : chord.back());
+    } else {
+      const double before = (times[k] - times[k - 1]) / (times[k + 1] - times[k - 1]);
+      slope.push_back((1.0 - before) * chord[k - 1] + before * chord[k]);
     }
   }
-  more.push_back(history.back());
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    const double step = times[k + 1] - times[k];
+    for (int part = 0; part < parts; ++part) {
+      const double t = static_cast<double>(part) / parts, rest = 1.0 - t;
+      more.push_back(((1.0 + 2.0 * t) * rest * rest) * history[k] + (t * t * (3.0 - 2.0 * t)) * history[k + 1] +
+                     (step * t * rest * rest) * slope[k] + (-step * t * t * rest) * slope[k + 1]);
+    }
+  }
+  if (n > 0) more.push_back(history.back());
   return more;
 }
 

@@ -30,9 +30,10 @@ DeviatorPoint deviator(const Stress& stress);
 /// DV of a history.
 double dang_van(std::span<const Stress> history, const DangVanOptions& options);
 
-/// A history with more states between those given, by cubic interpolation (Catmull and Rom) with `parts` to a step: the
-/// ball's centre depends on where states are, by 1.3 % at 12 states to a half-width of a contact without more.
-std::vector<Stress> resampled(std::span<const Stress> history, int parts);
+/// A history with more states between those given at increasing times (or places): cubic, with the slopes of parabolas
+/// through three states, and `parts` to a step. The ball's centre depends on where states are, by 1.3 % at 12 states to
+/// a half-width of a contact without more.
+std::vector<Stress> resampled(std::span<const double> times, std::span<const Stress> history, int parts);
 
 /// The factor on all stresses of the load at which DV of load and residual stress (xx = yy) comes to a limit.
 /// 0 or less: the residual stress exceeds it.

@@ -42,14 +42,15 @@ void FlankHistory::add(SectionRecord record) {
   records_.insert(behind, std::move(record));
 }
 
-std::vector<Stress> FlankHistory::at(double s, int depth) const {
-  std::vector<Stress> history{{}};
+PointHistory FlankHistory::at(double s, int depth) const {
+  PointHistory history;
   for (const SectionRecord& record : records_) {
     const double x = path_.place(s, record.xi),
                  end = record.places.first + record.places.step * (record.places.count - 1);
-    if (x >= record.places.first && x <= end) history.push_back(record.at(depth, x));
+    if (x < record.places.first || x > end || (!history.x.empty() && x <= history.x.back())) continue;
+    history.x.push_back(x);
+    history.stress.push_back(record.at(depth, x));
   }
-  history.emplace_back();
   return history;
 }
 

@@ -38,6 +38,12 @@ struct SectionRecord {
 SectionRecord section_record(double xi, const SectionPlaces& places, const SectionStress& section, double stress_unit,
                              bool symmetric);
 
+/// What a point of a flank feels, one state after the other.
+struct PointHistory {
+  std::vector<double> x;  ///< of the point in the contact [m], increasing
+  std::vector<Stress> stress;
+};
+
 class FlankHistory {
 public:
   explicit FlankHistory(const FlankPath& path) : path_(path) {}
@@ -48,8 +54,8 @@ public:
   const FlankPath& path() const { return path_; }
   void clear() { records_.clear(); }
 
-  /// At a point s [m] and a depth of this process, from no load to no load. [Pa]
-  std::vector<Stress> at(double s, int depth) const;
+  /// At a point s [m] and a depth of this process, while the point lies in the contact's section [Pa].
+  PointHistory at(double s, int depth) const;
 
 private:
   FlankPath path_;

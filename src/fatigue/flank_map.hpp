@@ -19,6 +19,9 @@ struct FlankMap {
 FlankMap flank_map(const FlankHistory& history, std::span<const double> points, int depths,
                    const DangVanOptions& options);
 
+/// Half the range of tau_xz alone.
+std::vector<double> orthogonal_amplitudes(const FlankHistory& history, std::span<const double> points, int depths);
+
 /// So many points at equal distances from the first one of a flank to the last [m].
 std::vector<double> flank_points(const FlankPath& path, int count);
 

@@ -11,6 +11,7 @@
 #include "gearfilm/error.hpp"
 #include "input/case_checks.hpp"
 #include "input/case_face.hpp"
+#include "input/case_fatigue.hpp"
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
@@ -368,6 +369,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.roughness = read_roughness(values);
   result.wear = read_wear(values);
   result.stress = read_stress(values);
+  result.fatigue = read_fatigue(values, result.stress ? result.scales.length * result.stress->depths.back() : 0.0);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

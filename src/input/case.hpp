@@ -10,6 +10,7 @@
 
 #include "contact/scales.hpp"
 #include "dynamics/pair_numerics.hpp"
+#include "fatigue/fatigue_model.hpp"
 #include "gear/gear_pair.hpp"
 #include "gear/line_of_action.hpp"
 #include "gear/teeth.hpp"
@@ -103,6 +104,7 @@ struct CaseInput {
   std::optional<double> roughness;        ///< of both flanks together [m]
   std::optional<WearCoefficients> wear;   ///< absent: no wear is computed
   std::optional<StressModel> stress;      ///< absent: no stresses below films are computed
+  std::optional<FatigueModel> fatigue;    ///< absent: fatigue of flanks is not judged
   std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   PairNumerics numerics;

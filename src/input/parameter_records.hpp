@@ -101,8 +101,10 @@ std::vector<Parameter> roughness_records();
 std::vector<Parameter> roughness_of_body_records(const std::string& subscript, const std::string& ending = "");
 std::vector<Parameter> lay_records();
 
-/// Section stress.
+/// Sections stress and fatigue; and what is known of a flank's strength, as part of its gear's section.
 std::vector<Parameter> stress_records();
+std::vector<Parameter> fatigue_records();
+std::vector<Parameter> flank_material_records(const std::string& subscript);
 
 /// All in one list.
 template <class... More>

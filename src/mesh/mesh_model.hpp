@@ -8,6 +8,7 @@
 #include <span>
 
 #include "elasticity/compliance.hpp"
+#include "fatigue/fatigue_model.hpp"
 #include "gear/teeth.hpp"
 #include "mesh/contact_path.hpp"
 #include "mesh/meshed_contact.hpp"
@@ -38,6 +39,7 @@ struct MeshModel {
   std::optional<double> roughness{};        ///< of both flanks together [m]
   std::optional<WearCoefficients> wear{};   ///< absent: no wear is computed
   std::optional<StressModel> stress{};      ///< absent: no stresses below films are computed
+  std::optional<FatigueModel> fatigue{};    ///< absent: fatigue of flanks is not judged
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats

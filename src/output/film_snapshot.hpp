@@ -25,7 +25,8 @@ struct ContactSnapshot {
 struct FilmSnapshot {
   double T = 0.0;
   std::vector<ContactSnapshot> contacts;
-  GridShape shape{};  ///< of the grid that they are on
+  GridShape shape{};         ///< of the grid that they are on
+  bool of_sections = false;  ///< no result: for stresses below the films (section_replay.hpp)
 };
 
 /// The fields that follow from a film (field::pressure, thickness, traction), of friction and heat those that there

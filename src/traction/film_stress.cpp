@@ -27,12 +27,21 @@ BodyStress in_si(const Scales& scales, const StressFigures& figures) {
 
 }  // namespace
 
-SurfaceLoads loads_below(const ContactFilm& film, std::span<const double> shear_stress) {
-  const Scales& scales = film.scales();
-  std::vector<double> half_gap = compact(film.mean_gap()), shear(shear_stress.begin(), shear_stress.end());
+RowStressOptions row_options(const StressModel& model, int row) {
+  return {.row = row, .depths = model.depths, .poisson_ratio = model.poisson_ratio};
+}
+
+SurfaceLoads loads_below(const Scales& scales, const Grid& grid, const LoadingFields& fields,
+                         std::span<const double> shear_stress) {
+  std::vector<double> half_gap = compact(fields.gap), shear(shear_stress.begin(), shear_stress.end());
   for (double& value : half_gap) value *= 0.5 * scales.thickness / scales.length;
   for (double& value : shear) value /= scales.pressure;
-  return surface_loads(film.grid(), {compact(film.total_pressure()), compact(film.film_pressure())}, half_gap, shear);
+  return surface_loads(grid, {compact(fields.total_pressure), compact(fields.film_pressure)}, half_gap, shear);
+}
+
+SurfaceLoads loads_below(const ContactFilm& film, std::span<const double> shear_stress) {
+  return loads_below(film.scales(), film.grid(), {film.total_pressure(), film.film_pressure(), film.mean_gap()},
+                     shear_stress);
 }
 
 int most_loaded_row(const ContactFilm& film) {
@@ -45,10 +54,18 @@ int most_loaded_row(const ContactFilm& film) {
 
 FilmSection film_section(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
                          int row) {
-  RowStress& below =
-      film.discretisation()->prepare_stress({.row = row, .depths = model.depths, .poisson_ratio = model.poisson_ratio});
+  RowStress& below = film.discretisation()->prepare_stress(row_options(model, row));
   const SectionStresses& stresses = below.evaluate(loads_below(film, shear_stress));
   return {&below, &stresses, stress_profiles(below, stresses)};
+}
+
+std::array<SectionRecord, body_count> section_records(const Scales& scales, const FilmSection& section, double xi) {
+  const SectionLines& lines = section.row->lines();
+  const SectionPlaces places{scales.length * lines.first, scales.length * lines.step, lines.count};
+  const auto of = [&](std::size_t body) {
+    return section_record(xi, places, (*section.stresses)[body], scales.pressure, section.row->symmetric());
+  };
+  return {of(pinion_body), of(wheel_body)};
 }
 
 ContactStress contact_stress(const Scales& scales, const FilmSection& section) {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "fatigue/flank_history.hpp"
 #include "film/contact_film.hpp"
 #include "stress/section_figures.hpp"
 
@@ -19,8 +20,9 @@ namespace gearfilm {
 struct StressModel {
   std::vector<double> depths{};  ///< [a]
   std::array<double, body_count> poisson_ratio{};
-  bool whole_fields = false;  ///< where fields are written
-  double every = 0.0;         ///< way of the material between two computations of a march [a]
+  bool whole_fields = false;    ///< where fields are written
+  double every = 0.0;           ///< way of the material between two computations of a march [a]
+  bool keeps_sections = false;  ///< sections of a march are kept for the flanks' histories
 };
 
 /// What the stresses of one body come to; SI.
@@ -43,6 +45,19 @@ struct FilmSection {
   StressProfiles profiles;          ///< [p_h]
 };
 
+/// Of the section below a row.
+RowStressOptions row_options(const StressModel& model, int row);
+
+/// What a film does to its surfaces: its pressure, the oil's, and the gap that the oil fills.
+struct LoadingFields {
+  const Field<double>& total_pressure;
+  const Field<double>& film_pressure;
+  const Field<double>& gap;
+};
+
+/// Loads on both bodies below these fields; shear_stress as for a film.
+SurfaceLoads loads_below(const Scales& scales, const Grid& grid, const LoadingFields& fields,
+                         std::span<const double> shear_stress);
 /// Loads on both bodies below the film that was evaluated last; shear_stress: of the own nodes [Pa], empty without
 /// friction.
 SurfaceLoads loads_below(const ContactFilm& film, std::span<const double> shear_stress);
@@ -68,6 +83,9 @@ WholeSection whole_section(const Scales& scales, const FilmSection& section);
 /// Collective.
 std::array<std::vector<double>, body_count> von_mises_fields(const StressModel& model, const ContactFilm& film,
                                                              std::span<const double> shear_stress, int row);
+
+/// The section of a contact at xi as flanks' histories have it, of both bodies.
+std::array<SectionRecord, body_count> section_records(const Scales& scales, const FilmSection& section, double xi);
 
 /// In SI.
 ContactStress contact_stress(const Scales& scales, const FilmSection& section);

@@ -144,8 +144,24 @@ TEST(DangVan, without_the_gain_of_compression_is_larger) {
 TEST(DangVan, of_few_states_is_mended_by_resampling) {
   const double fine = dang_van(line_history(0.6, 0.0, 80), {.alpha = 0.3});
   const std::vector<Stress> coarse = line_history(0.6, 0.0, 12);
-  EXPECT_EQ(resampled(coarse, 4).size(), 4 * (coarse.size() - 1) + 1);
-  EXPECT_NEAR(dang_van(resampled(coarse, 4), {.alpha = 0.3}), fine, 0.007 * fine);
+  std::vector<double> times;
+  for (std::size_t n = 0; n < coarse.size(); ++n) times.push_back(static_cast<double>(n));
+  const std::vector<Stress> more = resampled(times, coarse, 4);
+  EXPECT_EQ(more.size(), 4 * (coarse.size() - 1) + 1);
+  EXPECT_NEAR(dang_van(more, {.alpha = 0.3}), fine, 0.007 * fine);
+}
+
+TEST(Resampling, goes_through_parabolas_of_unequal_steps) {
+  const std::vector<double> times{0.0, 0.1, 0.5, 0.6, 1.3};
+  std::vector<Stress> states;
+  for (const double t : times) states.push_back({.xx = t * t, .xz = 1.0 - t});
+  const std::vector<Stress> more = resampled(times, states, 4);
+  for (std::size_t n = 4; n <= 12; ++n) {  // off both ends
+    const double t = times[n / 4] + (n % 4) * 0.25 * (times[n / 4 + 1] - times[n / 4]);
+    EXPECT_NEAR(more[n].xx, t * t, 1e-12);
+    EXPECT_NEAR(more[n].xz, 1.0 - t, 1e-12);
+  }
+  EXPECT_EQ(resampled({}, {}, 4).size(), 0U);
 }
 
 SpurGearPair drawing(double centre_distance) {
