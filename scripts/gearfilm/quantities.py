@@ -91,6 +91,23 @@ orthogonal_shear_wheel | Pa | half the range of tau_xz along x, the largest over
 orthogonal_shear_depth_wheel | m | its depth
 surface_tension_wheel | Pa | largest principal stress at the wheel's surface; zero where none is tensile
 von_mises_wheel | Pa | von Mises stress in the wheel at the depth where it is largest below y = 0
+dang_van_max_pinion | Pa | largest Dang Van stress below z = 0.05 a, off both ends of the flank
+dang_van_s_pinion | m | where: along the flank from the base circle
+dang_van_z_pinion | m | its depth
+dang_van_surface_pinion | Pa | the same at the surface, which depends on the grid
+safety_dang_van_pinion | - | least factor on the stresses of the load at which the limit is met; null without a limit
+safety_dang_van_s_pinion | m | where: along the flank
+safety_dang_van_z_pinion | m | its depth
+cycles_dang_van_pinion | - | 5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7
+dang_van_max_wheel | Pa | largest Dang Van stress below z = 0.05 a, off both ends of the flank
+dang_van_s_wheel | m | where: along the flank from the base circle
+dang_van_z_wheel | m | its depth
+dang_van_surface_wheel | Pa | the same at the surface, which depends on the grid
+safety_dang_van_wheel | - | least factor on the stresses of the load at which the limit is met; null without a limit
+safety_dang_van_s_wheel | m | where: along the flank
+safety_dang_van_z_wheel | m | its depth
+cycles_dang_van_wheel | - | 5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7
+life_ratio | - | life by Lundberg and Palmgren's risk of both flanks over that of dry contacts of the static load shares; above 1 where the motion unloads the flanks
 working_pressure_angle_deg | deg | working pressure angle
 base_radius_pinion | m | base radius of the pinion
 base_radius_wheel | m | base radius of the wheel

@@ -1,20 +1,28 @@
-"""Stresses below films from outside, against the numbers of tests/reference/damage.json. Environment as for
-cli_test.py."""
+"""Stresses below films and fatigue of flanks from outside, against the numbers of tests/reference/damage.json.
+Environment as for cli_test.py."""
 import json
+import re
+import signal
 import unittest
 
 import h5py
 import numpy
 
 from films import BARBIERI, SAME, summary_in
-from program import INPUT, SOURCE
-from restarts import RestartTest
+from program import SOURCE
+from restarts import SMALL, RestartTest, stopped_after
+from vibration import table_in
 
 REFERENCE = json.loads((SOURCE / "tests/reference/damage.json").read_text(encoding="utf-8"))
 # The film of the reference's steady numbers, whose discretisation is the paper's.
 STUDY = ["-steady_position", "4e-3", "-friction_law", "eyring", "-pinion_speed_rpm", 6000, "-grid_nx", 129, "-grid_ny", 33,
          "-film_discretisation", "central"]
 COARSE = ["-steady_position", "4e-3", "-friction_law", "eyring", "-grid_nx", 65, "-grid_ny", 17]
+JUDGED = ["-friction_law", "eyring", "-stress_model", "row", "-stress_points", 8, "-fatigue_criterion", "dang_van",
+          "-fatigue_flank_points", 11, "-pinion_surface_hardness", 700, "-pinion_core_hardness", 350, "-pinion_case_depth",
+          "0.8e-3"]
+MARCH = ["transient", BARBIERI, *SMALL, *JUDGED]
+ORBIT = ["periodic", BARBIERI, *SMALL, *JUDGED, "-periodic_multipliers", "no", "-output_snapshot_interval", 0]
 OF_STRESS = ("von_mises_max", "von_mises_depth", "shear_max", "shear_depth", "orthogonal_shear", "orthogonal_shear_depth",
              "surface_tension")
 
@@ -107,6 +115,86 @@ lubricant: {viscosity: 0.04, pressure_viscosity: 2e-8}
             self.assertAlmostEqual(film[f"von_mises_max_{body}"] / film["p_hertz"], reference("line_von_mises_max_nu.3"),
                                    delta=0.01)
             self.assertAlmostEqual(film[f"shear_max_{body}"] / film["p_hertz"], reference("line_tau_max"), delta=0.01)
+
+
+class Flanks(DamageTest):
+    def flank(self, name, body="pinion"):
+        with h5py.File(self.folder / name / "results.h5") as file:
+            return {key: values[()].squeeze() for key, values in file[f"flank/{body}"].items()}
+
+    def test_dang_van_stress_of_the_case_study_is_that_of_the_reference(self):
+        self.run_well("periodic", BARBIERI, "-friction_law", "eyring", "-periodic_multipliers", "no", "-output_snapshot_interval",
+                      0, "-grid_ny", 33, "-film_discretisation", "central", "-stress_model", "row", "-fatigue_criterion",
+                      "dang_van", "-output_dir", "study")
+        summary = summary_in(self.folder / "study")
+        self.assertAlmostEqual(summary["dang_van_max_pinion"] / 1e6 / reference("per1_dv_alpha.3_pinion_max_MPa"), 1,
+                               delta=0.03)
+        # Where no hardness is given there is no verdict.
+        self.assertIsNone(summary["safety_dang_van_pinion"])
+        self.assertNotIn("safety", self.flank("study"))
+        # The resonance unloads the middle of the flank: 1.5 against a reference of frozen fields.
+        self.assertGreater(summary["life_ratio"], 1)
+        self.assertLess(summary["life_ratio"], 1.5)
+
+    def test_maps_have_what_the_summary_says(self):
+        self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
+        summary = summary_in(self.folder / "orbit")
+        contacts = table_in(self.folder / "orbit", "history/contacts")
+        for body in ("pinion", "wheel"):
+            flank = self.flank("orbit", body)
+            self.assertEqual(flank["dang_van"].shape, (flank["s"].size, flank["z"].size))
+            numpy.testing.assert_allclose(numpy.diff(flank["rho"]**2) / numpy.diff(flank["s"]),
+                                          (flank["rho"]**2 / flank["s"])[0], rtol=1e-9)
+            a = flank["z"][-1] / 2
+            inside = (flank["s"] >= flank["s"][0] + a) & (flank["s"] <= flank["s"][-1] - a)
+            below = flank["z"] >= 0.05 * a
+            self.assertEqual(summary[f"dang_van_max_{body}"], flank["dang_van"][inside][:, below].max())
+            self.assertEqual(summary[f"dang_van_surface_{body}"], flank["dang_van"][inside, 0].max())
+            self.assertLessEqual(flank["von_mises_max"].max(), contacts[f"von_mises_max_{body}"].max() * (1 + 1e-3))
+            self.assertGreater(flank["von_mises_max"].max(), contacts[f"von_mises_max_{body}"][-50:].max() * 0.9)
+        flank = self.flank("orbit")
+        expected = (0.4e6 * flank["hardness"] - 0.2 * flank["residual_stress"]) / flank["dang_van"]
+        numpy.testing.assert_allclose(flank["safety"], expected, rtol=1e-12)
+        self.assertEqual(summary["safety_dang_van_pinion"], expected[inside][:, below].min())
+        self.assertIsNone(summary["safety_dang_van_wheel"])
+
+    def test_a_march_and_its_periodic_state_leave_the_same_on_the_flanks(self):
+        self.run_well(*ORBIT, "-output_dir", "orbit")
+        state = summary_in(self.folder / "orbit")
+        self.run_well(*MARCH, "-mesh_periods", 3, "-output_dir", "march", "-start_place", "after_leaving", "-start_H0",
+                      state["H0_after_leaving"], "-start_V0", state["V0_after_leaving"])
+        orbit, march = (summary_in(self.folder / name) for name in ("orbit", "march"))
+        for name in ("dang_van_max_pinion", "dang_van_max_wheel", "safety_dang_van_pinion", "life_ratio"):
+            self.assertAlmostEqual(march[name] / orbit[name], 1, delta=0.03, msg=name)
+
+    def test_a_sweep_has_the_columns_and_more_torque_more_stress(self):
+        self.run_well("sweep", BARBIERI, *SMALL, *JUDGED, "-sweep_over", "torque", "-sweep_values", "300, 400", "-sweep_direction", "up",
+                      "-periodic_multipliers", "no", "-output_dir", "sweep")
+        table = table_in(self.folder / "sweep", "sweep")
+        for name in ("dang_van_max_pinion", "von_mises_max_wheel", "orthogonal_shear_pinion"):
+            self.assertLess(table[name][0], table[name][1], name)
+        self.assertGreater(table["safety_dang_van_pinion"][0], table["safety_dang_van_pinion"][1])
+        self.assertTrue(numpy.isnan(table["safety_dang_van_wheel"]).all())
+
+    def test_any_number_of_processes_gives_the_same(self):
+        march = [*MARCH, "-mesh_periods", 2.4]
+        self.run_well(*march, "-output_dir", "alone")
+        for processes in (2, 4):
+            self.run_well(*march, "-output_dir", "together", processes=processes)
+            found, expected = self.flank("together"), self.flank("alone")
+            for name, values in expected.items():
+                numpy.testing.assert_allclose(found[name], values, rtol=0, atol=1e-4 * numpy.abs(values).max(), err_msg=name)
+
+    def test_a_march_goes_on_to_the_bit(self):
+        """Stopped while the contact that is judged is on its way."""
+        march = [*MARCH, "-mesh_periods", 3.2]
+        outcome = stopped_after(14, [*march, "-output_dir", "run"], self.folder, signal.SIGUSR1)
+        self.assertEqual(outcome.status, 3, outcome)
+        stopped_at = float(re.search(r"stopped: at mesh period ([-+.e\d]+)", outcome.stderr)[1])
+        self.assertTrue(1.8 < stopped_at < 3.1, outcome)
+        expected = self.uninterrupted(*march)
+        self.assertIsNotNone(summary_in(self.folder / "uninterrupted")["dang_van_max_pinion"])
+        self.assert_same(self.complete(*march), expected)
 
 
 if __name__ == "__main__":
