@@ -103,6 +103,7 @@ fatigue.stress_exponent = 10.333333333333334
 fatigue.depth_exponent = 2.3333333333333335
 fatigue.weibull_slope = 1.1111111111111112
 fatigue.threshold = 0
+rating.cycles = 1e9
 grid.domain = auto
 grid.accuracy = 0.02
 grid.whole_face = auto

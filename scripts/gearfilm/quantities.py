@@ -108,6 +108,15 @@ safety_dang_van_s_wheel | m | where: along the flank
 safety_dang_van_z_wheel | m | its depth
 cycles_dang_van_wheel | - | 5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7
 life_ratio | - | life by Lundberg and Palmgren's risk of both flanks over that of dry contacts of the static load shares; above 1 where the motion unloads the flanks
+sigma_H | Pa | line contact's pressure under the force, over the whole face
+sigma_H_max | Pa | largest pressure of a line contact under the force, over the whole face
+sigma_F_pinion | Pa | stress at the root of the pinion's tooth, by this contact
+sigma_F_wheel | Pa | stress at the root of the wheel's tooth, by this contact
+sigma_F_max_pinion | Pa | largest stress at the root of the pinion's teeth
+sigma_F_max_wheel | Pa | largest stress at the root of the wheel's teeth
+lambda_GF | - | film after ISO/TS 6336-22 over Ra; zero without force
+contact_temperature | K | largest temperature of either flank; without heat in the film the bodies' with the flash on it
+contact_temperature_max | K | largest temperature of either flank, for scuffing
 working_pressure_angle_deg | deg | working pressure angle
 base_radius_pinion | m | base radius of the pinion
 base_radius_wheel | m | base radius of the wheel

@@ -17,6 +17,7 @@
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
 #include "results/poincare_result.hpp"
+#include "results/rating_result.hpp"
 #include "results/spectrum_result.hpp"
 #include "results/static_summary.hpp"
 #include "results/steady_result.hpp"
@@ -44,8 +45,8 @@ std::string constants_markdown() {
 
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
-         orbit_markdown() + flank_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
-         StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
+         orbit_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() + basins_markdown() +
+         continuation_markdown() + StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 9> case_commands = {{

@@ -80,6 +80,7 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
   Summary summary = march_summary(problem, mesh, output.statistics());
   if (mesh.fatigue && grid) add_fatigue(problem, mesh, Grid(output.file().comm(), *grid), flanks, output, summary);
   if (grid) summary["final_grid"] = grid_summary(mesh.scales, *grid);
+  if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(0.0, HUGE_VAL);
   summary["completed"] = completed;
   if (completed && problem.march.spectrum_periods) {
     const double end = end_of(problem, mesh);

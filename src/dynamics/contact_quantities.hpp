@@ -20,14 +20,17 @@ struct QuantityInputs {
   std::optional<WearCoefficients> wear{};  ///< of asperities
   double load_factor = 1.0;                ///< force of the tooth over that of the contact
   ContactStress stress{};                  ///< below the film
+  const RatingModel* rating = nullptr;     ///< null: the pair is not rated
 };
 
 /// Which quantities there are.
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
                                  const std::optional<double>& roughness, const ContactSolids& solids,
-                                 const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress);
+                                 const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress,
+                                 const RatingModel* rating);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear, mesh.stress);
+  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear, mesh.stress,
+                          mesh.rating.get());
 }
 
 /// h_min/Rq; zero without roughness.
@@ -40,6 +43,13 @@ double wheel_wear(const QuantityInputs& at);
 /// Volume that a flank loses by time [m^3/s].
 double pinion_wear_rate(const QuantityInputs& at);
 double wheel_wear_rate(const QuantityInputs& at);
+/// Of rated pairs, in SI (rating_model.hpp); zero of others.
+double rated_contact_stress(const QuantityInputs& at);
+double rated_pinion_root(const QuantityInputs& at);
+double rated_wheel_root(const QuantityInputs& at);
+double rated_film_ratio(const QuantityInputs& at);
+/// The warmer flank's largest temperature; without heat in the film the bodies' and the flash on it [K].
+double rated_temperature(const QuantityInputs& at);
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const QuantityInputs& at);
 
@@ -264,7 +274,29 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
          "surface_tension_wheel", "sigma_I", units::si_pascal,
          "largest principal stress at the wheel's surface; zero where none is tensile", RequiredModel::stress,
          Reduced{"surface_tension_wheel", Reduction::largest, units::si_pascal,
-                 "largest principal stress at the wheel's surface; zero where none is tensile", ShownIn::everywhere})});
+                 "largest principal stress at the wheel's surface; zero where none is tensile", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(
+         rated_contact_stress, "sigma_H", "sigma_H", units::si_pascal,
+         "line contact's pressure under the force, over the whole face", RequiredModel::rating,
+         Reduced{"sigma_H_max", Reduction::largest, units::si_pascal,
+                 "largest pressure of a line contact under the force, over the whole face", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_pinion_root, "sigma_F_pinion", "sigma_F1", units::si_pascal,
+                                  "stress at the root of the pinion's tooth, by this contact",
+                                  RequiredModel::rated_root,
+                                  Reduced{"sigma_F_max_pinion", Reduction::largest, units::si_pascal,
+                                          "largest stress at the root of the pinion's teeth", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_wheel_root, "sigma_F_wheel", "sigma_F2", units::si_pascal,
+                                  "stress at the root of the wheel's tooth, by this contact", RequiredModel::rated_root,
+                                  Reduced{"sigma_F_max_wheel", Reduction::largest, units::si_pascal,
+                                          "largest stress at the root of the wheel's teeth", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_film_ratio, "lambda_GF", "lambda_GF", units::number,
+                                  "film after ISO/TS 6336-22 over Ra; zero without force", RequiredModel::rated_film),
+     quantity::of<QuantityInputs>(
+         rated_temperature, "contact_temperature", "T_B", units::kelvin,
+         "largest temperature of either flank; without heat in the film the bodies' with the flash on it",
+         RequiredModel::rated_heat,
+         Reduced{"contact_temperature_max", Reduction::largest, units::kelvin,
+                 "largest temperature of either flank, for scuffing", ShownIn::everywhere})});
 
 /// A quantity by its name: one that does not exist ends the compilation.
 struct ContactQuantityName {

@@ -63,10 +63,24 @@ struct Reduced {
 };
 
 /// What there must be for a quantity to have a value.
-enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction, wear, stress };
+enum class RequiredModel {
+  nothing,
+  film,
+  friction,
+  heat,
+  roughness,
+  asperities,
+  boundary_friction,
+  wear,
+  stress,
+  rating,
+  rated_root,
+  rated_film,
+  rated_heat
+};
 
 /// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear, stresses
-/// below it.
+/// below it, ratings.
 struct AvailableModels {
   bool film = true;
   bool friction = false;
@@ -75,11 +89,24 @@ struct AvailableModels {
   bool asperities = false;
   bool wear = false;
   bool stress = false;
+  bool rating = false;
+  bool rated_root = false;
+  bool rated_film = false;
 
   constexpr bool has(RequiredModel needs) const {
-    const bool given[] = {
-        true,  true, friction, heat, roughness, asperities, asperities && friction, asperities && wear,
-        stress};  // in the order of RequiredModel
+    const bool given[] = {true,
+                          true,
+                          friction,
+                          heat,
+                          roughness,
+                          asperities,
+                          asperities && friction,
+                          asperities && wear,
+                          stress,
+                          rating,
+                          rated_root,
+                          rated_film,
+                          rating && friction};  // in the order of RequiredModel
     return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };

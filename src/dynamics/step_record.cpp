@@ -18,6 +18,7 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
       friction = traction_of(*mesh.traction, contacts[k]);
       at.traction = with_powers_times(mesh.load_factor(), friction->quantities);
     }
+    at.rating = mesh.rating.get();
     if (contacts[k].stress) {
       at.stress = contacts[k].stress->observe(*contacts[k].film, contact, T,
                                               friction ? friction->fields.shear_stress : std::vector<double>());

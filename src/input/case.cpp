@@ -15,6 +15,7 @@
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_rating.hpp"
 #include "input/case_roughness.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_stress.hpp"
@@ -370,6 +371,7 @@ CaseInput make_case(const ParameterValues& values) {
   result.wear = read_wear(values);
   result.stress = read_stress(values);
   result.fatigue = read_fatigue(values, result.stress ? result.scales.length * result.stress->depths.back() : 0.0);
+  result.rating = read_rating(result);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

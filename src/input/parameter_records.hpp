@@ -106,6 +106,9 @@ std::vector<Parameter> stress_records();
 std::vector<Parameter> fatigue_records();
 std::vector<Parameter> flank_material_records(const std::string& subscript);
 
+/// Section rating.
+std::vector<Parameter> rating_records();
+
 /// All in one list.
 template <class... More>
 Records joined(Records first, const More&... more) {

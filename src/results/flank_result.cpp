@@ -128,7 +128,7 @@ constexpr auto flank_members_of(const std::array<std::string_view, 8>& names) {
   return std::to_array<Member<FlankFigures>>({
       {names[0], "DV", "Pa", "largest Dang Van stress below z = 0.05 a, off both ends of the flank",
        [](Of of) -> Summary { return known(of.body[body].dang_van.value); }, Column::real},
-      {names[1], "s", "m", "where: along the flank from the base circle",
+      {names[1], "s_i", "m", "where: along the flank from the base circle",
        [](Of of) -> Summary { return place(of.body[body].dang_van, &Worst::s); }},
       {names[2], "z", "m", "its depth", [](Of of) -> Summary { return place(of.body[body].dang_van, &Worst::z); }},
       {names[3], "DV", "Pa", "the same at the surface, which depends on the grid",
@@ -136,10 +136,10 @@ constexpr auto flank_members_of(const std::array<std::string_view, 8>& names) {
       {names[4], "S_DV", "-",
        "least factor on the stresses of the load at which the limit is met; null without a limit",
        [](Of of) -> Summary { return known(of.body[body].safety.value); }, Column::real},
-      {names[5], "s", "m", "where: along the flank",
+      {names[5], "s_i", "m", "where: along the flank",
        [](Of of) -> Summary { return place(of.body[body].safety, &Worst::s); }},
       {names[6], "z", "m", "its depth", [](Of of) -> Summary { return place(of.body[body].safety, &Worst::z); }},
-      {names[7], "N", "-", "5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7",
+      {names[7], "N_c", "-", "5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7",
        [](Of of) -> Summary { return cycles_of(of.body[body].safety.value); }},
   });
 }

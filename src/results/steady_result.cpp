@@ -157,10 +157,10 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
-  const QuantityInputs at{
-      scales, position.contact, result.quantities, friction, problem.roughness, problem.wear, load_factor, stress};
-  const AvailableModels given =
-      available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear, problem.stress);
+  const QuantityInputs at{scales,      position.contact, result.quantities,   friction, problem.roughness, problem.wear,
+                          load_factor, stress,           problem.rating.get()};
+  const AvailableModels given = available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear,
+                                                 problem.stress, problem.rating.get());
   for (const auto& quantity : contact_quantities) {
     if (!given.has(quantity.needs)) continue;
     summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));

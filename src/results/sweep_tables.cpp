@@ -38,8 +38,9 @@ std::vector<TableColumn> columns_of_point() {
 
 /// One row a point.
 void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& results) {
-  const AvailableModels given = available_models(!problem.dry(), problem.traction, problem.roughness,
-                                                 problem.scales.solids, problem.wear, problem.stress);
+  const AvailableModels given =
+      available_models(!problem.dry(), problem.traction, problem.roughness, problem.scales.solids, problem.wear,
+                       problem.stress, problem.rating.get());
   std::vector<TableColumn> columns = columns_of_point();
   for (const PeriodQuantity& quantity : period_quantities) {
     if (quantity.of_sweep() && given.has(quantity.needs))

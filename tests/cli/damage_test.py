@@ -197,5 +197,54 @@ class Flanks(DamageTest):
         self.assert_same(self.complete(*march), expected)
 
 
+class Ratings(DamageTest):
+    RATED = ["-friction_law", "eyring", "-rating_contact_limit", "1.5e9", "-rating_root_limit", "1e9",
+             "-rating_scuffing_temperature", 600, "-rating_cycles", "3e6"]
+
+    def test_safeties_are_those_of_the_worst_contact(self):
+        rough = ["-pinion_roughness_ra", "0.4e-6", "-wheel_roughness_ra", "0.2e-6"]
+        self.run_well("transient", BARBIERI, *SMALL, *self.RATED, *rough, "-output_dir", "rated")
+        safety = summary_in(self.folder / "rated")["safety"]
+        contacts = table_in(self.folder / "rated", "history/contacts")
+        for rating, column in (("pitting", "sigma_H"), ("root_pinion", "sigma_F_pinion"), ("root_wheel", "sigma_F_wheel")):
+            worst = contacts[column].argmax()
+            self.assertEqual(safety[rating]["stress"], contacts[column][worst], rating)
+            self.assertEqual(safety[rating]["xi"], contacts["xi"][worst], rating)
+            self.assertAlmostEqual(safety[rating]["safety"] * contacts[column][worst] / safety[rating]["limit"], 1)
+        self.assertAlmostEqual(safety["root_pinion"]["limit"], 1e9, delta=1)
+        numpy.testing.assert_allclose(
+            contacts["sigma_H"]**2 / contacts["force"] * self.reduced_radius(contacts["xi"]),
+            206e9 / 0.91 / (2 * numpy.pi * self.face_width), rtol=1e-6)
+        warmest = contacts["contact_temperature"].max()
+        numpy.testing.assert_allclose(contacts["contact_temperature"], 363.15 + contacts["flash_temperature"])
+        self.assertAlmostEqual(safety["flash"]["safety"], (600 - 363.15) / (warmest - 363.15))
+        loaded = contacts["lambda_GF"] > 0
+        self.assertEqual(safety["micropitting"]["lambda_GF"], contacts["lambda_GF"][loaded].min())
+        self.assertAlmostEqual(safety["micropitting"]["lambda_film"], contacts["h_min"][loaded].min() / 0.3e-6)
+
+    def test_what_has_no_input_has_no_verdict(self):
+        self.run_well("periodic", BARBIERI, *SMALL, "-rating_contact_limit", "1.5e9", "-periodic_multipliers", "no",
+                      "-output_dir", "rated")
+        summary = summary_in(self.folder / "rated")
+        self.assertEqual([name for name, rating in summary["safety"].items() if rating], ["pitting"])
+        self.assertEqual(summary["safety"]["pitting"]["stress"], summary["sigma_H_max"])
+        self.assertNotIn("sigma_F_max_pinion", summary)
+
+    def test_without_limits_nothing_is_rated(self):
+        self.run_well("transient", BARBIERI, *SMALL, "-output_dir", "plain")
+        self.assertNotIn("safety", summary_in(self.folder / "plain"))
+        names = table_in(self.folder / "plain", "history/contacts").dtype.names
+        self.assertFalse({"sigma_H", "sigma_F_pinion", "lambda_GF", "contact_temperature", "von_mises_max_pinion"} & set(names))
+
+    def setUp(self):
+        super().setUp()
+        self.run_well("info", BARBIERI, "-output_dir", "info")
+        pair = summary_in(self.folder / "info")
+        tangent = numpy.tan(numpy.radians(pair["working_pressure_angle_deg"]))
+        first, second = (pair[f"base_radius_{gear}"] * tangent for gear in ("pinion", "wheel"))
+        self.reduced_radius = lambda xi: (first + xi) * (second - xi) / (first + second)
+        self.face_width = 0.02
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -9,6 +9,7 @@
 #include "gear/line_of_action.hpp"
 #include "rating/micropitting.hpp"
 #include "rating/pitting.hpp"
+#include "rating/rating_model.hpp"
 #include "rating/root.hpp"
 #include "rating/scuffing.hpp"
 
@@ -129,6 +130,28 @@ TEST(Root, is_stressed_more_by_loads_nearer_the_tip) {
     before = stress;
   }
   EXPECT_NEAR(pinion.stress(2e3, 0.012), 2.0 * pinion.stress(1e3, 0.012), 1e-3);
+}
+
+TEST(RatingModel, has_the_stresses_of_its_formulas) {
+  const SpurGearPair pair = fzg_c14();
+  RatingModel model{
+      .pair = pair, .line = LineOfAction(pair), .reduced_modulus = reduced_modulus, .pinion_speed = 1500.0 * pi / 30.0};
+  EXPECT_NEAR(model.contact_stress(force(), 0.0), line_pressure(model.line, 0.0), 1e-3);
+  EXPECT_EQ(model.root_stress(0, force(), 0.0), 0.0);   // without a limit
+  EXPECT_EQ(model.film_ratio(force(), 0.0, 3.0), 0.0);  // without roughness
+  EXPECT_EQ(model.contact_stress(0.0, 0.0), 0.0);
+  model.roots = {ToothRoot(pair.pinion, pair, 0.1817), ToothRoot(pair.wheel, pair, 0.1715)};
+  // sigma_F0 = F_t/(b m) Y_F Y_S at the outer point of single contact.
+  const double outer = model.line.entry() + model.line.base_pitch();
+  const double nominal =
+      2.0 * torque / (16 * 4.5e-3) / (14e-3 * 4.5e-3) * damage_number("fzg_c14_YF1") * damage_number("fzg_c14_YS1");
+  EXPECT_NEAR(model.root_stress(0, force(), outer), nominal, 1e-3 * nominal);
+  model.limits = {.contact = 1500e6, .root = 1000e6, .cycles = 3e6};
+  EXPECT_NEAR(model.permissible_root_stress(0), 1000e6, 1.0);
+  EXPECT_NEAR(model.permissible_root_stress(1) / 1000e6, root_life_factor(2e6), 1e-12);
+  const double bare = model.permissible_contact_stress();
+  model.limits.viscosity_40 = 320e-6;
+  EXPECT_NEAR(model.permissible_contact_stress() / bare, lubricant_factor(320e-6, 1500e6), 1e-12);
 }
 
 TEST(Friction, loss_factor_of_c14_is_the_printed_one) {
