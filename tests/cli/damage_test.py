@@ -11,6 +11,7 @@ import numpy
 from films import BARBIERI, SAME, summary_in
 from program import SOURCE
 from restarts import SMALL, RestartTest, stopped_after
+from script import plot
 from vibration import table_in
 
 REFERENCE = json.loads((SOURCE / "tests/reference/damage.json").read_text(encoding="utf-8"))
@@ -36,6 +37,12 @@ class DamageTest(RestartTest):
         self.run_well("steady", case, "-output_dir", name, *options, processes=processes)
         return summary_in(self.folder / name)
 
+    def assert_drawn(self, name, *options):
+        """By `plot damage`, without a warning."""
+        run = plot("damage", self.folder / name, *options)
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+        self.assertTrue((self.folder / name / "damage.png").read_bytes().startswith(b"\x89PNG"))
+
     def section(self, name="film"):
         with h5py.File(self.folder / name / "results.h5") as file:
             return {key: values[()] for key, values in file["contact0/section"].items()}
@@ -50,6 +57,7 @@ class Steady(DamageTest):
 
     def test_the_section_has_what_the_summary_says(self):
         film = self.steady(*COARSE, "-stress_model", "row")
+        self.assert_drawn("film")
         section = self.section()
         for body in ("pinion", "wheel"):
             stress = {name: section[f"sigma_{name}_{body}"] for name in ("xx", "yy", "zz", "yz", "xz", "xy")}
@@ -139,6 +147,8 @@ class Flanks(DamageTest):
     def test_maps_have_what_the_summary_says(self):
         self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
         summary = summary_in(self.folder / "orbit")
+        self.assert_drawn("orbit")
+        self.assert_drawn("orbit", "--path")
         contacts = table_in(self.folder / "orbit", "history/contacts")
         for body in ("pinion", "wheel"):
             flank = self.flank("orbit", body)
@@ -205,6 +215,7 @@ class Ratings(DamageTest):
         rough = ["-pinion_roughness_ra", "0.4e-6", "-wheel_roughness_ra", "0.2e-6"]
         self.run_well("transient", BARBIERI, *SMALL, *self.RATED, *rough, "-output_dir", "rated")
         safety = summary_in(self.folder / "rated")["safety"]
+        self.assert_drawn("rated")
         contacts = table_in(self.folder / "rated", "history/contacts")
         for rating, column in (("pitting", "sigma_H"), ("root_pinion", "sigma_F_pinion"), ("root_wheel", "sigma_F_wheel")):
             worst = contacts[column].argmax()
@@ -233,6 +244,9 @@ class Ratings(DamageTest):
     def test_without_limits_nothing_is_rated(self):
         self.run_well("transient", BARBIERI, *SMALL, "-output_dir", "plain")
         self.assertNotIn("safety", summary_in(self.folder / "plain"))
+        run = plot("damage", self.folder / "plain")
+        self.assertEqual((run.returncode, run.stdout), (1, ""), run)
+        self.assertIn("it has neither stresses below films nor ratings; give stress.model", run.stderr)
         names = table_in(self.folder / "plain", "history/contacts").dtype.names
         self.assertFalse({"sigma_H", "sigma_F_pinion", "lambda_GF", "contact_temperature", "von_mises_max_pinion"} & set(names))
 

@@ -6,7 +6,6 @@ import unittest
 
 import h5py
 import numpy
-from numpy.lib import recfunctions
 
 from program import SOURCE, ProgramTest
 from script import plot, run_script
@@ -335,48 +334,6 @@ class Figures(ProgramTest):
         self.write_results("sweep")
         self.assertIn("too many", self.compare(*(f"{n}={self.folder}" for n in range(5))).stderr)
         self.assertIn("does not exist", self.compare(f"one={self.folder / 'nothing'}").stderr)
-
-    def write_damage(self, command, safety=True):
-        """Sections below a film, or maps of both flanks beside a history."""
-        if command == "steady":
-            self.write_film()
-        else:
-            self.write_history(command)
-        s, z = numpy.linspace(1e-3, 8e-3, 11), numpy.linspace(0, 1e-3, 6)
-        stress = 3e8 * numpy.exp(-((s[:, None] - 4e-3) / 3e-3) ** 2 - ((z - 3e-4) / 4e-4) ** 2)
-        with h5py.File(self.folder / "results.h5", "a") as results:
-            if command == "steady":
-                section = results.create_group("contact0/section")
-                section["x"], section["z"] = s - 4e-3, z
-                section.attrs["y"] = 0.0
-                section["von_mises_pinion"] = section["von_mises_wheel"] = stress.T
-                return
-            for gear in ("pinion", "wheel"):
-                flank = results.create_group(f"flank/{gear}")
-                flank["s"], flank["z"], flank["dang_van"] = s, z, stress
-                if safety:
-                    flank["safety"], flank["hardness"] = 2.5e8 / stress, numpy.linspace(700, 500, 6)
-
-    def test_damage_of_films_and_flanks(self):
-        for command in ("steady", "periodic"):
-            self.write_damage(command)
-            self.assert_drawn("damage")
-        self.write_damage("transient", safety=False)
-        self.assert_drawn("damage")
-        self.write_history("transient")
-        self.assert_refused("damage", "it has neither stresses below films nor ratings")
-        self.write_film()
-        self.assert_refused("damage", "it has no stresses below films; give stress.model")
-
-    def test_damage_over_the_path_of_contact(self):
-        self.write_history("periodic")
-        with h5py.File(self.folder / "results.h5", "a") as results:
-            rows = results["history/contacts"][...]
-            names = ["von_mises_max_pinion", "von_mises_max_wheel", "sigma_H", "sigma_F_pinion", "sigma_F_wheel", "lambda_GF"]
-            more = recfunctions.append_fields(rows, names, [rows["force"]] * len(names), usemask=False)
-            del results["history/contacts"]
-            results["history/contacts"] = more
-        self.assert_drawn("damage")
 
     def test_search_that_found_no_orbit(self):
         self.write_history("periodic", found=False)
