@@ -130,25 +130,10 @@ class Flanks(DamageTest):
         with h5py.File(self.folder / name / "results.h5") as file:
             return {key: values[()].squeeze() for key, values in file[f"flank/{body}"].items()}
 
-    def test_dang_van_stress_of_the_case_study_is_that_of_the_reference(self):
-        self.run_well("periodic", BARBIERI, "-friction_law", "eyring", "-periodic_multipliers", "no", "-output_snapshot_interval",
-                      0, "-grid_ny", 33, "-film_discretisation", "central", "-stress_model", "row", "-fatigue_criterion",
-                      "dang_van", "-output_dir", "study")
-        summary = summary_in(self.folder / "study")
-        self.assertAlmostEqual(summary["dang_van_max_pinion"] / 1e6 / reference("per1_dv_alpha.3_pinion_max_MPa"), 1,
-                               delta=0.03)
-        # Where no hardness is given there is no verdict.
-        self.assertIsNone(summary["safety_dang_van_pinion"])
-        self.assertNotIn("safety", self.flank("study"))
-        # The resonance unloads the middle of the flank: 1.5 against a reference of frozen fields.
-        self.assertGreater(summary["life_ratio"], 1)
-        self.assertLess(summary["life_ratio"], 1.5)
-
     def test_maps_have_what_the_summary_says(self):
         self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
         summary = summary_in(self.folder / "orbit")
         self.assert_drawn("orbit")
-        self.assert_drawn("orbit", "--path")
         contacts = table_in(self.folder / "orbit", "history/contacts")
         for body in ("pinion", "wheel"):
             flank = self.flank("orbit", body)
@@ -168,14 +153,13 @@ class Flanks(DamageTest):
         self.assertEqual(summary["safety_dang_van_pinion"], expected[inside][:, below].min())
         self.assertIsNone(summary["safety_dang_van_wheel"])
 
-    def test_a_march_and_its_periodic_state_leave_the_same_on_the_flanks(self):
-        self.run_well(*ORBIT, "-output_dir", "orbit")
-        state = summary_in(self.folder / "orbit")
+        # A march that begins in the periodic state leaves the same.
         self.run_well(*MARCH, "-mesh_periods", 3, "-output_dir", "march", "-start_place", "after_leaving", "-start_H0",
-                      state["H0_after_leaving"], "-start_V0", state["V0_after_leaving"])
-        orbit, march = (summary_in(self.folder / name) for name in ("orbit", "march"))
-        for name in ("dang_van_max_pinion", "dang_van_max_wheel", "safety_dang_van_pinion", "life_ratio"):
-            self.assertAlmostEqual(march[name] / orbit[name], 1, delta=0.03, msg=name)
+                      summary["H0_after_leaving"], "-start_V0", summary["V0_after_leaving"])
+        march = summary_in(self.folder / "march")
+        for name in ("dang_van_max_pinion", "dang_van_max_wheel", "life_ratio"):
+            self.assertAlmostEqual(march[name] / summary[name], 1, delta=0.03, msg=name)
+        self.assertIsNone(march["safety_dang_van_wheel"])
 
     def test_a_sweep_has_the_columns_and_more_torque_more_stress(self):
         self.run_well("sweep", BARBIERI, *SMALL, *JUDGED, "-sweep_over", "torque", "-sweep_values", "300, 400", "-sweep_direction", "up",
