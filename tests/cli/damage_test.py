@@ -3,6 +3,7 @@ Environment as for cli_test.py."""
 import json
 import re
 import signal
+import sys
 import unittest
 
 import h5py
@@ -13,6 +14,11 @@ from program import SOURCE
 from restarts import SMALL, RestartTest, stopped_after
 from script import plot
 from vibration import table_in
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+import gearfilm  # noqa: E402
+from gearfilm.report import write_report  # noqa: E402
+from gearfilm.verdicts import verdicts  # noqa: E402
 
 REFERENCE = json.loads((SOURCE / "tests/reference/damage.json").read_text(encoding="utf-8"))
 # The film of the reference's steady numbers, whose discretisation is the paper's.
@@ -134,6 +140,10 @@ class Flanks(DamageTest):
         self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
         summary = summary_in(self.folder / "orbit")
         self.assert_drawn("orbit")
+        page = write_report(gearfilm.open(self.folder / "orbit")).read_text(encoding="utf-8")
+        first, second = (page.index(f"flank of the {gear}: Dang Van stress") for gear in ("pinion", "wheel"))
+        self.assertTrue(page.index("What fails first") < first < second, "that without a limit comes last")
+        self.assertIn("Stresses below the films", page)
         contacts = table_in(self.folder / "orbit", "history/contacts")
         for body in ("pinion", "wheel"):
             flank = self.flank("orbit", body)
@@ -216,6 +226,17 @@ class Ratings(DamageTest):
         loaded = contacts["lambda_GF"] > 0
         self.assertEqual(safety["micropitting"]["lambda_GF"], contacts["lambda_GF"][loaded].min())
         self.assertAlmostEqual(safety["micropitting"]["lambda_film"], contacts["h_min"][loaded].min() / 0.3e-6)
+
+    def test_the_least_safety_comes_first(self):
+        rows = verdicts({"dang_van_max_pinion": 3e8, "safety_dang_van_pinion": 1.2, "safety_dang_van_s_pinion": 4e-3,
+                         "safety_dang_van_z_pinion": 2e-4, "dang_van_max_wheel": None,
+                         "safety": {"pitting": {"stress": 1.5e9, "xi": 1e-3, "limit": 1.35e9, "safety": 0.9},
+                                    "root_pinion": None,
+                                    "integral": {"temperature": 400.0, "limit": None, "safety": None}}})
+        self.assertEqual([row[0].partition(":")[0] for row in rows], ["pitting", "flank of the pinion", "scuffing"])
+        self.assertEqual(rows[0][1:], ("1500", "1350", "MPa", "0.9", "xi = 1 mm"))
+        self.assertEqual(rows[1][1:], ("300", "", "MPa", "1.2", "s = 4 mm, 0.2 mm deep"))
+        self.assertEqual(rows[2][1:], ("400", "", "K", "", "over the path of contact"))
 
     def test_what_has_no_input_has_no_verdict(self):
         self.run_well("periodic", BARBIERI, *SMALL, "-rating_contact_limit", "1.5e9", "-periodic_multipliers", "no",
