@@ -49,6 +49,56 @@ double risk_of(const MeshModel& mesh, const std::vector<double>& s, const std::v
   return sum;
 }
 
+/// Judges flanks by histories whose depths the processes share.
+class FlankJudge {
+public:
+  FlankJudge(const Grid& grid, const MeshModel& mesh)
+      : comm_(grid.comm()),
+        mesh_(mesh),
+        depths_(mesh.stress->depths.size()),
+        ranges_(cut_evenly(static_cast<int>(depths_), grid.processes())),
+        own_{ranges_[grid.rank()], ranges_[grid.rank() + 1]} {}
+
+  /// The worst of the passages at each place.
+  FlankResult flank(std::size_t body, const std::vector<Passage>& passages) const {
+    const FatigueModel& fatigue = *mesh_.fatigue;
+    const FlankPath path(mesh_.path.line(), body == pinion_body);
+    FlankResult flank;
+    flank.s = flank_points(path, fatigue.flank_points);
+    for (const double s : flank.s) {
+      flank.xi.push_back(path.position_of(s));
+      flank.radius.push_back(path.curvature_radius(flank.xi.back()));
+    }
+    for (const Passage& passage : passages) {
+      const FlankMap map = flank_map(passage[body], flank.s, own_.count(), fatigue.dang_van);
+      keep_larger(flank.map.dang_van, whole(map.dang_van, flank.s));
+      keep_larger(flank.map.von_mises, whole(map.von_mises, flank.s));
+      keep_larger(flank.map.orthogonal_amplitude, whole(map.orthogonal_amplitude, flank.s));
+    }
+    for (std::size_t n = 0; fatigue.has_limit(body) && n < flank.map.dang_van.size(); ++n) {
+      const double z = mesh_.scales.length * mesh_.stress->depths[n % depths_];
+      flank.safety.push_back(fatigue.safety(body, z, flank.map.dang_van[n]));
+    }
+    return flank;
+  }
+
+  /// Of one passage.
+  double risk(const FlankHistory& history, const std::vector<double>& s) const {
+    return risk_of(mesh_, s, whole(orthogonal_amplitudes(history, s, own_.count()), s));
+  }
+
+private:
+  std::vector<double> whole(const std::vector<double>& values, const std::vector<double>& s) const {
+    return of_all_depths(comm_, own_, depths_, values, s.size());
+  }
+
+  MPI_Comm comm_;
+  const MeshModel& mesh_;
+  std::size_t depths_;
+  std::vector<int> ranges_;
+  RowRange own_;
+};
+
 /// What a flank comes to.
 struct Worst {
   std::optional<double> value{};
@@ -160,47 +210,24 @@ constexpr auto life_members = std::to_array<Member<FlankFigures>>({
 }  // namespace
 
 FlankResults flank_results(const Grid& grid, const MeshModel& rest, const std::vector<Passage>& passages) {
-  const FatigueModel& fatigue = *rest.fatigue;
-  const std::size_t depths = rest.stress->depths.size();
-  const std::vector<int> ranges = cut_evenly(static_cast<int>(depths), grid.processes());
-  const RowRange own{ranges[grid.rank()], ranges[grid.rank() + 1]};
   FlankResults results;
   for (const double depth : rest.stress->depths) results.z.push_back(rest.scales.length * depth);
+  const FlankJudge judge(grid, rest);
   for (std::size_t body = 0; body < body_count; ++body) {
-    FlankResult& flank = results.of_body[body];
-    const FlankPath path(rest.path.line(), body == pinion_body);
-    flank.s = flank_points(path, fatigue.flank_points);
-    for (const double s : flank.s) {
-      flank.xi.push_back(path.position_of(s));
-      flank.radius.push_back(path.curvature_radius(flank.xi.back()));
-    }
-    const auto whole = [&](const std::vector<double>& values) {
-      return of_all_depths(grid.comm(), own, depths, values, flank.s.size());
-    };
+    results.of_body[body] = judge.flank(body, passages);
     for (const Passage& passage : passages) {
-      const FlankMap map = flank_map(passage[body], flank.s, own.count(), fatigue.dang_van);
-      const std::vector<double> amplitudes = whole(map.orthogonal_amplitude);
-      keep_larger(flank.map.dang_van, whole(map.dang_van));
-      keep_larger(flank.map.von_mises, whole(map.von_mises));
-      keep_larger(flank.map.orthogonal_amplitude, amplitudes);
-      results.risk += risk_of(rest, flank.s, amplitudes) / static_cast<double>(passages.size());
-    }
-    for (std::size_t n = 0; fatigue.has_limit(body) && n < flank.map.dang_van.size(); ++n) {
-      flank.safety.push_back(fatigue.safety(body, results.z[n % depths], flank.map.dang_van[n]));
+      results.risk += judge.risk(passage[body], results.of_body[body].s) / static_cast<double>(passages.size());
     }
   }
   if (rest.scales.solids.face) return results;
-  double reference = 0.0;
+  results.reference_risk = 0.0;
   for (const Passage& passage : passages) {
     const Passage at_rest = static_passage(grid, rest, passage);
     for (std::size_t body = 0; body < body_count; ++body) {
-      const std::vector<double>& s = results.of_body[body].s;
-      const std::vector<double> amplitudes =
-          of_all_depths(grid.comm(), own, depths, orthogonal_amplitudes(at_rest[body], s, own.count()), s.size());
-      reference += risk_of(rest, s, amplitudes) / static_cast<double>(passages.size());
+      *results.reference_risk +=
+          judge.risk(at_rest[body], results.of_body[body].s) / static_cast<double>(passages.size());
     }
   }
-  results.reference_risk = reference;
   return results;
 }
 
