@@ -200,6 +200,13 @@ class RunFolder:
         with self._open() as results:
             return any(True for _ in self._stored(results))
 
+    def stores_stresses(self):
+        """Whether there are stresses below a film at rest, or maps of flanks."""
+        if not self._results.exists():
+            return False
+        with self._open() as results:
+            return "flank" in results or "contact0/section" in results
+
     def film(self, xi=0.0):
         """The stored film nearest to a place on the line of action [mm]; the others are not read."""
         with self._open() as results:

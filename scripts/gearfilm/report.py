@@ -12,6 +12,7 @@ from . import defaults, markup
 from .drawing import draw, usual_kinds
 from .folder import ResultsError
 from .quantities import INTERNAL, quantity, shown
+from .verdicts import HEADINGS, verdicts
 
 BARE = {"case", "provenance", "predictions", "search", "completed", "points", "dry", "final_grid"}
 INPUTS = {"torque", "m_ge", "viscosity", "I_n", "f_n", "order"}     # left out of a list where all rows have the same
@@ -30,6 +31,7 @@ CAPTIONS = {"film": "Film: thickness over the contact, pressure and film along y
             "sweep": "Sweep: response over what is varied",
             "branch": "Branches: stable ones full, unstable ones dashed",
             "static": "Turned slowly: transmission error and its swing, load shares, mesh stiffness",
+            "damage": "Stresses below the films, fatigue of the flanks",
             "friction": "Friction: coefficient, losses and temperatures"}
 NO_NUMBER = {True: "yes", False: "no", None: "none"}
 
@@ -151,6 +153,8 @@ def convergence(run):
 def kinds(run):
     """The figures of a run: those of its command, and a film where a march has stored some."""
     usual = [kind for kind in usual_kinds(run.command) if kind != "film"]
+    if run.stores_stresses():
+        usual.append("damage")
     return [*usual, "film"] if run.stores_films() else usual
 
 
@@ -208,6 +212,7 @@ def page(run):
         text.write(markup.warning("The periodic state is unstable: no march stays on it."))
     headings, main = main_figures(summary)
     section("Main figures", rows(main, headings))
+    section("What fails first", rows(verdicts(summary), HEADINGS))
     for kind, content, trouble in figures(run):
         section(CAPTIONS.get(kind, kind), markup.picture(content, CAPTIONS.get(kind, kind)) if content else
                 markup.warning(trouble))

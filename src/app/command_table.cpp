@@ -12,10 +12,12 @@
 #include "results/continuation_result.hpp"
 #include "results/derived.hpp"
 #include "results/eigen_summary.hpp"
+#include "results/flank_result.hpp"
 #include "results/march_summary.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
 #include "results/poincare_result.hpp"
+#include "results/rating_result.hpp"
 #include "results/spectrum_result.hpp"
 #include "results/static_summary.hpp"
 #include "results/steady_result.hpp"
@@ -44,8 +46,9 @@ std::string constants_markdown() {
 
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
-         orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
-         StaticLoad::markdown() + wear_markdown() + modes_markdown() + derived_markdown() + bench_markdown();
+         orbit_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() + basins_markdown() +
+         continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() + derived_markdown() +
+         bench_markdown();
 }
 
 constexpr std::array<Command, 10> case_commands = {{

@@ -33,6 +33,7 @@ MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid
       file_(grid.comm(), run.directory() / "results.h5"),
       history_(std::in_place, file_, mesh, lubricated_),
       statistics_(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()),
+      ratings_(mesh),
       progress_(grid.comm()) {
   write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
@@ -45,6 +46,7 @@ void MarchOutput::step(const StepRecord& record, const std::vector<ActiveContact
   statistics_.add(record, available_models(mesh_, lubricated_));
   signal_.add(record);
   section_.add(record);
+  ratings_.add(record);
   const double period = mesh_.path.mesh_periods(record.T);
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
     take_snapshot(record, contacts);

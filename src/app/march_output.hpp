@@ -13,6 +13,7 @@
 #include "output/resumable_run.hpp"
 #include "output/snapshots.hpp"
 #include "output/summary.hpp"
+#include "results/rating_result.hpp"
 
 namespace gearfilm {
 
@@ -35,6 +36,9 @@ public:
   void note(const std::string& text) { progress_.note(text); }
   /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
   Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
+
+  /// Least safeties over [T_begin, T_end], of a pair that is rated.
+  Summary safeties(double T_begin, double T_end) const { return ratings_.safeties(T_begin, T_end); }
 
   /// Writes and closes results.h5.
   void finish();
@@ -63,6 +67,7 @@ private:
   MarchStatistics statistics_;
   MotionSignal signal_;
   PoincareSection section_;
+  RatingHistory ratings_;
   Progress progress_;
   double next_snapshot_ = 0.0;
 };

@@ -11,6 +11,7 @@
 #include "input/case_setup.hpp"
 #include "output/screen.hpp"
 #include "output/screen_table.hpp"
+#include "results/flank_result.hpp"
 #include "results/friction_summary.hpp"
 #include "results/march_summary.hpp"
 #include "results/orbit_summary.hpp"
@@ -66,6 +67,10 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Case
       .add("transmission error, peak to peak", "transmission_error_peak_to_peak", 1e6, "um")
       .add("free oscillation", "free_frequency", 1.0, "Hz")
       .add("its damping ratio", "damping_ratio")
+      .add("largest Dang Van stress, pinion", "dang_van_max_pinion", 1e-6, "MPa")
+      .add("  in the wheel", "dang_van_max_wheel", 1e-6, "MPa")
+      .add("  least safety, pinion", "safety_dang_van_pinion")
+      .add("  in the wheel", "safety_dang_van_wheel")
       .add("mean friction coefficient", "mean_friction_coefficient")
       .add("efficiency of the mesh", "efficiency")
       .print(comm, folder);
@@ -93,8 +98,8 @@ SearchWatch watch_of(MPI_Comm comm, ResumableRun& run, MarchOutput& output) {
           .store = &run.checkpoint()};
 }
 
-void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found, ResumableRun& run,
-                 MarchOutput& output) {
+void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found,
+                 const std::optional<FlankResults>& flanks, ResumableRun& run, MarchOutput& output) {
   MPI_Comm comm = output.file().comm();
   const double begin = found.own.orbit.begin, end = begin + mesh.period();
   output.file().attribute("/history", "periodic_from", begin);
@@ -103,6 +108,9 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   Summary summary = periodic_summary(problem, mesh, found, errors);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(mesh);
+  if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(begin, end);
+  if (mesh.fatigue) add_flanks(mesh, flanks, summary);
+  if (flanks) write_flanks(output.file(), *mesh.fatigue, *flanks);
   summary["completed"] = true;
   output.finish();
   write_summary(comm, run.directory().path(), summary);
@@ -124,8 +132,10 @@ void search(MPI_Comm comm, const CaseInput& given) {
   MarchOutput output(run, problem, films->grid(), search.mesh, MarchPurpose::search,
                      (problem.dry() ? 1.0 : typical_periods) * search.mesh.periods());
   FoundOrbit found;
+  std::optional<FlankResults> flanks;
   try {
     found = find_orbit_with_errors(search, problem.dry() ? nullptr : films, watch_of(comm, run, output));
+    if (search.mesh.fatigue) flanks = flank_results(search, films, found.own.orbit, run.stop().check_in(comm));
   } catch (const Unfinished&) {
     Summary summary = march_summary(problem, search.mesh, output.statistics());
     summary["completed"] = false;
@@ -133,7 +143,7 @@ void search(MPI_Comm comm, const CaseInput& given) {
     write_summary(comm, run.directory().path(), summary);  // what was marched until then
     throw;
   }
-  write_state(problem, search.mesh, found, run, output);
+  write_state(problem, search.mesh, found, flanks, run, output);
 }
 
 }  // namespace

@@ -78,6 +78,9 @@ void print_result(MPI_Comm comm, const std::filesystem::path& folder, const Stea
       .add("largest pressure", "p_max", 1e-9, "GPa")
       .add("  in the centre", "p_central", 1e-9, "GPa")
       .add("  of the outlet's spike", "p_spike", 1e-9, "GPa")
+      .add("largest von Mises stress, pinion", "von_mises_max_pinion", 1e-6, "MPa")
+      .add("  its depth", "von_mises_depth_pinion", 1e6, "um")
+      .add("  in the wheel", "von_mises_max_wheel", 1e-6, "MPa")
       .add("force", "force", 1.0, position.solids.line ? "N/m" : "N")
       .add("tilting moment", "tilting_moment", 1.0, "N m")
       .text("work", worded(summary["newton_iterations"], " Newton and ", summary["krylov_iterations"],

@@ -10,6 +10,7 @@
 #include "output/screen.hpp"
 #include "output/state_file.hpp"
 #include "parallel/agreement.hpp"
+#include "results/flank_result.hpp"
 #include "results/pair_conditions.hpp"
 #include "results/poincare_result.hpp"
 #include "results/sweep_point.hpp"
@@ -161,6 +162,9 @@ private:
       describe_search();
       write_films(point, found.orbit.end);
       add_orbit(problem.mesh, found, result);
+      if (problem.mesh.fatigue) {
+        add_flanks(problem.mesh, flank_results(problem, films, found.orbit, watch.check_stop), result);
+      }
       if (const std::optional<DryOrbit>& dry = chain_.last()->dry) result["dry_motion"] = dry->start;
     } catch (const SolveError&) {
       describe_search();

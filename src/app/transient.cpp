@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/corner_contact.hpp"
+#include "app/flank_march.hpp"
 #include "app/march_output.hpp"
 #include "app/result_warnings.hpp"
 #include "gearfilm/error.hpp"
@@ -65,11 +66,21 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
       .print(comm, folder);
 }
 
+void add_fatigue(const CaseInput& problem, const MeshModel& mesh, const Grid& grid, const FlankMarch& flanks,
+                 MarchOutput& output, Summary& summary) {
+  const std::optional<FlankResults> results = flanks.results(grid, mesh_after_leaving(problem));
+  add_flanks(mesh, results, summary);
+  if (results) write_flanks(output.file(), *mesh.fatigue, *results);
+}
+
 /// What is known so far, into the files; and its summary.
 Summary write_march(const ResumableRun& run, const CaseInput& problem, const MeshModel& mesh,
-                    const std::optional<GridShape>& grid, MarchOutput& output, bool completed) {
+                    const std::optional<GridShape>& grid, const FlankMarch& flanks, MarchOutput& output,
+                    bool completed) {
   Summary summary = march_summary(problem, mesh, output.statistics());
+  if (mesh.fatigue && grid) add_fatigue(problem, mesh, Grid(output.file().comm(), *grid), flanks, output, summary);
   if (grid) summary["final_grid"] = grid_summary(mesh.scales, *grid);
+  if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(0.0, HUGE_VAL);
   summary["completed"] = completed;
   if (completed && problem.march.spectrum_periods) {
     const double end = end_of(problem, mesh);
@@ -89,13 +100,15 @@ void run_transient(MPI_Comm comm, const CaseInput& problem) {
   const SharedDiscretisation films = discretise(comm, problem);
   // A march that failed may go on with other steps.
   ResumableRun run(problem, films->grid(), "transient", {"time", "solver"});
-  const MeshModel mesh =
-      mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
+  MeshModel mesh = mesh_model(problem, problem.march.start_position, problem.march.geometry, problem.march.course);
+  keep_sections(mesh);
   require_beyond(run, problem, mesh);
   if (!mesh.teeth.rigid() && !mesh.load) warn_of_corner_contact(comm, mesh);
   MarchOutput output(run, problem, films->grid(), mesh, MarchPurpose::march,
                      mesh.path.mesh_periods(end_of(problem, mesh)));
+  FlankMarch flanks(comm, run.checkpoint(), mesh, end_of(problem, mesh));
   const auto observer = [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
+    flanks.step(record, contacts);
     output.step(record, contacts);
     if (run.checkpoint().is_new(record)) run.stop().check(comm, mesh.path.mesh_periods(record.T));
   };
@@ -104,10 +117,10 @@ void run_transient(MPI_Comm comm, const CaseInput& problem) {
     march.start(problem.march.start_motion);
     march.run(end_of(problem, mesh));
   } catch (const Unfinished&) {
-    write_march(run, problem, mesh, march.grid_shape(), output, false);  // what was computed until then
+    write_march(run, problem, mesh, march.grid_shape(), flanks, output, false);  // what was computed until then
     throw;
   }
-  const Summary summary = write_march(run, problem, mesh, march.grid_shape(), output, true);
+  const Summary summary = write_march(run, problem, mesh, march.grid_shape(), flanks, output, true);
   print_recurrence(comm, summary);
   print_extremes(comm, run.directory().path(), summary);
   warn_of_validity(comm, summary);

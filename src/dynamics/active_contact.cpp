@@ -3,10 +3,17 @@
 #include <algorithm>
 
 namespace gearfilm {
+namespace {
+
+std::shared_ptr<StressRecorder> stress_recorder(const MeshModel& mesh) {
+  return mesh.stress ? std::make_shared<StressRecorder>(*mesh.stress) : nullptr;
+}
+
+}  // namespace
 
 ActiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film, const LoadCondition& load,
                             const SolverOptions& options, StationaryResult& found) {
-  ActiveContact contact{number, film, {}, film_processes(mesh)};
+  ActiveContact contact{number, film, {}, film_processes(mesh), stress_recorder(mesh)};
   for (const auto& process : contact.processes) process->begin(*film, load, options, found);
   const std::vector<double>& pressure = found.solution.pressure;
   contact.fields.emplace(field::pressure.name, pressure);
@@ -16,13 +23,14 @@ ActiveContact begin_contact(const MeshModel& mesh, int number, ContactFilm* film
 }
 
 ActiveContact continue_contact(const MeshModel& mesh, int number, ContactFilm* film, ContactFields fields) {
-  ActiveContact contact{number, film, std::move(fields), film_processes(mesh)};
+  ActiveContact contact{number, film, std::move(fields), film_processes(mesh), stress_recorder(mesh)};
   restore_processes(contact);
   return contact;
 }
 
 void restore_processes(ActiveContact& contact) {
   for (const auto& process : contact.processes) process->restore(*contact.film, contact.fields);
+  if (contact.stress) contact.stress->begin_anew();
 }
 
 void save_processes(ActiveContact& contact) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/film_process.hpp"
+#include "dynamics/stress_recorder.hpp"
 
 namespace gearfilm {
 
@@ -13,6 +14,7 @@ struct ActiveContact {
   ContactFilm* film = nullptr;                            ///< at its present state; null in the dry model
   ContactFields fields{};                                 ///< as the last segment left them
   std::vector<std::shared_ptr<FilmProcess>> processes{};  ///< that follow the film
+  std::shared_ptr<StressRecorder> stress{};               ///< below it; null where nobody asks
 };
 
 /// A contact that begins with a stationary film, which `found` is; with the film and its processes in equilibrium

@@ -99,8 +99,19 @@ inline constexpr auto traction = std::to_array<Of<TractionFields>>(
      of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor,
                  "logarithm of the flow over that of the same film without heat, of a film that feels its heat")});
 
-inline constexpr auto all =
-    std::to_array<ContactField>({pressure, thickness, film_pressure, asperity_pressure, mean_gap, rate});
+/// Below the film where it is largest in the row y = 0 (`von_mises_depth_...`): of results only.
+constexpr ContactField of_stress(std::string_view name, std::string_view meaning) {
+  return {.name = name, .dataset = name, .unit = units::si_pascal, .meaning = meaning, .compared = false};
+}
+
+inline constexpr auto von_mises =
+    std::to_array<ContactField>({of_stress("von_mises_pinion",
+                                           "von Mises stress in the pinion at the depth where it "
+                                           "is largest below y = 0; with `stress.model: field`"),
+                                 of_stress("von_mises_wheel", "the same in the wheel")});
+
+inline constexpr auto all = std::to_array<ContactField>(
+    {pressure, thickness, film_pressure, asperity_pressure, mean_gap, rate, von_mises[0], von_mises[1]});
 }  // namespace field
 
 /// A name that says nothing else of itself is a pure number, written under its name and compared.

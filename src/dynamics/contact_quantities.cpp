@@ -12,13 +12,18 @@ double hertz_pressure_of(const QuantityInputs& at) {
 
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
                                  const std::optional<double>& roughness, const ContactSolids& solids,
-                                 const std::optional<WearCoefficients>& wear) {
+                                 const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress,
+                                 const RatingModel* rating) {
   return {.film = lubricated,
           .friction = traction.has_value(),
           .heat = traction && traction->heat,
           .roughness = roughness.has_value(),
           .asperities = solids.rough != nullptr,
-          .wear = wear.has_value()};
+          .wear = wear.has_value(),
+          .stress = stress.has_value(),
+          .rating = rating != nullptr,
+          .rated_root = rating && rating->roots,
+          .rated_film = rating && rating->mean_roughness};
 }
 
 double asperity_load_share(const QuantityInputs& at) {
@@ -51,6 +56,36 @@ double pinion_wear_rate(const QuantityInputs& at) {
 
 double wheel_wear_rate(const QuantityInputs& at) {
   return at.wear ? wear_rate(at.wear->wheel, velocities_of(at.scales, at.contact).sliding, asperity_force(at)) : 0.0;
+}
+
+namespace {
+
+/// On the tooth [N].
+double tooth_force(const QuantityInputs& at) { return at.load_factor * at.scales.force(at.film.pressure_integral); }
+
+}  // namespace
+
+double rated_contact_stress(const QuantityInputs& at) {
+  return at.rating ? at.rating->contact_stress(tooth_force(at), at.contact.position) : 0.0;
+}
+
+double rated_pinion_root(const QuantityInputs& at) {
+  return at.rating ? at.rating->root_stress(0, tooth_force(at), at.contact.position) : 0.0;
+}
+
+double rated_wheel_root(const QuantityInputs& at) {
+  return at.rating ? at.rating->root_stress(1, tooth_force(at), at.contact.position) : 0.0;
+}
+
+double rated_film_ratio(const QuantityInputs& at) {
+  if (!at.rating) return 0.0;
+  return at.rating->film_ratio(tooth_force(at), at.contact.position, velocities_of(at.scales, at.contact).mean);
+}
+
+double rated_temperature(const QuantityInputs& at) {
+  if (!at.rating) return 0.0;
+  const double warmer = std::max(at.traction.surface_pinion, at.traction.surface_wheel);
+  return warmer > 0.0 ? warmer : at.rating->bulk_temperature + at.traction.flash;
 }
 
 double film_ratio(const QuantityInputs& at) {

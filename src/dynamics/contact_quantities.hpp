@@ -19,14 +19,18 @@ struct QuantityInputs {
   std::optional<double> roughness{};       ///< of both flanks together [m]
   std::optional<WearCoefficients> wear{};  ///< of asperities
   double load_factor = 1.0;                ///< force of the tooth over that of the contact
+  ContactStress stress{};                  ///< below the film
+  const RatingModel* rating = nullptr;     ///< null: the pair is not rated
 };
 
 /// Which quantities there are.
 AvailableModels available_models(bool lubricated, const std::optional<TractionModel>& traction,
                                  const std::optional<double>& roughness, const ContactSolids& solids,
-                                 const std::optional<WearCoefficients>& wear);
+                                 const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress,
+                                 const RatingModel* rating);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear);
+  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear, mesh.stress,
+                          mesh.rating.get());
 }
 
 /// h_min/Rq; zero without roughness.
@@ -39,6 +43,13 @@ double wheel_wear(const QuantityInputs& at);
 /// Volume that a flank loses by time [m^3/s].
 double pinion_wear_rate(const QuantityInputs& at);
 double wheel_wear_rate(const QuantityInputs& at);
+/// Of rated pairs, in SI (rating_model.hpp); zero of others.
+double rated_contact_stress(const QuantityInputs& at);
+double rated_pinion_root(const QuantityInputs& at);
+double rated_wheel_root(const QuantityInputs& at);
+double rated_film_ratio(const QuantityInputs& at);
+/// The warmer flank's largest temperature; without heat in the film the bodies' and the flash on it [K].
+double rated_temperature(const QuantityInputs& at);
 /// Largest pressure of the dry contact under the same force; zero without force.
 double hertz_pressure_of(const QuantityInputs& at);
 
@@ -54,6 +65,12 @@ constexpr Quantity<QuantityInputs> of_film(const Rest&... rest) {
 template <double TractionQuantities::*value, class... Rest>
 constexpr Quantity<QuantityInputs> of_traction(const Rest&... rest) {
   return of<QuantityInputs>([](const QuantityInputs& at) { return at.traction.*value; }, rest...);
+}
+
+/// A number of the stresses in one body, in SI.
+template <std::size_t body, double BodyStress::*value, class... Rest>
+constexpr Quantity<QuantityInputs> of_stress(const Rest&... rest) {
+  return of<QuantityInputs>([](const QuantityInputs& at) { return at.stress[body].*value; }, rest...);
 }
 
 }  // namespace quantity
@@ -205,7 +222,81 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                  ShownIn::march}),
      quantity::of_traction<&TractionQuantities::energy_residual>(
          "heat_balance", "", units::number, "heat that is made in the film and goes nowhere, over all that is made",
-         RequiredModel::heat)});
+         RequiredModel::heat),
+     quantity::of_stress<pinion_body, &BodyStress::von_mises>(
+         "von_mises_max_pinion", "sigma_v", units::si_pascal,
+         "largest von Mises stress below the contact, in the row y = 0; in the pinion", RequiredModel::stress,
+         Reduced{"von_mises_max_pinion", Reduction::largest, units::si_pascal,
+                 "largest von Mises stress below the contact, in the row y = 0; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::von_mises_depth>("von_mises_depth_pinion", "z", units::si_metre,
+                                                                    "its depth", RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::shear>(
+         "shear_max_pinion", "tau_1", units::si_pascal,
+         "largest half difference of principal stresses there; in the pinion", RequiredModel::stress,
+         Reduced{"shear_max_pinion", Reduction::largest, units::si_pascal,
+                 "largest half difference of principal stresses there; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::shear_depth>("shear_depth_pinion", "z", units::si_metre, "its depth",
+                                                                RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::orthogonal_shear>(
+         "orthogonal_shear_pinion", "tau_xz", units::si_pascal,
+         "half the range of tau_xz along x, the largest over depth; in the pinion", RequiredModel::stress,
+         Reduced{"orthogonal_shear_pinion", Reduction::largest, units::si_pascal,
+                 "half the range of tau_xz along x, the largest over depth; in the pinion", ShownIn::everywhere}),
+     quantity::of_stress<pinion_body, &BodyStress::orthogonal_shear_depth>(
+         "orthogonal_shear_depth_pinion", "z", units::si_metre, "its depth", RequiredModel::stress),
+     quantity::of_stress<pinion_body, &BodyStress::surface_tension>(
+         "surface_tension_pinion", "sigma_I", units::si_pascal,
+         "largest principal stress at the pinion's surface; zero where none is tensile", RequiredModel::stress,
+         Reduced{"surface_tension_pinion", Reduction::largest, units::si_pascal,
+                 "largest principal stress at the pinion's surface; zero where none is tensile", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::von_mises>(
+         "von_mises_max_wheel", "sigma_v", units::si_pascal,
+         "largest von Mises stress below the contact, in the row y = 0; in the wheel", RequiredModel::stress,
+         Reduced{"von_mises_max_wheel", Reduction::largest, units::si_pascal,
+                 "largest von Mises stress below the contact, in the row y = 0; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::von_mises_depth>("von_mises_depth_wheel", "z", units::si_metre,
+                                                                   "its depth", RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::shear>(
+         "shear_max_wheel", "tau_1", units::si_pascal,
+         "largest half difference of principal stresses there; in the wheel", RequiredModel::stress,
+         Reduced{"shear_max_wheel", Reduction::largest, units::si_pascal,
+                 "largest half difference of principal stresses there; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::shear_depth>("shear_depth_wheel", "z", units::si_metre, "its depth",
+                                                               RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::orthogonal_shear>(
+         "orthogonal_shear_wheel", "tau_xz", units::si_pascal,
+         "half the range of tau_xz along x, the largest over depth; in the wheel", RequiredModel::stress,
+         Reduced{"orthogonal_shear_wheel", Reduction::largest, units::si_pascal,
+                 "half the range of tau_xz along x, the largest over depth; in the wheel", ShownIn::everywhere}),
+     quantity::of_stress<wheel_body, &BodyStress::orthogonal_shear_depth>(
+         "orthogonal_shear_depth_wheel", "z", units::si_metre, "its depth", RequiredModel::stress),
+     quantity::of_stress<wheel_body, &BodyStress::surface_tension>(
+         "surface_tension_wheel", "sigma_I", units::si_pascal,
+         "largest principal stress at the wheel's surface; zero where none is tensile", RequiredModel::stress,
+         Reduced{"surface_tension_wheel", Reduction::largest, units::si_pascal,
+                 "largest principal stress at the wheel's surface; zero where none is tensile", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(
+         rated_contact_stress, "sigma_H", "sigma_H", units::si_pascal,
+         "line contact's pressure under the force, over the whole face", RequiredModel::rating,
+         Reduced{"sigma_H_max", Reduction::largest, units::si_pascal,
+                 "largest pressure of a line contact under the force, over the whole face", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_pinion_root, "sigma_F_pinion", "sigma_F1", units::si_pascal,
+                                  "stress at the root of the pinion's tooth, by this contact",
+                                  RequiredModel::rated_root,
+                                  Reduced{"sigma_F_max_pinion", Reduction::largest, units::si_pascal,
+                                          "largest stress at the root of the pinion's teeth", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_wheel_root, "sigma_F_wheel", "sigma_F2", units::si_pascal,
+                                  "stress at the root of the wheel's tooth, by this contact", RequiredModel::rated_root,
+                                  Reduced{"sigma_F_max_wheel", Reduction::largest, units::si_pascal,
+                                          "largest stress at the root of the wheel's teeth", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(rated_film_ratio, "lambda_GF", "lambda_GF", units::number,
+                                  "film after ISO/TS 6336-22 over Ra; zero without force", RequiredModel::rated_film),
+     quantity::of<QuantityInputs>(
+         rated_temperature, "contact_temperature", "T_B", units::kelvin,
+         "largest temperature of either flank; without heat in the film the bodies' with the flash on it",
+         RequiredModel::rated_heat,
+         Reduced{"contact_temperature_max", Reduction::largest, units::kelvin,
+                 "largest temperature of either flank, for scuffing", ShownIn::everywhere})});
 
 /// A quantity by its name: one that does not exist ends the compilation.
 struct ContactQuantityName {

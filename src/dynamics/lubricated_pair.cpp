@@ -26,7 +26,8 @@ std::vector<ContactFilm*> films_of(const std::vector<ActiveContact>& contacts) {
 std::vector<ActiveContact> without_fields(const std::vector<ActiveContact>& contacts) {
   std::vector<ActiveContact> bare;
   bare.reserve(contacts.size());
-  for (const ActiveContact& contact : contacts) bare.push_back({contact.number, contact.film, {}, contact.processes});
+  for (const ActiveContact& contact : contacts)
+    bare.push_back({contact.number, contact.film, {}, contact.processes, contact.stress});
   return bare;
 }
 

@@ -63,9 +63,24 @@ struct Reduced {
 };
 
 /// What there must be for a quantity to have a value.
-enum class RequiredModel { nothing, film, friction, heat, roughness, asperities, boundary_friction, wear };
+enum class RequiredModel {
+  nothing,
+  film,
+  friction,
+  heat,
+  roughness,
+  asperities,
+  boundary_friction,
+  wear,
+  stress,
+  rating,
+  rated_root,
+  rated_film,
+  rated_heat
+};
 
-/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear.
+/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear, stresses
+/// below it, ratings.
 struct AvailableModels {
   bool film = true;
   bool friction = false;
@@ -73,6 +88,10 @@ struct AvailableModels {
   bool roughness = false;
   bool asperities = false;
   bool wear = false;
+  bool stress = false;
+  bool rating = false;
+  bool rated_root = false;
+  bool rated_film = false;
 
   constexpr bool has(RequiredModel needs) const {
     const bool given[] = {true,
@@ -82,7 +101,12 @@ struct AvailableModels {
                           roughness,
                           asperities,
                           asperities && friction,
-                          asperities && wear};  // in the order of RequiredModel
+                          asperities && wear,
+                          stress,
+                          rating,
+                          rated_root,
+                          rated_film,
+                          rating && friction};  // in the order of RequiredModel
     return needs == RequiredModel::nothing || (film && given[static_cast<std::size_t>(needs)]);
   }
 };

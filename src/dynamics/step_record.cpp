@@ -13,8 +13,15 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const MeshedContact contact = mesh.contact(contacts[k].number, T);
     QuantityInputs at{mesh.scales, contact, quantities[k], {}, mesh.roughness, mesh.wear, mesh.load_factor()};
+    std::shared_ptr<const Traction> friction;
     if (mesh.traction) {
-      at.traction = with_powers_times(mesh.load_factor(), traction_of(*mesh.traction, contacts[k])->quantities);
+      friction = traction_of(*mesh.traction, contacts[k]);
+      at.traction = with_powers_times(mesh.load_factor(), friction->quantities);
+    }
+    at.rating = mesh.rating.get();
+    if (contacts[k].stress) {
+      at.stress = contacts[k].stress->observe(*contacts[k].film, contact, T,
+                                              friction ? friction->fields.shear_stress : std::vector<double>());
     }
     records.push_back({contacts[k].number, contact.position, quantities_of(at)});
   }

@@ -40,6 +40,11 @@ RowContact& Discretisation::prepare_row_contact(const Scales& scales) {
   return *row_contact_;
 }
 
+RowStress& Discretisation::prepare_stress(const RowStressOptions& options) {
+  if (!row_stress_ || row_stress_->options() != options) row_stress_ = std::make_unique<RowStress>(grid_, options);
+  return *row_stress_;
+}
+
 Discretisation* Discretisation::prepare_coarser(Coarsening along) {
   if (!grid_.can_coarsen(along) || (along != Coarsening::x_only && !can_be_cut(grid_))) return nullptr;
   auto& made = coarser_[static_cast<std::size_t>(along)];

@@ -11,6 +11,7 @@
 #include "film/reynolds.hpp"
 #include "grid/gather.hpp"
 #include "grid/halo.hpp"
+#include "stress/row_stress.hpp"
 
 namespace gearfilm {
 
@@ -34,6 +35,8 @@ public:
 
   /// The dry contact on the rows of a whole face; of scales that have one.
   RowContact& prepare_row_contact(const Scales& scales);
+  /// Stresses in a section below films on this grid; there is one at a time.
+  RowStress& prepare_stress(const RowStressOptions& options);
 
   /// Every second node along either direction or one, cut likewise among the processes; null where that would leave a
   /// process fewer than two rows, or where there are too few nodes.
@@ -65,6 +68,7 @@ private:
   std::unique_ptr<Discretisation> replicated_;
   std::unique_ptr<const Gather> gather_;
   std::unique_ptr<RowContact> row_contact_;
+  std::unique_ptr<RowStress> row_stress_;
 };
 
 using SharedDiscretisation = std::shared_ptr<Discretisation>;

@@ -11,11 +11,14 @@
 #include "gearfilm/error.hpp"
 #include "input/case_checks.hpp"
 #include "input/case_face.hpp"
+#include "input/case_fatigue.hpp"
 #include "input/case_file.hpp"
 #include "input/case_lubricant.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_rating.hpp"
 #include "input/case_roughness.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_stress.hpp"
 #include "input/case_teeth.hpp"
 #include "input/case_topography.hpp"
 #include "input/case_traction.hpp"
@@ -375,6 +378,9 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   result.roughness = read_roughness(values, topography);
   result.wear = read_wear(values);
   if (result.wear && result.kind == CaseKind::gear_pair) result.wearing = read_wearing(values, result.roughness);
+  result.stress = read_stress(values);
+  result.fatigue = read_fatigue(values, result.stress ? result.scales.length * result.stress->depths.back() : 0.0);
+  result.rating = read_rating(result);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

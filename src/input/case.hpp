@@ -13,6 +13,7 @@
 
 #include "contact/scales.hpp"
 #include "dynamics/pair_numerics.hpp"
+#include "fatigue/fatigue_model.hpp"
 #include "gear/gear_pair.hpp"
 #include "gear/line_of_action.hpp"
 #include "gear/teeth.hpp"
@@ -23,6 +24,8 @@
 #include "mesh/prescribed_load.hpp"
 #include "orbits/dry_modes.hpp"
 #include "orbits/orbit_search.hpp"
+#include "rating/rating_model.hpp"
+#include "traction/film_stress.hpp"
 #include "traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -113,10 +116,13 @@ struct CaseInput {
   std::string name;
   CaseKind kind = CaseKind::gear_pair;
   PairCase pair;
-  std::optional<TractionModel> traction;  ///< absent: no friction is computed
-  std::optional<double> roughness;        ///< of both flanks together [m]
-  std::optional<WearCoefficients> wear;   ///< absent: no wear is computed
-  std::optional<ThermalOil> thermal_oil;  ///< absent: how its viscosity falls with temperature is not known
+  std::optional<TractionModel> traction;      ///< absent: no friction is computed
+  std::optional<double> roughness;            ///< of both flanks together [m]
+  std::optional<WearCoefficients> wear;       ///< absent: no wear is computed
+  std::optional<StressModel> stress;          ///< absent: no stresses below films are computed
+  std::optional<FatigueModel> fatigue;        ///< absent: fatigue of flanks is not judged
+  std::shared_ptr<const RatingModel> rating;  ///< null: the pair is not rated
+  std::optional<ThermalOil> thermal_oil;      ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
   PairNumerics numerics;
   SteadyCase steady;

@@ -157,6 +157,8 @@ void attach_tables(MPI_Comm comm, ParameterValues& values) {
     attach(gear + ".surface", "");
     attach(gear + ".lead_file", "");
     attach(gear + ".pitch_errors_file", "");
+    attach(gear + ".hardness_file", "");
+    attach(gear + ".residual_file", "");
   }
 }
 

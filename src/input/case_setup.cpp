@@ -118,6 +118,9 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .traction = problem.traction,
           .roughness = problem.roughness,
           .wear = problem.wear,
+          .stress = problem.stress,
+          .fatigue = problem.fatigue,
+          .rating = problem.rating,
           .friction_couples_dynamics = friction_couples_dynamics(problem),
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
           .order = problem.search.order};

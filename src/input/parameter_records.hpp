@@ -102,6 +102,14 @@ std::vector<Parameter> roughness_of_body_records(const std::string& subscript, c
 std::vector<Parameter> lay_records();
 std::vector<Parameter> surface_record();
 
+/// Sections stress and fatigue; and what is known of a flank's strength, as part of its gear's section.
+std::vector<Parameter> stress_records();
+std::vector<Parameter> fatigue_records();
+std::vector<Parameter> flank_material_records(const std::string& subscript);
+
+/// Section rating.
+std::vector<Parameter> rating_records();
+
 /// All in one list.
 template <class... More>
 Records joined(Records first, const More&... more) {

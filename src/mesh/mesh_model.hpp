@@ -10,13 +10,16 @@
 #include <span>
 
 #include "elasticity/compliance.hpp"
+#include "fatigue/fatigue_model.hpp"
 #include "gear/teeth.hpp"
 #include "mesh/contact_path.hpp"
 #include "mesh/meshed_contact.hpp"
 #include "mesh/motion.hpp"
 #include "mesh/natural_frequency.hpp"
 #include "mesh/prescribed_load.hpp"
+#include "rating/rating_model.hpp"
 #include "roughness/archard.hpp"
+#include "traction/film_stress.hpp"
 #include "traction/traction_model.hpp"
 
 namespace gearfilm {
@@ -34,11 +37,14 @@ struct MeshModel {
   std::optional<PrescribedLoad> load{};  ///< of a single contact, in the place of those beside it
   Teeth teeth{};
   std::shared_ptr<const std::array<Topography, 2>> topography{};  ///< heights of both flanks; none: smooth
-  double stiffness = 0.0;                   ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
-  double tooth_force = 0.0;                 ///< T_g1/R_b1, which the reference load stands for [N]
-  std::optional<TractionModel> traction{};  ///< absent: no friction is computed
-  std::optional<double> roughness{};        ///< of both flanks together [m]
-  std::optional<WearCoefficients> wear{};   ///< absent: no wear is computed
+  double stiffness = 0.0;                       ///< of the dry mesh at the pitch point (static_mesh.hpp) [-]
+  double tooth_force = 0.0;                     ///< T_g1/R_b1, which the reference load stands for [N]
+  std::optional<TractionModel> traction{};      ///< absent: no friction is computed
+  std::optional<double> roughness{};            ///< of both flanks together [m]
+  std::optional<WearCoefficients> wear{};       ///< absent: no wear is computed
+  std::optional<StressModel> stress{};          ///< absent: no stresses below films are computed
+  std::optional<FatigueModel> fatigue{};        ///< absent: fatigue of flanks is not judged
+  std::shared_ptr<const RatingModel> rating{};  ///< null: the pair is not rated
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats

@@ -40,7 +40,7 @@ Summary description_of(const FilmSnapshot& snapshot) {
     for (const auto& [name, field] : contact.fields) names.push_back(name);
     contacts.push_back({contact.number, contact.position, names});
   }
-  return {{"T", snapshot.T}, {"contacts", contacts}};
+  return {{"T", snapshot.T}, {"contacts", contacts}, {"of_sections", snapshot.of_sections}};
 }
 
 void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields& fields) {
@@ -54,7 +54,7 @@ void append_fields(const Grid& grid, const FilmSnapshot& snapshot, CompactFields
 
 /// The snapshots of a state; their fields come behind those of the films.
 void read_snapshots(const Grid& grid, const Summary& description, const CompactFields& fields,
-                    std::deque<FilmSnapshot>& snapshots) {
+                    std::deque<FilmSnapshot>& snapshots, std::deque<FilmSnapshot>& sections) {
   std::size_t next = 0;
   for (const Summary& names : description["films"]) next += names.size();
   for (const Summary& entry : description["snapshots"]) {
@@ -67,7 +67,8 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
         snapshot.contacts.back().fields.push_back({name.get<std::string>(), std::move(field)});
       }
     }
-    snapshots.push_back(std::move(snapshot));
+    snapshot.of_sections = entry.value("of_sections", false);
+    (snapshot.of_sections ? sections : snapshots).push_back(std::move(snapshot));
   }
 }
 
@@ -159,6 +160,7 @@ std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
   waiting_.clear();
   attached_.clear();
   replayed_.clear();
+  replayed_sections_.clear();
   const auto first = std::ranges::lower_bound(kept_, run_, {}, &KeptState::run);
   const auto end = std::ranges::upper_bound(kept_, run_, {}, &KeptState::run);
   if (first == end) return {};
@@ -173,7 +175,7 @@ std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way
       return {};
     }
-    read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, replayed_);
+    read_snapshots(Grid(grid_.comm(), found->shape), description, found->fields, replayed_, replayed_sections_);
     if (!last) continue;
     kept.T = description["T"].get<double>();
     kept.state.motion = description["motion"].get<Motion>();
@@ -194,6 +196,13 @@ std::optional<FilmSnapshot> Checkpoint::recall_snapshot() {
   if (replayed_.empty()) return {};
   FilmSnapshot snapshot = std::move(replayed_.front());
   replayed_.pop_front();
+  return snapshot;
+}
+
+std::optional<FilmSnapshot> Checkpoint::recall_sections(double T) {
+  if (replayed_sections_.empty() || replayed_sections_.front().T != T) return {};
+  FilmSnapshot snapshot = std::move(replayed_sections_.front());
+  replayed_sections_.pop_front();
   return snapshot;
 }
 

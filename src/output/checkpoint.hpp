@@ -37,6 +37,8 @@ public:
   void attach(const FilmSnapshot& snapshot);
   /// The fields that were kept of the run now taken over, one after the other.
   std::optional<FilmSnapshot> recall_snapshot();
+  /// The same of those for stresses, of the step at T; nothing where it has none.
+  std::optional<FilmSnapshot> recall_sections(double T);
   /// The snapshots of this run are not wanted.
   void drop_snapshots();
 
@@ -82,7 +84,7 @@ private:
   Summary run_begin_;                ///< T and the motion
   std::vector<StepRecord> waiting_;  ///< since the last state
   std::vector<FilmSnapshot> attached_;
-  std::deque<FilmSnapshot> replayed_;
+  std::deque<FilmSnapshot> replayed_, replayed_sections_;
 };
 
 }  // namespace gearfilm

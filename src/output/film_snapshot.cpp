@@ -25,6 +25,19 @@ std::vector<NamedField> film_fields(const ContactFilm& film, const TractionField
   return fields;
 }
 
+std::vector<NamedField> stress_fields(const std::optional<StressModel>& model, const ContactFilm& film,
+                                      const TractionFields* traction, int row) {
+  std::vector<NamedField> fields;
+  if (!model || !model->whole_fields) return fields;
+  const std::vector<double> none;
+  const auto values = von_mises_fields(*model, film, traction ? traction->shear_stress : none, row);
+  for (std::size_t body = 0; body < values.size(); ++body) {
+    fields.push_back({std::string(field::von_mises[body].name), Field<double>(film.grid())});
+    fields.back().values.load(values[body]);
+  }
+  return fields;
+}
+
 // The film itself has the pressure of the step; what else a contact carries is in its fields.
 FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record,
                            const std::vector<ActiveContact>& contacts) {
@@ -33,7 +46,12 @@ FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record,
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
     const std::shared_ptr<const Traction> traction = mesh.traction ? traction_of(*mesh.traction, contacts[k]) : nullptr;
-    contact.fields = film_fields(*contacts[k].film, traction ? &traction->fields : nullptr);
+    const TractionFields* friction = traction ? &traction->fields : nullptr;
+    const ContactFilm& film = *contacts[k].film;
+    contact.fields = film_fields(film, friction);
+    for (NamedField& field : stress_fields(mesh.stress, film, friction, film.grid().row_axis().central())) {
+      contact.fields.push_back(std::move(field));
+    }
     for (const auto& [name, values] : contacts[k].fields) {
       if (field_named(name).dataset.empty() || name == field::pressure.name) continue;
       Field<double> field(contacts[k].film->grid());

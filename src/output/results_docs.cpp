@@ -24,7 +24,12 @@ std::string condition(RequiredModel needs) {
                                      "; with `pinion.roughness` or `wheel.roughness`",
                                      "; with `roughness.model`",
                                      "; with `roughness.model` and `friction.law`",
-                                     "; with `roughness.model` and a coefficient of wear"};
+                                     "; with `roughness.model` and a coefficient of wear",
+                                     "; with `stress.model`",
+                                     "; with any limit of `rating`",
+                                     "; with `rating.root_limit`",
+                                     "; with any limit of `rating` and roughness of both flanks",
+                                     "; with any limit of `rating` and `friction.law`"};
   return conditions.at(static_cast<std::size_t>(needs));
 }
 

@@ -149,7 +149,7 @@ constexpr auto shear_members = std::to_array<Member<Coupled>>({
 });
 
 Summary film_summary(const CaseInput& problem, const SteadyPosition& position, const Grid& grid,
-                     const StationaryResult& result, const TractionQuantities& friction) {
+                     const StationaryResult& result, const TractionQuantities& friction, const ContactStress& stress) {
   const Scales& scales = problem.scales;
   Summary summary;
   summary["case"] = problem.name;
@@ -157,10 +157,10 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
   summary["ny"] = grid.ny();
   if (problem.pair.line) summary["position"] = problem.steady.position;
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
-  const QuantityInputs at{scales,       position.contact, result.quantities, friction, problem.roughness,
-                          problem.wear, load_factor};
-  const AvailableModels given =
-      available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear);
+  const QuantityInputs at{scales,      position.contact, result.quantities,   friction, problem.roughness, problem.wear,
+                          load_factor, stress,           problem.rating.get()};
+  const AvailableModels given = available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear,
+                                                 problem.stress, problem.rating.get());
   for (const auto& quantity : contact_quantities) {
     if (!given.has(quantity.needs)) continue;
     summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));
@@ -197,6 +197,27 @@ void write_face(ResultsFile& file, const std::string& group, const Scales& scale
   write("h_central_of_row", "m", scales.thickness, face.central_film);
   write("h_min_of_row", "m", scales.thickness, face.smallest_film);
   write("p_max_of_row", "Pa", scales.pressure, face.largest_pressure);
+}
+
+/// Stresses in the section below a row.
+void write_section(ResultsFile& file, const std::string& group, const Scales& scales, const WholeSection& section) {
+  const int lines = static_cast<int>(section.x.size()), depths = static_cast<int>(section.z.size());
+  file.rows(group, "x", "m", lines, 1, section.x);
+  file.rows(group, "z", "m", depths, 1, section.z);
+  constexpr std::array<const char*, stress_components> names = {"xx", "yy", "zz", "yz", "xz", "xy"};
+  constexpr std::array<const char*, body_count> of_body = {"_pinion", "_wheel"};
+  for (std::size_t body = 0; body < body_count; ++body) {
+    const auto write = [&](const std::string& name, const auto& value) {
+      std::vector<double> values;
+      for (const Stress& stress : section.stress[body]) values.push_back(value(stress));
+      file.rows(group, name + of_body[body], "Pa", depths, lines, values);
+    };
+    write("von_mises", [](const Stress& stress) { return von_mises(stress); });
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      write(std::string("sigma_") + names[c], [c](const Stress& stress) { return stress.components()[c]; });
+    }
+  }
+  file.attribute(group, "a", scales.hertz.a);
 }
 
 ContactProblem contact_problem(const CaseInput& problem, const SteadyPosition& position) {
@@ -258,12 +279,20 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
                       by_accuracy ? solve_contact_accurately(grid, contact, problem.parameters.real("grid.accuracy"))
                                   : solve_contact(grid, contact),
                       {},
+                      0,
                       {}};
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
   result.friction = traction_of(contact, result.solved);
   result.friction.quantities = with_powers_times(load_factor, result.friction.quantities);
   const SolvedContact& solved = result.solved;
-  result.summary = film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities);
+  ContactStress stress{};
+  if (problem.stress) {
+    result.stress_row = most_loaded_row(*solved.film);
+    stress = contact_stress(problem.scales, film_section(*problem.stress, *solved.film,
+                                                         result.friction.fields.shear_stress, result.stress_row));
+  }
+  result.summary =
+      film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities, stress);
   add_errors(problem.scales, solved.errors, result.summary);
   add_coupling(problem, solved, result.summary);
   if (problem.scales.solids.face) {
@@ -286,12 +315,20 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   const Scales& scales = problem.scales;
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
-  const std::vector<std::string> datasets =
-      write_fields(file, group, domain, scales, film_fields(film, &friction), group);
+  std::vector<NamedField> fields = film_fields(film, &friction);
+  for (NamedField& field : stress_fields(problem.stress, film, &friction, result.stress_row)) {
+    fields.push_back(std::move(field));
+  }
+  const std::vector<std::string> datasets = write_fields(file, group, domain, scales, fields, group);
   if (problem.traction && problem.traction->heat) {
     file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
   }
   if (problem.scales.solids.face) write_face(file, group, scales, face_quantities(film));
+  if (problem.stress) {
+    const FilmSection section = film_section(*problem.stress, film, friction.shear_stress, result.stress_row);
+    write_section(file, group + "/section", scales, whole_section(scales, section));
+    file.attribute(group + "/section", "y", scales.length * film.grid().row_axis().y(result.stress_row));
+  }
   file.attribute(group, "xi", problem.steady.position);
   file.attribute(group, "R_x", position.solids.radius_x);
   file.attribute(group, "entrainment_velocity", position.operation.entrainment_velocity);

@@ -29,8 +29,9 @@ bool chooses_nodes(const CaseInput& problem);
 struct SteadyResult {
   SteadyPosition position;
   SolvedContact solved;
-  Traction friction;  ///< with the losses of the whole tooth
-  Summary summary;    ///< in SI
+  Traction friction;   ///< with the losses of the whole tooth
+  int stress_row = 0;  ///< below which stresses are computed: that of the largest load
+  Summary summary;     ///< in SI
 };
 
 /// As accurate as asked for where the program chose the grid. Throws SolveError. Collective.

@@ -6,6 +6,7 @@
 #include "dynamics/period_quantities.hpp"
 #include "output/results_table.hpp"
 #include "output/run_identity.hpp"
+#include "results/flank_result.hpp"
 #include "results/members.hpp"
 #include "results/orbit_summary.hpp"
 #include "results/pair_conditions.hpp"
@@ -38,13 +39,15 @@ std::vector<TableColumn> columns_of_point() {
 /// One row a point.
 void write_periodic(ResultsFile& file, const CaseInput& problem, const Summary& results) {
   const AvailableModels given =
-      available_models(!problem.dry(), problem.traction, problem.roughness, problem.scales.solids, problem.wear);
+      available_models(!problem.dry(), problem.traction, problem.roughness, problem.scales.solids, problem.wear,
+                       problem.stress, problem.rating.get());
   std::vector<TableColumn> columns = columns_of_point();
   for (const PeriodQuantity& quantity : period_quantities) {
     if (quantity.of_sweep() && given.has(quantity.needs))
       columns.push_back({std::string(quantity.name), std::string(quantity.unit.name)});
   }
   if (given.friction) columns = joined(columns, {{"mean_friction_coefficient", "-"}, {"efficiency", "-"}});
+  if (problem.fatigue) columns = joined(columns, flank_columns());
   columns = joined(columns, orbit_columns());
   std::vector<double> rows;
   for (const Summary& point : results) {

@@ -1,10 +1,12 @@
 """Fine grids of tests/reference/table3.json, and periodic states; environment as for cli_test.py."""
+import json
 import unittest
 
 import h5py
 import numpy
 
 from films import BARBIERI, CIRCULAR, REFERENCE, WANG, FilmTest, summary_in
+from program import SOURCE
 from vibration import MARCH, VibrationTest, table_in
 
 
@@ -66,6 +68,22 @@ class Periodic(VibrationTest):
         first, last = (steps["H0"][numpy.flatnonzero(steps["T"] <= T + 1e-9)[-1]] for T in (begin, end))
         self.assertAlmostEqual(first, summary["H0_after_leaving"], delta=1e-12)
         self.assertAlmostEqual(last, first, delta=summary["defect"])
+
+
+class Flanks(FilmTest):
+    def test_dang_van_stress_of_the_case_study_is_that_of_the_reference(self):
+        reference = json.loads((SOURCE / "tests/reference/damage.json").read_text(encoding="utf-8"))
+        self.run_well("periodic", BARBIERI, "-friction_law", "eyring", "-periodic_multipliers", "no", "-output_snapshot_interval",
+                      0, "-grid_ny", 33, "-film_discretisation", "central", "-stress_model", "row", "-fatigue_criterion",
+                      "dang_van", "-output_dir", "study")
+        summary = summary_in(self.folder / "study")
+        expected = reference["per1_dv_alpha.3_pinion_max_MPa"]["value"]
+        self.assertAlmostEqual(summary["dang_van_max_pinion"] / 1e6 / expected, 1, delta=0.03)
+        # Where no limit is given there is no verdict.
+        self.assertIsNone(summary["safety_dang_van_pinion"])
+        # The resonance unloads the middle of the flank: 1.5 against frozen fields.
+        self.assertGreater(summary["life_ratio"], 1)
+        self.assertLess(summary["life_ratio"], 1.5)
 
 
 if __name__ == "__main__":

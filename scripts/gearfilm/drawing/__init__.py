@@ -32,6 +32,7 @@ KINDS = {
     "friction": Kind("transient, periodic or steady", "friction coefficient, losses and temperatures"),
     "mixed": Kind("sweep, periodic, transient or steady", "load, friction and wear of asperities; Stribeck curve"),
     "wear": Kind("wear", "depth that the flanks have lost, over roll angle and face"),
+    "damage": Kind("periodic, transient or steady", "stresses below films, fatigue of flanks, ratings"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
 }

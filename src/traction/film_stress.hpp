@@ -1,0 +1,93 @@
+// Stresses below a film, in the section beneath one of its rows.
+//
+// The surfaces carry the total pressure and the shear stress of surface_loads.hpp, with the friction in the middle of
+// the film and, by the gap h that the oil fills and its pressure p, (h/2) dp/dx. Depths are in units of the Hertz
+// half-axis a of the reference contact.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fatigue/flank_history.hpp"
+#include "film/contact_film.hpp"
+#include "stress/section_figures.hpp"
+
+namespace gearfilm {
+
+/// Which stresses are to be computed.
+struct StressModel {
+  std::vector<double> depths{};  ///< [a]
+  std::array<double, body_count> poisson_ratio{};
+  bool whole_fields = false;    ///< where fields are written
+  double every = 0.0;           ///< way of the material between two computations of a march [a]
+  bool keeps_sections = false;  ///< sections of a march are kept for the flanks' histories
+};
+
+/// What the stresses of one body come to; SI.
+struct BodyStress {
+  double von_mises = 0.0;  ///< [Pa]
+  double von_mises_depth = 0.0;
+  double shear = 0.0;
+  double shear_depth = 0.0;
+  double orthogonal_shear = 0.0;
+  double orthogonal_shear_depth = 0.0;
+  double surface_tension = 0.0;
+};
+
+using ContactStress = std::array<BodyStress, body_count>;
+
+/// A section below a film, until the next one of its discretisation is computed.
+struct FilmSection {
+  const RowStress* row;
+  const SectionStresses* stresses;  ///< [p_h], of own depths
+  StressProfiles profiles;          ///< [p_h]
+};
+
+/// Of the section below a row.
+RowStressOptions row_options(const StressModel& model, int row);
+
+/// What a film does to its surfaces: its pressure, the oil's, and the gap that the oil fills.
+struct LoadingFields {
+  const Field<double>& total_pressure;
+  const Field<double>& film_pressure;
+  const Field<double>& gap;
+};
+
+/// Loads on both bodies below these fields; shear_stress as for a film.
+SurfaceLoads loads_below(const Scales& scales, const Grid& grid, const LoadingFields& fields,
+                         std::span<const double> shear_stress);
+/// Loads on both bodies below the film that was evaluated last; shear_stress: of the own nodes [Pa], empty without
+/// friction.
+SurfaceLoads loads_below(const ContactFilm& film, std::span<const double> shear_stress);
+
+/// The stored row that carries the largest load by unit length; of grids whose rows are mirrored the central one,
+/// unless they reach over a face. Collective.
+int most_loaded_row(const ContactFilm& film);
+
+/// Below a row of the film that was evaluated last. Collective.
+FilmSection film_section(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
+                         int row);
+
+/// The section on the first process, elsewhere nothing: component by component [depth][line] of each body.
+struct WholeSection {
+  std::vector<double> x, z;                            ///< [m]
+  std::array<std::vector<Stress>, body_count> stress;  ///< [depth][line], in Pa
+};
+
+/// Collective.
+WholeSection whole_section(const Scales& scales, const FilmSection& section);
+
+/// Von Mises stress in both bodies [Pa] below the own nodes, each at the depth where it is largest in a row.
+/// Collective.
+std::array<std::vector<double>, body_count> von_mises_fields(const StressModel& model, const ContactFilm& film,
+                                                             std::span<const double> shear_stress, int row);
+
+/// The section of a contact at xi as flanks' histories have it, of both bodies.
+std::array<SectionRecord, body_count> section_records(const Scales& scales, const FilmSection& section, double xi);
+
+/// In SI.
+ContactStress contact_stress(const Scales& scales, const FilmSection& section);
+
+}  // namespace gearfilm
