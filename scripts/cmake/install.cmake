@@ -9,8 +9,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm DESTINATION ${CMAKE_INS
 
 # One archive of all rooms but those of the program itself; how they are built is no concern of those who link it.
 set(objects "")
-foreach(room gear lubricant roughness contact parallel numerics grid elasticity film solver traction mesh dynamics orbits input output
-             results interface)
+foreach(room gear lubricant roughness contact train parallel numerics grid elasticity film solver traction mesh dynamics orbits input
+             output results interface)
   list(APPEND objects $<TARGET_OBJECTS:gearfilm_${room}>)
 endforeach()
 add_library(gearfilm_library STATIC ${objects})
