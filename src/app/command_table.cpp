@@ -44,7 +44,7 @@ std::string constants_markdown() {
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
          orbit_markdown() + conditions_markdown() + basins_markdown() + continuation_markdown() +
-         StaticLoad::markdown() + modes_markdown() + derived_markdown() + bench_markdown();
+         StaticLoad::markdown() + modes_markdown() + train_markdown() + derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 9> case_commands = {{

@@ -97,6 +97,7 @@ ReferenceContact set_gear_pair(CaseInput& result) {
   if (values.has("pinion.inertia")) {
     result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
   }
+  result.pair.train = read_train(values, *result.pair.line);
   ContactSolids solids = solids_at_pitch(values, *result.pair.line);
   set_face(values, read_face_of_pair(values), result.pair.tooth_force, solids);
   const std::string load_model = "gear.load_model";
@@ -362,6 +363,7 @@ CaseInput make_case(const ParameterValues& values) {
     if (result.scales.solids.face) result.scales.face_law = law_of_face(result);
     check_strain(result);
   });
+  if (result.pair.train) require_tooth_force(result, "the drive train");
   result.traction = read_traction(values);
   result.thermal_oil = read_thermal_oil(values);
   result.roughness = read_roughness(values);

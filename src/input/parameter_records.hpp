@@ -101,6 +101,10 @@ std::vector<Parameter> roughness_records();
 std::vector<Parameter> roughness_of_body_records(const std::string& subscript, const std::string& ending = "");
 std::vector<Parameter> lay_records();
 
+/// Sections motor, load and train; and mass and bearings of a gear, as part of its section.
+std::vector<Parameter> train_records();
+std::vector<Parameter> supports_of_gear_records(const std::string& subscript);
+
 /// All in one list.
 template <class... More>
 Records joined(Records first, const More&... more) {

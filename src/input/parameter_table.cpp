@@ -359,7 +359,7 @@ Records output_records() {
 
 const std::vector<Parameter>& parameter_table() {
   static const Records table = joined(
-      case_records(), gear_pair_records(), contact_records(), roughness_records(), lubricant_records(),
+      case_records(), gear_pair_records(), train_records(), contact_records(), roughness_records(), lubricant_records(),
       traction_records(), grid_records(), film_records(), steady_records(), static_records(), march_records(),
       ramp_records(), run_records(), load_sharing_records(), start_records(), time_records(), periodic_records(),
       eigen_records(), sweep_records(), continuation_records(), dry_records(), solver_records(), output_records());

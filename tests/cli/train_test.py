@@ -1,0 +1,191 @@
+"""Drive trains from outside, against the numbers of tests/reference/drivetrain.json. Environment as for cli_test.py.
+
+The pair: the case study with tip relief, of given inertias. Its grid on films is that of the reference.
+"""
+import json
+import re
+import unittest
+
+from films import SAME, summary_in
+from program import INPUT, SOURCE, ProgramTest
+
+REFERENCE = json.loads((SOURCE / "tests/reference/drivetrain.json").read_text(encoding="utf-8"))
+CASE_STUDY = REFERENCE["table3"]["input"]
+RELIEF = re.sub(r"^  equivalent_mass.*\n", "", (INPUT / "barbieri2013_relief.yaml").read_text(encoding="utf-8"),
+                flags=re.MULTILINE)
+for gear, inertia in zip(("pinion", "wheel"), CASE_STUDY["I"]):
+    RELIEF = RELIEF.replace(f"{gear}:\n", f"{gear}:\n  inertia: {inertia!r}\n")
+MASSES = ["-pinion_mass", CASE_STUDY["m"][0], "-wheel_mass", CASE_STUDY["m"][1]]
+SHAFTS = ["-motor_inertia", 0.02, "-motor_shaft_stiffness", 2e4, "-load_inertia", 0.15, "-load_shaft_stiffness", 8e4]
+GRID = ["-grid_nx", 97, "-grid_ny", 33]
+
+
+def bearings(stiffness):
+    return [*MASSES, "-pinion_bearing_stiffness", stiffness, "-wheel_bearing_stiffness", stiffness]
+
+
+class TrainTest(ProgramTest):
+    def summary(self, command, *options, processes=1):
+        run = self.run_program(command, self.write_case(RELIEF), "-output_dir", command, *options, processes=processes)
+        self.assertEqual(run.status, 0, run)
+        self.warnings = run.stderr
+        return summary_in(self.folder / command)
+
+    def assert_frequencies(self, modes, expected, relative=1e-6):
+        """expected: the rotation of the whole, which is no mode, first."""
+        self.assertEqual(len(modes), len(expected) - 1)
+        for mode, frequency in zip(modes, expected[1:]):
+            self.assertAlmostEqual(mode["frequency_dry"] / frequency, 1, delta=relative)
+
+
+class Dry(TrainTest):
+    def test_a_pair_alone_has_no_train(self):
+        for command in ("info", "eigen"):
+            summary = self.summary(command, "-model", "dry")
+            self.assertNotIn("modes", summary)
+            self.assertAlmostEqual(summary["f_n"] / 3727.1867, 1, delta=1e-7)
+
+    def test_modes_on_bearings_are_those_of_the_reference(self):
+        for stiffness, expected in REFERENCE["table3"]["f"]["weber_bores"].items():
+            if float(stiffness) > 1e10:
+                continue  # as good as rigid
+            summary = self.summary("info", *bearings(float(stiffness)))
+            self.assert_frequencies(summary["modes"], expected["f6"])
+            self.assertAlmostEqual(summary["f_n"] / 3727.1867, 1, delta=1e-7)  # of the pair, as it was
+            for mode, share in zip(summary["modes"], expected["mesh_share"][1:]):
+                self.assertAlmostEqual(mode["mesh_share"], share, delta=1e-6)
+                self.assertEqual(max(abs(way) for node in mode["shape"].values() for way in node.values()), 1)
+                self.assertAlmostEqual(mode["crossing_rpm"][1] * 2 * 28 / 60, mode["frequency_dry"], delta=1e-6)
+
+    def test_the_centre_distance_under_load_is_warned_of(self):
+        for stiffness, warned in ((1e8, True), (1e9, False)):
+            expected = REFERENCE["static_support"][f"1e{8 if warned else 9}"]
+            growth = self.summary("info", *bearings(stiffness))["centre_distance_growth"]
+            self.assertAlmostEqual(1e6 * growth / expected["da_um"], 1, delta=1e-5)
+            self.assertEqual("parts the centres" in self.warnings, warned)
+            self.assertEqual("contact ratio of 1.29 to 1.26" in self.warnings, warned)
+
+    def test_motor_and_load_by_keys_and_by_a_file_are_the_same(self):
+        self.assert_frequencies(self.summary("info", *SHAFTS)["modes"], REFERENCE["train_torsion"]["f"])
+        by_keys = self.summary("info", *SHAFTS, *MASSES, "-pinion_bearing_stiffness_x", 1e8,
+                               "-pinion_bearing_stiffness_y", 3e8, "-wheel_bearing_stiffness_x", 2e8,
+                               "-wheel_bearing_stiffness_y", 4e8)
+        self.assert_frequencies(by_keys["modes"], REFERENCE["train8"]["f"])
+        line = self.folder / "line.train"
+        line.write_text("# motor and load\nnode motor pinion 0.02\nnode load wheel 0.15\n\nshaft motor pinion 2e4\n"
+                        "shaft wheel load 8e4 0 0  # no inertia of its own\nbearing pinion 1e8 3e8\n"
+                        "bearing wheel 2e8 4e8 0 0\n", encoding="utf-8")
+        by_file = self.summary("info", *MASSES, "-train_file", line)
+        for ours, theirs in zip(by_keys["modes"], by_file["modes"]):
+            self.assertAlmostEqual(ours["frequency_dry"] / theirs["frequency_dry"], 1, delta=1e-12)
+
+    def test_a_motor_of_imposed_speed_leaves_no_rotation_of_the_whole(self):
+        free = self.summary("info", *SHAFTS)["modes"]
+        held = self.summary("info", *SHAFTS, "-motor_fixed", "yes")["modes"]
+        self.assertEqual([len(free), len(held)], [3, 3])  # one node less, and one mode more
+        self.assertNotIn("rotation", held[0]["shape"]["motor"])
+        self.assertGreater(free[0]["frequency_dry"], held[0]["frequency_dry"])
+
+    def test_damping_by_dampers_by_ratio_and_beside_dry_contacts(self):
+        modes = self.summary("info", *SHAFTS, "-train_damping_ratio", 0.02)["modes"]
+        for mode in modes:
+            self.assertAlmostEqual(mode["damping_ratio"], 0.02 * (1 - mode["mesh_share"]), delta=1e-12)
+        ratio = ["-pinion_bearing_damping_ratio", 0.03, "-wheel_bearing_damping_ratio", 0.03]
+        held = self.summary("eigen", *bearings(1e8), *ratio, "-model", "dry", "-dry_damping_ratio", 0.05)
+        self.assertEqual(set(held["damping_references"]), {"bearing pinion", "bearing wheel"})
+        for mode in held["modes"]:
+            self.assertNotIn("frequency", mode)
+            if mode["mesh_share"] < 1e-9:
+                self.assertAlmostEqual(mode["damping_ratio"], 0.03, delta=1e-9)
+            if mode["mesh_share"] > 0.9:
+                # Beside dry contacts 0.05 of the pair's own, by share and frequency.
+                films = 0.05 * mode["mesh_share"] * mode["frequency_dry"] / held["f_n"]
+                self.assertTrue(films < mode["damping_ratio"] < films + 0.03 * (1 - mode["mesh_share"]) * 5)
+        damper = self.summary("info", *SHAFTS, "-motor_shaft_damping", 1.0)["modes"][0]["damping_ratio"]
+        self.assertTrue(1e-3 < damper < 0.1)
+
+
+class OnFilms(TrainTest):
+    def test_modes_on_films_are_those_of_the_reference_on_1_and_2_processes(self):
+        for stiffness in ("1e9", "1e8"):
+            expected = REFERENCE["films_real"][stiffness]
+            alone = self.summary("eigen", *bearings(float(stiffness)), *GRID)
+            felt = [mode for mode in alone["modes"] if mode["mesh_share"] > 1e-9]
+            self.assertEqual(len(felt), 3)
+            for mode, frequency, zeta in zip(felt, expected["f"], expected["zeta"]):
+                self.assertAlmostEqual(mode["frequency"] / frequency, 1, delta=1e-4)
+                self.assertAlmostEqual(mode["damping_ratio"] / zeta, 1, delta=0.02)
+            for mode in alone["modes"]:
+                if mode["mesh_share"] < 1e-9:
+                    self.assertAlmostEqual(mode["frequency"] / mode["frequency_dry"], 1, delta=1e-9)
+        shared = self.summary("eigen", *bearings(1e8), *GRID, processes=2)
+        for ours, theirs in zip(alone["modes"], shared["modes"]):
+            self.assertAlmostEqual(ours["frequency"] / theirs["frequency"], 1, delta=SAME)
+            self.assertAlmostEqual(ours["damping_ratio"], theirs["damping_ratio"], delta=SAME)
+
+    def test_two_gears_that_only_turn_are_the_pair_on_its_films(self):
+        summary = self.summary("eigen", "-train_damping_ratio", 0, *GRID)
+        self.assertEqual(len(summary["modes"]), 1)
+        mode = summary["modes"][0]
+        self.assertAlmostEqual(mode["frequency_dry"] / summary["f_n"], 1, delta=1e-9)
+        self.assertAlmostEqual(mode["frequency"] / summary["film_frequency"], 1, delta=1e-8)
+        self.assertAlmostEqual(mode["damping_ratio"] / summary["film_damping_ratio"], 1, delta=1e-5)
+
+
+class WrongTrains(TrainTest):
+    def refused(self, words, *options, command="info"):
+        self.assert_wrong(words, command, self.write_case(RELIEF), *options)
+
+    def test_keys_that_do_not_fit_together(self):
+        for options, words in (
+                (["-motor_shaft_stiffness", 2e4], ["motor.shaft_stiffness", "give 'motor.inertia'"]),
+                (["-motor_inertia", 0.02], ["motor.inertia", "not 'motor.shaft_stiffness'"]),
+                (["-motor_fixed", "yes"], ["motor.fixed", "not 'motor.shaft_stiffness'"]),
+                (["-pinion_mass", 1], ["pinion.mass", "no bearings", "pinion.bearing_stiffness"]),
+                (["-wheel_bearing_stiffness_x", 1e8], ["wheel.bearing_stiffness_y", "give both"]),
+                (["-wheel_bearing_stiffness", 1e8, "-wheel_bearing_stiffness_y", 1e8], ["delete one"]),
+                (["-wheel_bearing_damping_ratio", 0.1], ["given without a stiffness", "wheel.bearing_stiffness"]),
+                (["-pinion_bearing_stiffness_x", 1e8, "-pinion_bearing_stiffness_y", 1e8, "-pinion_bearing_stiffness_xy",
+                  -1e8], ["pinion.bearing_stiffness_xy", "in every direction"]),
+                ([*bearings(1e8), "-gear_mesh_compliance", 1e-9], ["gear.mesh_compliance", "counted twice"]),
+                ([*SHAFTS, "-gear_load_model", "line_equivalent"], ["gear.load_model", "set it to point"]),
+                ([*SHAFTS, "-gear_equivalent_mass", 1], ["gear.equivalent_mass", "delete one"])):
+            with self.subTest(options=options):
+                self.refused(words, *options)
+
+    def test_commands_that_move_the_pair_alone(self):
+        for command in ("transient", "periodic", "sweep", "continuation", "bench"):
+            self.refused(["motor.inertia", f"{command} moves the pair alone", "info or eigen"], *SHAFTS, command=command)
+        self.refused(["motor.inertia", "eigen.orbit moves the pair alone"], *SHAFTS, "-eigen_orbit", "yes",
+                     command="eigen")
+
+    def test_files_name_the_line_that_is_wrong(self):
+        file = self.folder / "line.train"
+        for text, words in (
+                ("gear motor pinion 1", ["line.train:2", "'gear' is no element", "node, shaft"]),
+                ("node motor rotor 1", ["'rotor' is no side", "pinion or wheel"]),
+                ("node motor pinion", ["needs the form: node NAME"]),
+                ("node motor pinion -1", ["the inertia is -1"]),
+                ("node motor pinion 1x", ["'1x' is no number"]),
+                ("node wheel wheel 1", ["'wheel' is there already"]),
+                ("shaft motor pinion 1e4", ["no node 'motor' yet"]),
+                ("shaft pinion wheel 1e4", ["turn with different gears"]),
+                ("bearing pinion 1e8", ["needs the form: bearing NODE"]),
+                ("bearing pinion 1e8 1e8 2e8 2e8", ["does not hold it in every direction"]),
+                ("node motor pinion 1\nbearing motor 1e8 1e8", ["line.train:3", "'motor' has a bearing, but no mass"]),
+                ("ground pinion 0", ["the stiffness is 0"]),
+                ("node coupling wheel 1\nnode fan wheel 2\nshaft fan coupling 1e4", ["hang on nothing: coupling, fan"]),
+                ("node disc wheel 1 3\nshaft disc wheel 1e4", ["hang on nothing: disc"])):
+            with self.subTest(text=text):
+                file.write_text(f"# a line of shafts\n{text}\n", encoding="utf-8")
+                self.refused(words, "-train_file", file)
+
+    def test_odd_trains_are_warned_of(self):
+        self.summary("info", "-motor_inertia", 1, "-motor_shaft_stiffness", 1e-1)
+        self.assertIn("so far apart that digits are lost", self.warnings)
+        self.summary("info", *bearings(1e14))
+        self.assertIn("make the support that is strained there rigid", self.warnings)
+
+
+if __name__ == "__main__":
+    unittest.main()
