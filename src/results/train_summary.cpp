@@ -94,6 +94,8 @@ struct TrainOfCase {
 bool has_bearings(const Train& train) { return train.node(0).mass || train.node(1).mass; }
 
 constexpr auto train_members = std::to_array<Member<TrainOfCase>>({
+    {"speed_rpm", "", "rpm", "speed of the pinion",
+     [](const TrainOfCase& of) -> Summary { return of.problem.parameters.real("pinion.speed_rpm"); }},
     {"centre_distance_growth", "", "m", "by which the static force parts the centres on their bearings",
      [](const TrainOfCase& of) -> Summary {
        return has_bearings(of.damped.train) ? Summary(centre_distance_growth(of.problem)) : absent();

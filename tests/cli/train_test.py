@@ -1,4 +1,4 @@
-"""Drive trains from outside, against the numbers of tests/reference/drivetrain.json. Environment as for cli_test.py.
+"""Drive trains and their figures from outside, against the numbers of tests/reference/drivetrain.json. Environment as for cli_test.py.
 
 The pair: the case study with tip relief, of given inertias. Its grid on films is that of the reference.
 """
@@ -8,6 +8,7 @@ import unittest
 
 from films import SAME, summary_in
 from program import INPUT, SOURCE, ProgramTest
+from script import plot
 
 REFERENCE = json.loads((SOURCE / "tests/reference/drivetrain.json").read_text(encoding="utf-8"))
 CASE_STUDY = REFERENCE["table3"]["input"]
@@ -130,6 +131,25 @@ class OnFilms(TrainTest):
         self.assertAlmostEqual(mode["frequency_dry"] / summary["f_n"], 1, delta=1e-9)
         self.assertAlmostEqual(mode["frequency"] / summary["film_frequency"], 1, delta=1e-8)
         self.assertAlmostEqual(mode["damping_ratio"] / summary["film_damping_ratio"], 1, delta=1e-5)
+
+
+class Figures(TrainTest):
+    def plot(self, kind, *options):
+        return plot(kind, self.folder / "info", *options)
+
+    def test_campbell_diagram_and_shapes(self):
+        self.summary("info", *SHAFTS, *bearings(1e9))
+        for kind in ("campbell", "modes"):
+            run = self.plot(kind, "--format", "png")
+            self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+            self.assertTrue((self.folder / f"info/{kind}.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_pair_alone_has_no_such_figures(self):
+        self.summary("info")
+        for kind in ("campbell", "modes"):
+            run = self.plot(kind)
+            self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)
+            self.assertIn("has no modes of a drive train; give one", run.stderr)
 
 
 class WrongTrains(TrainTest):

@@ -31,6 +31,8 @@ KINDS = {
     "static": Kind("static", "transmission error, load shares and mesh stiffness"),
     "friction": Kind("transient, periodic or steady", "friction coefficient, losses and temperatures"),
     "mixed": Kind("sweep, periodic, transient or steady", "load, friction and wear of asperities; Stribeck curve"),
+    "campbell": Kind("info or eigen, of a drive train", "natural frequencies over the speed, met by the mesh"),
+    "modes": Kind("info or eigen, of a drive train", "shapes of the modes"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
 }
@@ -72,7 +74,7 @@ def command(kind, words):
     if hasattr(module, "command"):
         module.command(parser, words)
         return
-    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {KINDS[kind].commands}")
+    parser.add_argument("folder", type=pathlib.Path, help=f"folder with the results of gearfilm {KINDS[kind].commands}")
     canvas.add_output(parser, kind)
     getattr(module, "add_options", lambda _: None)(parser)
     arguments = parser.parse_args(words)
