@@ -142,7 +142,7 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   require_moving_contacts(given, "eigen", true);
   if (given.modes.of_orbit) {
     require_one_pattern(given, "eigen");
-    require_rigid_supports(given, "eigen.orbit");
+    require_rigid_supports(given, "eigen.orbit", true);
   }
   CaseInput problem = given;
   problem.numerics.solver.multigrid.precision =

@@ -72,7 +72,7 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
 
 CaseInput periodic_case(const CaseInput& given, std::string& remark) {
   require_inertia(given);
-  require_rigid_supports(given, "periodic");
+  require_rigid_supports(given, "periodic", true);
   CaseInput chosen = with_chosen_motion(given, remark);
   require_moving_contacts(chosen, "periodic", true);
   require_one_pattern(chosen, "periodic");
@@ -113,7 +113,8 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .wear = problem.wear,
           .friction_couples_dynamics = friction_couples_dynamics(problem),
           .pattern = static_cast<int>(problem.pair.teeth.pattern()),
-          .order = problem.search.order};
+          .order = problem.search.order,
+          .train = inert ? mesh_train_of(problem) : nullptr};
 }
 
 MeshModel mesh_after_leaving(const CaseInput& problem) {

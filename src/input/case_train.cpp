@@ -111,14 +111,16 @@ void set_masses(const ParameterValues& values, TrainParts& parts) {
   }
 }
 
-Train put_together(const TrainParts& parts, const LineOfAction& line) {
+TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double damping_ratio) {
   Train train(parts.nodes);
   for (const auto& [a, b, shaft] : parts.shafts) train.add_shaft(a, b, shaft);
   for (const auto& [node, bearing] : parts.bearings) train.add_bearing(node, bearing);
   for (const auto& [node, stiffness, damping] : parts.grounds) train.add_ground(node, stiffness, damping);
-  train.add_contact(spur_row(train, {TrainParts::pinion, line.base_radius_pinion()},
-                             {TrainParts::wheel, line.base_radius_wheel()}, line.working_pressure_angle()));
-  return train;
+  const SpurGearNode pinion{TrainParts::pinion, line.base_radius_pinion()};
+  const SpurGearNode wheel{TrainParts::wheel, line.base_radius_wheel()};
+  train.add_contact(spur_row(train, pinion, wheel, line.working_pressure_angle()));
+  Eigen::RowVectorXd back = spur_back_row(train, pinion, wheel, line.working_pressure_angle());
+  return {std::move(train), std::move(back), damping_ratio};
 }
 
 }  // namespace
@@ -144,26 +146,43 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
     values.refuse(compliance, "is " + format_value(values.real(compliance)) +
                                   " m/N beside bearings of a drive train, which would be counted twice; delete it");
   }
-  TrainCase found{put_together(parts, line), values.real_if_given("train.damping_ratio").value_or(0.0)};
+  TrainCase found = put_together(parts, line, values.real_if_given("train.damping_ratio").value_or(0.0));
   in_file_of(values, [&] { return relative_motion(found.train); });
   return found;
 }
 
-void require_rigid_supports(const CaseInput& problem, const std::string& command) {
-  if (!problem.pair.train) return;
+void require_rigid_supports(const CaseInput& problem, const std::string& command, bool dry_too) {
+  if (!problem.pair.train || (dry_too && problem.dry())) return;
   problem.parameters.refuse(given_train_key(problem.parameters),
-                            "is given, but " + command +
-                                " moves the pair alone, on rigid supports; delete the keys of the drive train, or use "
-                                "info or eigen for its modes");
+                            "is given, but " + command + " moves the pair alone" + (dry_too ? " on films" : "") +
+                                ", on rigid supports; delete the keys of the drive train, or use " +
+                                (dry_too ? "model dry, or eigen for modes on films" : "info or eigen for its modes"));
 }
 
+namespace {
+
+/// k_el [N/m].
+double mesh_stiffness(const CaseInput& problem) {
+  return problem.scales.force(problem.pair.stiffness) / problem.scales.thickness;
+}
+
+}  // namespace
+
 DampedTrain damped_train_of(const CaseInput& problem) {
-  ContactSpring contact{.stiffness = mesh_after_leaving(problem).stiffness_si()};
+  ContactSpring contact{.stiffness = mesh_stiffness(problem)};
   if (problem.dry()) {
     const double zeta = problem.march.dry_damping_ratio.value_or(0.0);
     contact.damping = 2.0 * zeta * std::sqrt(contact.stiffness * *problem.pair.equivalent_mass);
   }
   return damped_train(problem.pair.train->train, contact, problem.pair.train->damping_ratio);
+}
+
+std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem) {
+  if (!problem.pair.train || !problem.dry()) return {};
+  const TrainCase& given = *problem.pair.train;
+  const Eigen::RowVectorXd back = problem.pair.teeth.backlash() ? given.back : Eigen::RowVectorXd();
+  const DampedTrain train = damped_train(given.train, {.stiffness = mesh_stiffness(problem)}, given.damping_ratio);
+  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, back, problem.scales));
 }
 
 double centre_distance_growth(const CaseInput& problem) {

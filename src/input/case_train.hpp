@@ -1,10 +1,12 @@
 // The drive train of a case.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "gear/line_of_action.hpp"
 #include "input/parameter_values.hpp"
+#include "mesh/mesh_train.hpp"
 #include "train/train_damping.hpp"
 
 namespace gearfilm {
@@ -13,6 +15,7 @@ struct CaseInput;
 
 struct TrainCase {
   Train train;                 ///< with the row of the contact
+  Eigen::RowVectorXd back;     ///< the row of the reverse flanks' approach
   double damping_ratio = 0.0;  ///< of every mode
 };
 
@@ -23,8 +26,12 @@ std::string given_train_key(const ParameterValues& values);
 /// InputError where it does not fit together.
 std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfAction& line);
 
-/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train.
-void require_rigid_supports(const CaseInput& problem, const std::string& command);
+/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train; dry_too: it
+/// moves dry pairs with their train.
+void require_rigid_supports(const CaseInput& problem, const std::string& command, bool dry_too = false);
+
+/// What the motion of the dry pair feels of it; null without one, and on films.
+std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem);
 
 /// Its modes and damping on the stiffness of the dry mesh; of dry contacts with their damper. Of a case with a train.
 DampedTrain damped_train_of(const CaseInput& problem);

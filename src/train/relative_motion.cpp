@@ -22,7 +22,8 @@ Eigen::MatrixXd all_rows(const Train& train) {
   return rows;
 }
 
-/// The rows that no earlier ones span, and what they span as an orthonormal basis of entries in lengths.
+/// The rows that no earlier ones span, scaled to ways in lengths, and what they span as an orthonormal basis of entries
+/// in lengths.
 struct IndependentRows {
   Eigen::MatrixXd rows, basis;
 };
@@ -38,7 +39,7 @@ IndependentRows independent(const Eigen::MatrixXd& rows, const Eigen::VectorXd& 
     found.basis.conservativeResize(found.basis.rows() + 1, Eigen::NoChange);
     found.basis.bottomRows(1) = rest.normalized();
     found.rows.conservativeResize(found.rows.rows() + 1, Eigen::NoChange);
-    found.rows.bottomRows(1) = rows.row(k);
+    found.rows.bottomRows(1) = rows.row(k) / rows.row(k).cwiseQuotient(lengths.transpose()).cwiseAbs().maxCoeff();
   }
   return found;
 }

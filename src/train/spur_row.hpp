@@ -26,4 +26,13 @@ inline Eigen::RowVectorXd spur_row(const Train& train, const SpurGearNode& pinio
          n * (train.translation(wheel.node) - train.translation(pinion.node));
 }
 
+/// The row of the approach of the reverse flanks, whose line of action is the mirror image: -h_b = b q,
+///   -h_b = -R_b1 phi_1 + R_b2 phi_2 + n_b.u_1 - n_b.u_2 ,    n_b = (sin alpha', -cos alpha')
+inline Eigen::RowVectorXd spur_back_row(const Train& train, const SpurGearNode& pinion, const SpurGearNode& wheel,
+                                        double pressure_angle) {
+  const Eigen::RowVector2d n(std::sin(pressure_angle), -std::cos(pressure_angle));
+  return wheel.base_radius * train.rotation(wheel.node) - pinion.base_radius * train.rotation(pinion.node) -
+         n * (train.translation(wheel.node) - train.translation(pinion.node));
+}
+
 }  // namespace gearfilm

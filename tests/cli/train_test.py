@@ -4,11 +4,13 @@ The pair: the case study with tip relief, of given inertias. Its grid on films i
 """
 import json
 import re
+import shutil
 import unittest
 
 from films import SAME, summary_in
 from program import INPUT, SOURCE, ProgramTest
 from script import plot
+from vibration import table_in
 
 REFERENCE = json.loads((SOURCE / "tests/reference/drivetrain.json").read_text(encoding="utf-8"))
 CASE_STUDY = REFERENCE["table3"]["input"]
@@ -133,6 +135,86 @@ class OnFilms(TrainTest):
         self.assertAlmostEqual(mode["damping_ratio"] / summary["film_damping_ratio"], 1, delta=1e-5)
 
 
+class DryMotion(TrainTest):
+    def damped_bearings(self, stiffness):
+        """With 0.04 sqrt(k m), 2 % of the critical damping of each gear on its own."""
+        file = self.folder / f"bearings_{stiffness}.train"
+        file.write_text("".join(f"bearing {gear} {stiffness} {stiffness} 0 0 {c!r} {c!r}\n" for gear, c in zip(
+            ("pinion", "wheel"), (0.04 * (stiffness * mass) ** 0.5 for mass in CASE_STUDY["m"]))), encoding="utf-8")
+        return [*MASSES, "-train_file", file]
+
+    def periodic(self, *options, zeta=0.05):
+        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", zeta, *options)
+
+    def assert_moduli(self, summary, expected, relative):
+        """Of pairs of multipliers, in any order."""
+        found = sorted(abs(complex(*mu)) for mu in summary["floquet"])
+        self.assertEqual(len(found), 2 * len(expected))
+        for n, modulus in enumerate(sorted(expected)):
+            for one in found[2 * n:2 * n + 2]:
+                self.assertAlmostEqual(one / modulus, 1, delta=relative)
+
+    def test_two_gears_that_only_turn_move_as_the_pair(self):
+        expected, tolerance = REFERENCE["dry_orbit_1dof"], REFERENCE["dry_orbit_1dof"]["tol"]
+        orbit = self.periodic("-train_damping_ratio", 0)
+        self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
+        self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=2 * tolerance["V0_abs"])
+        self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_force_ratio_max"],
+                               delta=tolerance["force"])
+        self.assert_moduli(orbit, [abs(complex(*expected["multiplier"]))], tolerance["mu"])
+
+    def test_orbits_on_bearings_are_those_of_the_reference(self):
+        tolerance = REFERENCE["dry_orbit_bearings"]["tol"]
+        for stiffness in ("1e10", "1e9", "1e8"):
+            with self.subTest(stiffness=stiffness):
+                expected = REFERENCE["dry_orbit_bearings"][stiffness]
+                orbit = self.periodic(*self.damped_bearings(float(stiffness)))
+                self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
+                self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=tolerance["V0_abs"])
+                self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_max"], delta=tolerance["force"])
+                # Across the line of action gears on such bearings do not move: three pairs of multipliers.
+                self.assert_moduli(orbit, expected["mu_abs"], tolerance["mu"])
+                self.assertLess(orbit["floquet_modulus_error"], 1e-6)
+                self.assertIsNone(orbit["free_frequency"])
+
+    def test_resonances_over_the_speed_are_those_of_the_reference(self):
+        tolerance = REFERENCE["speed_sweep"]["tol"]["total_max"]
+        for stiffness, speeds in ((1e9, (6500, 13000)), (1e8, (7000, 7500))):
+            sweep = self.summary("sweep", "-model", "dry", "-dry_damping_ratio", 0.02, "-sweep_direction", "up",
+                                 "-sweep_values", ", ".join(map(str, speeds)), "-periodic_multipliers", "no",
+                                 *self.damped_bearings(stiffness))
+            expected = {row[0]: row[1] for row in
+                        REFERENCE["speed_sweep"]["rpm__total_max__total_min"][str(stiffness)]}
+            self.assertEqual(sweep["points_found"], 2)
+            for point in sweep["points"]:
+                self.assertAlmostEqual(point["total_force_ratio_max"] / expected[point["value"]], 1, delta=tolerance)
+            shutil.rmtree(self.folder / "sweep")
+
+    def test_a_march_settles_on_the_periodic_motion(self):
+        bearings_at = self.damped_bearings(1e9)
+        orbit = self.periodic(*bearings_at)
+        march = self.summary("transient", "-model", "dry", "-dry_damping_ratio", 0.05, "-mesh_periods", 40,
+                             "-start_place", "after_leaving", *bearings_at)
+        self.assertAlmostEqual(march["settling"]["modulus"], orbit["floquet_modulus"], delta=2e-3)
+        self.assertEqual(march["settles_on"], 1)
+
+    def test_a_march_goes_on_to_the_bit(self):
+        march = ["transient", self.write_case(RELIEF), "-model", "dry", "-keep_checkpoint", "yes", "-start_place",
+                 "after_leaving", "-output_dir"]
+        self.run_program(*march, "whole", "-mesh_periods", 6, *SHAFTS)
+        self.run_program(*march, "parts", "-mesh_periods", 3, *SHAFTS)
+        run = self.run_program(*march, "parts", "-mesh_periods", 6, "-restart", "yes", *SHAFTS)
+        self.assertEqual(run.status, 0, run)
+        whole, parts = (table_in(self.folder / name, "history/steps") for name in ("whole", "parts"))
+        self.assertEqual(whole["H0"].tolist(), parts["H0"].tolist())
+
+    def test_a_branch_is_followed_through_a_resonance(self):
+        branch = self.summary("continuation", "-model", "dry", "-dry_damping_ratio", 0.05, "-continuation_from", 12480,
+                              "-continuation_to", 12520, *self.damped_bearings(1e9))
+        self.assertEqual(branch["bifurcations"], [])
+        self.assertEqual(branch["branches"][0]["last_value"], 12520)
+
+
 class Figures(TrainTest):
     def plot(self, kind, *options):
         return plot(kind, self.folder / "info", *options)
@@ -174,10 +256,19 @@ class WrongTrains(TrainTest):
                 self.refused(words, *options)
 
     def test_commands_that_move_the_pair_alone(self):
-        for command in ("transient", "periodic", "sweep", "continuation", "bench"):
-            self.refused(["motor.inertia", f"{command} moves the pair alone", "info or eigen"], *SHAFTS, command=command)
+        for command in ("transient", "periodic", "sweep", "continuation"):
+            self.refused(["motor.inertia", f"{command} moves the pair alone on films", "model dry"], *SHAFTS,
+                         command=command)
+        self.refused(["motor.inertia", "bench moves the pair alone", "info or eigen"], *SHAFTS, command="bench")
         self.refused(["motor.inertia", "eigen.orbit moves the pair alone"], *SHAFTS, "-eigen_orbit", "yes",
                      command="eigen")
+
+    def test_a_tooth_force_that_the_torque_does_not_determine(self):
+        file = self.folder / "held.train"
+        file.write_text("ground pinion 1e3\nground wheel 1e3\n", encoding="utf-8")
+        self.summary("info", "-train_file", file)
+        self.refused(["holds both the pinion's side and the wheel's", "free one side"], "-train_file", file, "-model",
+                     "dry", command="periodic")
 
     def test_files_name_the_line_that_is_wrong(self):
         file = self.folder / "line.train"
