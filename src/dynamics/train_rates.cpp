@@ -17,6 +17,7 @@ TrainAcceleration train_acceleration(const MeshModel& mesh, const DryContacts& c
                                    train.by_displacement * motion.q + train.by_velocity * motion.v,
                           .by_displacement = {},
                           .by_velocity = {}};
+  if (!train.harmonics.empty()) found.value += train.ripple(mesh.path.mesh_periods(T)) * train.by_ripple;
   if (!derivatives) return found;
   found.by_displacement = train.by_displacement + back.slope * train.by_back_force * train.back;
   found.by_displacement.col(0) -= contacts.stiffness(forces) * train.by_force;

@@ -1,7 +1,5 @@
-// The acceleration of a drive train around dry contacts, with its derivatives (mesh_train.hpp).
-//
-//   y'' = M^-1 (e_1 (sum_k F_k(y_1) - F* - I_n c y_1') - b^T F_b(b y) - C y' - K y)
-// c: of a damper beside the contacts (dry_flow.hpp).
+// The acceleration of a drive train around dry contacts, with its derivatives: that of mesh_train.hpp less
+// M^-1 e_1 I_n c y_1', c of a damper beside the contacts (dry_flow.hpp).
 #pragma once
 
 #include "mesh/dry_force.hpp"

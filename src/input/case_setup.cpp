@@ -57,8 +57,15 @@ void require_moving_contacts(const CaseInput& problem, const std::string& comman
 }
 
 void require_one_pattern(const CaseInput& problem, const std::string& command) {
-  const long pattern = problem.pair.teeth.pattern();
+  const long pattern = whole_pattern(problem);
   if (pattern <= problem.search.max_pattern) return;
+  if (problem.pair.teeth.pattern() < pattern) {
+    problem.parameters.refuse("motor.torque_harmonics",
+                              "and the mesh repeat together after " + std::to_string(pattern) + " mesh periods, and " +
+                                  command + " looks for states that repeat after at most periodic.max_pattern = " +
+                                  std::to_string(problem.search.max_pattern) + "; raise that to " +
+                                  std::to_string(pattern) + ", or march that long (transient)");
+  }
   std::string name;
   for (const char* key :
        {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {
@@ -112,7 +119,7 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .roughness = problem.roughness,
           .wear = problem.wear,
           .friction_couples_dynamics = friction_couples_dynamics(problem),
-          .pattern = static_cast<int>(problem.pair.teeth.pattern()),
+          .pattern = static_cast<int>(whole_pattern(problem)),
           .order = problem.search.order,
           .train = inert ? mesh_train_of(problem) : nullptr};
 }

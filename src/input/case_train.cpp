@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numeric>
 
 #include "input/case.hpp"
 #include "input/case_setup.hpp"
@@ -120,7 +121,7 @@ TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double
   const SpurGearNode wheel{TrainParts::wheel, line.base_radius_wheel()};
   train.add_contact(spur_row(train, pinion, wheel, line.working_pressure_angle()));
   Eigen::RowVectorXd back = spur_back_row(train, pinion, wheel, line.working_pressure_angle());
-  return {std::move(train), std::move(back), damping_ratio};
+  return {.train = std::move(train), .back = std::move(back), .damping_ratio = damping_ratio};
 }
 
 }  // namespace
@@ -148,6 +149,7 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
   }
   TrainCase found = put_together(parts, line, values.real_if_given("train.damping_ratio").value_or(0.0));
   in_file_of(values, [&] { return relative_motion(found.train); });
+  read_torque_harmonics(values, line, found);
   return found;
 }
 
@@ -182,7 +184,12 @@ std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem) {
   const TrainCase& given = *problem.pair.train;
   const Eigen::RowVectorXd back = problem.pair.teeth.backlash() ? given.back : Eigen::RowVectorXd();
   const DampedTrain train = damped_train(given.train, {.stiffness = mesh_stiffness(problem)}, given.damping_ratio);
-  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, back, problem.scales));
+  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, back, given.ripple, problem.scales));
+}
+
+long whole_pattern(const CaseInput& problem) {
+  const long teeth = problem.pair.teeth.pattern();
+  return problem.pair.train && problem.dry() ? std::lcm(teeth, problem.pair.train->pattern) : teeth;
 }
 
 double centre_distance_growth(const CaseInput& problem) {

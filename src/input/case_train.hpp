@@ -16,6 +16,8 @@ struct CaseInput;
 struct TrainCase {
   Train train;                 ///< with the row of the contact
   Eigen::RowVectorXd back;     ///< the row of the reverse flanks' approach
+  TorqueRipple ripple{};       ///< of the torque that drives
+  long pattern = 1;            ///< mesh periods after which its harmonics repeat together
   double damping_ratio = 0.0;  ///< of every mode
 };
 
@@ -25,6 +27,13 @@ std::string given_train_key(const ParameterValues& values);
 /// Absent where no key of it is given: the gears then turn on rigid supports, and nothing is joined to them. Throws
 /// InputError where it does not fit together.
 std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfAction& line);
+
+/// Harmonics of the torque in a train that is put together. Throws InputError, also where they swing the whole by more
+/// than the teeth let pass.
+void read_torque_harmonics(const ParameterValues& values, const LineOfAction& line, TrainCase& train);
+
+/// Mesh periods after which teeth with errors and fluctuations of the torque repeat together.
+long whole_pattern(const CaseInput& problem);
 
 /// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train; dry_too: it
 /// moves dry pairs with their train.

@@ -242,8 +242,10 @@ Records periodic_records() {
               whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
        preset(1, whole("order", "k", closed(1, 64),
                        "mesh periods, or patterns of teeth with errors, after which the state repeats")),
-       preset(1, whole("max_pattern", "", closed(1, 10000),
-                       "with pitch errors: most mesh periods after which the same teeth meet again")),
+       preset(1,
+              whole("max_pattern", "", closed(1, 10000),
+                    "with pitch errors or a torque that fluctuates: most mesh periods after which the same teeth meet "
+                    "again at the same torque")),
        choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more periods")});
 }
 

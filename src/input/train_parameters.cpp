@@ -33,6 +33,12 @@ std::vector<Parameter> supports_of_gear_records(const std::string& subscript) {
 
 std::vector<Parameter> train_records() {
   Records motor = machine_records("pinion", "mot");
+  motor.push_back(
+      optional("constant torque",
+               word("torque_harmonics",
+                    "fluctuations of the torque, each with its order of the pinion's shaft, amplitude over the "
+                    "mean and phase in degrees: 1 0.1 0, 6 0.02 30; of the motor, or without one of the torque "
+                    "on the pinion; in the motion of dry pairs")));
   motor.push_back(flag("fixed", "the motor turns at an imposed speed; its inertia then has no part"));
   return joined(section("motor", Scope::gear_pair, std::move(motor)),
                 section("load", Scope::gear_pair, machine_records("wheel", "load")),

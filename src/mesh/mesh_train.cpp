@@ -1,6 +1,8 @@
 #include "mesh/mesh_train.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "gearfilm/error.hpp"
@@ -30,8 +32,16 @@ Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vec
 
 }  // namespace
 
+double MeshTrain::ripple(double mesh_periods) const {
+  double sum = 0.0;
+  for (const TorqueHarmonic& one : harmonics) {
+    sum += one.amplitude * std::cos(2.0 * std::numbers::pi * one.cycles * mesh_periods + one.phase);
+  }
+  return sum;
+}
+
 MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const Eigen::RowVectorXd& back,
-                     const Scales& scales) {
+                     const TorqueRipple& ripple, const Scales& scales) {
   constexpr double round_off = 1e-9;
   const RelativeMotion relative = relative_motion(train);
   const Eigen::MatrixXd K = relative.projected(train.stiffness());
@@ -51,12 +61,18 @@ MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const E
     b = back * relative.motions;
     forces.emplace_back(inverse * b.transpose());
   }
+  if (!ripple.harmonics.empty()) {
+    const double torque = ripple.mean / scales.force(1.0);
+    forces.emplace_back(torque * inverse * (ripple.node * relative.motions).transpose());
+  }
   const Eigen::MatrixXd V = reached(forces, {by_displacement, by_velocity});
   return {.by_force = V.transpose() * inverse.col(0),
           .by_back_force = -V.transpose() * inverse * b.transpose(),
           .by_displacement = V.transpose() * by_displacement * V,
           .by_velocity = V.transpose() * by_velocity * V,
-          .back = b * V};
+          .back = b * V,
+          .by_ripple = ripple.harmonics.empty() ? Eigen::VectorXd() : Eigen::VectorXd(V.transpose() * forces.back()),
+          .harmonics = ripple.harmonics};
 }
 
 }  // namespace gearfilm

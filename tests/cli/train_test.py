@@ -7,6 +7,8 @@ import re
 import shutil
 import unittest
 
+import numpy
+
 from films import SAME, summary_in
 from program import INPUT, SOURCE, ProgramTest
 from script import plot
@@ -213,6 +215,46 @@ class DryMotion(TrainTest):
                               "-continuation_to", 12520, *self.damped_bearings(1e9))
         self.assertEqual(branch["bifurcations"], [])
         self.assertEqual(branch["branches"][0]["last_value"], 12520)
+
+
+class Ripple(TrainTest):
+    LINE = [*SHAFTS, "-motor_shaft_damping", 1.0, "-load_shaft_damping", 4.0]
+
+    def periodic(self, harmonics):
+        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", 0.02, *self.LINE,
+                            "-motor_torque_harmonics", harmonics, "-periodic_max_pattern", 28, "-time_dt", 0.05)
+
+    def first_order(self):
+        """Amplitude of the tooth force at the order of the pinion, over the static force."""
+        rows = table_in(self.folder / "periodic", "history/steps")
+        time, force = rows["T"] / (rows["T"].max() - rows["T"].min()), rows["force_total"]
+        turning = force * numpy.exp(-2j * numpy.pi * time)
+        value = (numpy.diff(time) * (turning[1:] + turning[:-1])).sum()
+        return abs(value) / summary_in(self.folder / "periodic")["static_force"]
+
+    def test_a_tenth_of_torque_is_a_tooth_force_of_the_reference(self):
+        expected = REFERENCE["torque_harmonic"]
+        orbit = self.periodic("1 0.1 0")
+        self.assertAlmostEqual(orbit["total_force_ratio_max"] / expected["total_max"], 1, delta=expected["tol"])
+        self.assertAlmostEqual(orbit["total_force_ratio_min"] / expected["total_min"], 1, delta=expected["tol"])
+        self.assertAlmostEqual(
+            self.first_order() / expected["mesh_force_amplitude_order1_over_static"]["orbit"], 1, delta=expected["tol"])
+        found = sorted(abs(complex(*mu)) for mu in orbit["floquet"])
+        for modulus, one in zip(sorted(expected["multipliers_abs"]), found):
+            self.assertAlmostEqual(modulus, one, delta=expected["tol"])
+
+    def test_wrong_harmonics(self):
+        for harmonics, words in (("1 0.1", ["motor.torque_harmonics", "has the part '1 0.1'"]),
+                                 ("0 0.1 0", ["no order > 0"]),
+                                 ("3.14159 0.1 0", ["never repeats together with the mesh"]),
+                                 ("1 0.1 0", ["repeat together after 28 mesh periods", "raise that to 28"]),
+                                 ("0.5 0.1 0", ["repeat together after 56 mesh periods"]),
+                                 ("1 1e5 0", ["swings the whole train by", "of the base pitch"])):
+            with self.subTest(harmonics=harmonics):
+                self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
+                                  "-motor_torque_harmonics", harmonics)
+        self.assert_wrong(["the motor turns at an imposed speed"], "info", self.write_case(RELIEF), *SHAFTS,
+                          "-motor_fixed", "yes", "-motor_torque_harmonics", "1 0.1 0")
 
 
 class Figures(TrainTest):
