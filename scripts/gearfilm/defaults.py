@@ -44,6 +44,7 @@ gear.compliance_factor = 1
 gear.mesh_compliance = 0
 gear.profile_local = offset
 gear.body_coupling = yes
+motor.fixed = no
 contact.sliding_velocity = 0
 contact.conductivity_1 = 47
 contact.density_1 = 7850

@@ -47,8 +47,8 @@ std::string constants_markdown() {
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
          orbit_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() + basins_markdown() +
-         continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() + derived_markdown() +
-         bench_markdown();
+         continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() + train_markdown() +
+         derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 10> case_commands = {{

@@ -8,6 +8,7 @@
 #include "orbits/described_dry_orbit.hpp"
 #include "orbits/film_modes.hpp"
 #include "orbits/floquet.hpp"
+#include "orbits/train_on_films.hpp"
 #include "output/progress.hpp"
 #include "output/resumable_run.hpp"
 #include "output/screen.hpp"
@@ -15,6 +16,7 @@
 #include "results/eigen_summary.hpp"
 #include "results/friction_summary.hpp"
 #include "results/orbit_summary.hpp"
+#include "results/train_summary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -41,6 +43,22 @@ Summary film_eigenvalues(const CaseInput& problem, LubricatedPair& pair, Vec sta
   return found;
 }
 
+/// The modes of the drive train, on the films of the pair at rest or of the dry pair; what is to be said of them goes
+/// to `remarks`. rest: null of the dry pair.
+void add_modes_of_train(const CaseInput& problem, RestingPair* rest, const Watcher& watcher, Summary& summary,
+                        std::vector<std::string>& remarks) {
+  const DampedTrain train = damped_train_of(problem);
+  std::vector<RateOnFilms> on_films;
+  if (rest) {
+    const auto lost = [&](const std::string& what) { remarks.push_back("a mode on films is null: " + what); };
+    on_films = train_on_films(train, rest->pair(), rest->state(), {.watcher = watcher}, lost);
+  }
+  add_train(problem, train, on_films, summary);
+  for (const auto& more : {mode_lines(summary), damping_lines(summary)}) {
+    remarks.insert(remarks.end(), more.begin(), more.end());
+  }
+}
+
 /// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
 Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
                      Summary summary, std::vector<std::string>& remarks) {
@@ -54,6 +72,7 @@ Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discr
   add_swing(swing, quantities, summary);
   const std::string remark = swing_remark(swing, quantities, summary["f_n"].get<double>());
   if (!remark.empty()) remarks.push_back(remark);
+  if (problem.pair.train) add_modes_of_train(problem, &rest, watcher, summary, remarks);
   if (!swing.on_stiff_films()) {
     summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
     return summary;
@@ -122,7 +141,10 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   require_inertia(given);
   require_moving_contacts(given, "eigen", true);
   require_standing_heights(given, "eigen");
-  if (given.modes.of_orbit) require_one_pattern(given, "eigen");
+  if (given.modes.of_orbit) {
+    require_one_pattern(given, "eigen");
+    require_rigid_supports(given, "eigen.orbit", true);
+  }
   CaseInput problem = given;
   problem.numerics.solver.multigrid.precision =
       Precision::double_precision;  // eigenvalues have the digits of the products
@@ -133,6 +155,7 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   std::vector<std::string> remarks;
   if (problem.dry()) {
     summary.update(damper_summary(problem, summary["f_n"].get<double>()));
+    if (problem.pair.train) add_modes_of_train(problem, nullptr, {}, summary, remarks);
   } else {
     LongWork work(comm);
     const Watcher watcher = [&](const std::string& text) { work.report(text); };
@@ -148,6 +171,8 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   print_result(comm, run.directory().path(), summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   for (const std::string& remark : remarks) say(comm, remark);
+  if (!problem.pair.train) return;
+  for (const std::string& warning : train_warnings(problem, damped_train_of(problem))) warn(comm, warning);
 }
 
 }  // namespace gearfilm

@@ -32,7 +32,7 @@ double swing_left_out(const Summary& summary) {
 std::string advice(const CaseInput& problem, const DescribedOrbit& found) {
   constexpr double noise = 20.0;  // of the search's tolerance
   const std::size_t order = true_order(found.states_after_leaving, noise * problem.search.options.tolerance);
-  const long pattern = problem.pair.teeth.pattern();
+  const long pattern = whole_pattern(problem);
   const auto asked = static_cast<std::size_t>(problem.search.order);
   if (pattern == 1 && order < asked) {
     return " this state repeats after " + std::to_string(order) + " mesh period(s) already: it is of order " +

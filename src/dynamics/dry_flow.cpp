@@ -3,11 +3,11 @@
 #include <petscts.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "dynamics/train_rates.hpp"
 #include "gearfilm/error.hpp"
 #include "mesh/reverse_flanks.hpp"
 
@@ -19,8 +19,16 @@ namespace {
 constexpr double integration_tolerance = 1e-10;  // of the motion
 constexpr double map_tolerance = 1e-12;          // of the motion with its derivatives
 
-constexpr int motion_size = 2;  // H_0, V_0
-constexpr int whole_size = 8;   // these, Phi row by row, w
+/// q, v; then Phi row by row, and w.
+std::vector<double> beginning(const Motion& start, bool derivatives) {
+  const Eigen::VectorXd x = to_vector(start);
+  std::vector<double> values(x.begin(), x.end());
+  if (!derivatives) return values;
+  const std::size_t size = values.size();
+  values.resize(size * (size + 2), 0.0);
+  for (std::size_t n = 0; n < size; ++n) values[size + n * (size + 1)] = 1.0;
+  return values;
+}
 
 /// H_0 between two steps, by its values and slopes there (cubic of Hermite); s = 0 to 1.
 struct Cubic {
@@ -55,10 +63,10 @@ public:
 
   /// From s on.
   DryFlowRun(const DryFlow& flow, const Motion& start, Kind kind, double s = 0.0)
-      : flow_(flow), values_{start.H0(), start.V0(), 1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, kind_(kind), s_(s) {
+      : flow_(flow), values_(beginning(start, kind == Kind::map)), size_(2 * start.freedoms()), kind_(kind), s_(s) {
     forget_extremes();
-    const int size = kind == Kind::map ? whole_size : motion_size;
-    petsc_check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, values_.data(), state_.put()));
+    petsc_check(
+        VecCreateSeqWithArray(PETSC_COMM_SELF, 1, static_cast<PetscInt>(values_.size()), values_.data(), state_.put()));
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
@@ -94,9 +102,9 @@ public:
     }
   }
 
-  Motion motion() const { return {values_[0], values_[1]}; }
-  Eigen::Matrix2d by_start() const { return Eigen::Matrix2d{{values_[2], values_[3]}, {values_[4], values_[5]}}; }
-  Motion by_parameter() const { return {values_[6], values_[7]}; }
+  Motion motion() const { return motion_in(values_.data()); }
+  Eigen::MatrixXd by_start() const { return Eigen::Map<const RowMajor>(values_.data() + size_, size_, size_); }
+  Motion by_parameter() const { return motion_in(values_.data() + size_ * (size_ + 1)); }
   const DryExtremes& extremes() const { return extremes_; }
   void forget_extremes() {
     extremes_ = {};
@@ -104,6 +112,10 @@ public:
   }
 
 private:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Motion motion_in(const double* x) const { return motion_from({x, static_cast<std::size_t>(size_)}); }
+
   /// T_m dV_0/dT, and its derivative by H_0 on demand.
   double acceleration(const DryFlow::Pair& pair, double s, double H0, double V0, double* slope) const {
     const double T = s * pair.period;
@@ -119,6 +131,10 @@ private:
     const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
     const VecReading x(in);
     const VecWriting rate(out);
+    if (here.mesh.train) {
+      train_rates(s, x.values().data(), rate.values().data());
+      return;
+    }
     const double H0 = x[0], V0 = x[1];
     double slope = 0.0;
     rate[0] = here.period * V0;
@@ -133,9 +149,38 @@ private:
     rate[7] += (acceleration(beside, s, H0, V0, nullptr) - rate[1]) / flow_.part_;
   }
 
+  TrainAcceleration acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, bool derivatives) const {
+    const double T = s * pair.period;
+    const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
+    return train_acceleration(pair.mesh, contacts, T, motion, pair.damping, derivatives);
+  }
+
+  /// The same of a drive train.
+  void train_rates(double s, const double* x, double* rate) const {
+    const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
+    const Motion motion = motion_in(x);
+    const Eigen::Index n = motion.freedoms();
+    const bool map = kind_ == Kind::map;
+    const TrainAcceleration forced = acceleration(here, s, motion, map);
+    Eigen::Map<Eigen::VectorXd> of_motion(rate, size_);
+    of_motion << here.period * motion.v, here.period * forced.value;
+    if (!map) return;
+    Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(size_, size_);
+    slope.topRightCorner(n, n).setIdentity();
+    slope.bottomRows(n) << forced.by_displacement, forced.by_velocity;
+    slope *= here.period;
+    Eigen::Map<RowMajor>(rate + size_, size_, size_) = slope * Eigen::Map<const RowMajor>(x + size_, size_, size_);
+    const Eigen::Index w = size_ * (size_ + 1);
+    Eigen::Map<Eigen::VectorXd> of_parameter(rate + w, size_);
+    of_parameter = slope * Eigen::Map<const Eigen::VectorXd>(x + w, size_);
+    of_parameter.head(n) += (beside.period - here.period) / flow_.part_ * motion.v;
+    of_parameter.tail(n) +=
+        (beside.period * acceleration(beside, s, motion, false).value - here.period * forced.value) / flow_.part_;
+  }
+
   void step_done(TS, PetscInt, PetscReal s, Vec state) {
     const VecReading x(state);
-    const Motion motion{x[0], x[1]};
+    const Motion motion = motion_in(x.values().data());
     if (!begins_) look_between(s, motion);
     look_at(s, motion.H0());
     if (s > seen_s_ && !begins_) step_ = s - seen_s_;
@@ -160,7 +205,8 @@ private:
   }
 
   const DryFlow& flow_;
-  std::array<double, whole_size> values_;
+  std::vector<double> values_;
+  Eigen::Index size_;  ///< of q and v
   Kind kind_;
   OwnedVec state_;
   PetscHandle<TS, TSDestroy> ts_;

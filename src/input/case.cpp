@@ -102,6 +102,7 @@ ReferenceContact set_gear_pair(CaseInput& result, const WornFlanks& worn) {
   if (values.has("pinion.inertia")) {
     result.pair.inertias = {values.real("pinion.inertia"), values.real("wheel.inertia")};
   }
+  result.pair.train = read_train(values, *result.pair.line);
   ContactSolids solids = solids_at_pitch(values, *result.pair.line);
   set_face(values, read_face_of_pair(values), result.pair.tooth_force, solids);
   const std::string load_model = "gear.load_model";
@@ -339,20 +340,6 @@ void set_march(CaseInput& result) {
 
 }  // namespace
 
-namespace {
-
-/// For the radii of a path of contact, or about that of a bare contact.
-std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
-  std::array<double, 2> radii = {0.9, 1.1};
-  if (problem.pair.line) {
-    radii = problem.pair.line->relative_radii();
-    radii[1] = std::max(radii[1], 1.01 * radii[0]);
-  }
-  return std::make_shared<const FaceLaw>(face_law(problem.scales, radii));
-}
-
-}  // namespace
-
 CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   CaseInput result;
   result.parameters = values;
@@ -373,6 +360,7 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
     if (result.scales.solids.face) result.scales.face_law = law_of_face(result);
     check_strain(result);
   });
+  if (result.pair.train) require_tooth_force(result, "the drive train");
   result.traction = read_traction(values);
   result.thermal_oil = read_thermal_oil(values);
   result.roughness = read_roughness(values, topography);
@@ -391,6 +379,7 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   }
   result.run.directory = values.text("output.dir");
   in_file_of(values, [&] { check_loads(result); });
+  if (result.kind == CaseKind::gear_pair) in_file_of(values, [&] { return mesh_train_of(result); });
   result.numerics.on_widening = widening_notice(result.scales, contacts_at_a_time(result), heated_points(result));
   return result;
 }

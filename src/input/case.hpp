@@ -17,6 +17,7 @@
 #include "gear/gear_pair.hpp"
 #include "gear/line_of_action.hpp"
 #include "gear/teeth.hpp"
+#include "input/case_train.hpp"
 #include "input/continuation_options.hpp"
 #include "input/parameter_values.hpp"
 #include "input/sweep_options.hpp"
@@ -49,6 +50,7 @@ struct PairCase {
   double tooth_force = 0.0;               ///< T_g1/R_b1 [N]
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
   std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
+  std::optional<TrainCase> train;         ///< absent: on rigid supports, and joined to nothing
 };
 
 /// A stationary contact.

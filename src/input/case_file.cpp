@@ -152,6 +152,7 @@ void attach_tables(MPI_Comm comm, ParameterValues& values) {
   attach("roughness.table", "roughness.asperity_law");
   attach("load_sharing.file", "load_sharing.kind");
   attach("gear.compliance_file", "gear.tooth_compliance");
+  attach("train.file", "");
   for (const std::string gear : {"pinion", "wheel"}) {
     attach(gear + ".profile_file", "");
     attach(gear + ".surface", "");

@@ -64,8 +64,15 @@ void require_standing_heights(const CaseInput& problem, const std::string& comma
 }
 
 void require_one_pattern(const CaseInput& problem, const std::string& command) {
-  const long pattern = problem.pair.teeth.pattern();
+  const long pattern = whole_pattern(problem);
   if (pattern <= problem.search.max_pattern) return;
+  if (problem.pair.teeth.pattern() < pattern) {
+    problem.parameters.refuse("motor.torque_harmonics",
+                              "and the mesh repeat together after " + std::to_string(pattern) + " mesh periods, and " +
+                                  command + " looks for states that repeat after at most periodic.max_pattern = " +
+                                  std::to_string(problem.search.max_pattern) + "; raise that to " +
+                                  std::to_string(pattern) + ", or march that long (transient)");
+  }
   std::string name;
   for (const char* key :
        {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {
@@ -79,6 +86,7 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
 
 CaseInput periodic_case(const CaseInput& given, std::string& remark) {
   require_inertia(given);
+  require_rigid_supports(given, "periodic", true);
   CaseInput chosen = with_chosen_motion(given, remark);
   require_moving_contacts(chosen, "periodic", true);
   require_one_pattern(chosen, "periodic");
@@ -122,8 +130,9 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .fatigue = problem.fatigue,
           .rating = problem.rating,
           .friction_couples_dynamics = friction_couples_dynamics(problem),
-          .pattern = static_cast<int>(problem.pair.teeth.pattern()),
-          .order = problem.search.order};
+          .pattern = static_cast<int>(whole_pattern(problem)),
+          .order = problem.search.order,
+          .train = inert ? mesh_train_of(problem) : nullptr};
 }
 
 MeshModel mesh_after_leaving(const CaseInput& problem) {
@@ -180,6 +189,15 @@ OrbitProblem orbit_problem(const CaseInput& problem) {
                            .start = problem.march.start_motion,
                            .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)};
   return {mesh_after_leaving(problem), problem.numerics, search};
+}
+
+std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
+  std::array<double, 2> radii = {0.9, 1.1};
+  if (problem.pair.line) {
+    radii = problem.pair.line->relative_radii();
+    radii[1] = std::max(radii[1], 1.01 * radii[0]);
+  }
+  return std::make_shared<const FaceLaw>(face_law(problem.scales, radii));
 }
 
 }  // namespace gearfilm

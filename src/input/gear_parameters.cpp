@@ -58,8 +58,9 @@ Records one_gear_records(const std::string& subscript) {
 }
 
 Records pinion_records() {
-  Records records = joined(one_gear_records("1"), lead_records(), heated_body_records("1"),
-                           roughness_of_body_records("1"), lay_records(), surface_record(), flank_material_records("1"));
+  Records records =
+      joined(one_gear_records("1"), lead_records(), heated_body_records("1"), roughness_of_body_records("1"),
+             lay_records(), surface_record(), flank_material_records("1"), supports_of_gear_records("1"));
   records.push_back(number("speed_rpm", "Omega_1", "rpm", closed(1e-3, 1e6), "rotational speed of the pinion"));
   records.push_back(number("torque", "T_g1", "N m", closed(1e-6, 1e9), "torque on the pinion"));
   return section("pinion", Scope::gear_pair, std::move(records));
@@ -68,7 +69,7 @@ Records pinion_records() {
 Records wheel_records() {
   return section("wheel", Scope::gear_pair,
                  joined(one_gear_records("2"), lead_records(), heated_body_records("2"), roughness_of_body_records("2"),
-                        lay_records(), surface_record(), flank_material_records("2")));
+                        lay_records(), surface_record(), flank_material_records("2"), supports_of_gear_records("2")));
 }
 
 Records gear_records() {

@@ -110,6 +110,10 @@ std::vector<Parameter> flank_material_records(const std::string& subscript);
 /// Section rating.
 std::vector<Parameter> rating_records();
 
+/// Sections motor, load and train; and mass and bearings of a gear, as part of its section.
+std::vector<Parameter> train_records();
+std::vector<Parameter> supports_of_gear_records(const std::string& subscript);
+
 /// All in one list.
 template <class... More>
 Records joined(Records first, const More&... more) {

@@ -242,8 +242,10 @@ Records periodic_records() {
               whole("max_periods", "", at_least(1), "mesh periods marched before the search ends")),
        preset(1, whole("order", "k", closed(1, 64),
                        "mesh periods, or patterns of teeth with errors, after which the state repeats")),
-       preset(1, whole("max_pattern", "", closed(1, 10000),
-                       "with pitch errors: most mesh periods after which the same teeth meet again")),
+       preset(1,
+              whole("max_pattern", "", closed(1, 10000),
+                    "with pitch errors or a torque that fluctuates: most mesh periods after which the same teeth meet "
+                    "again at the same torque")),
        choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more periods")});
 }
 
@@ -358,12 +360,12 @@ Records output_records() {
 }  // namespace
 
 const std::vector<Parameter>& parameter_table() {
-  static const Records table =
-      joined(case_records(), gear_pair_records(), contact_records(), roughness_records(), lubricant_records(),
-             traction_records(), stress_records(), fatigue_records(), rating_records(), grid_records(), film_records(),
-             steady_records(), static_records(), march_records(), ramp_records(), run_records(), load_sharing_records(),
-             start_records(), time_records(), periodic_records(), eigen_records(), sweep_records(),
-             continuation_records(), dry_records(), solver_records(), output_records());
+  static const Records table = joined(
+      case_records(), gear_pair_records(), train_records(), contact_records(), roughness_records(), lubricant_records(),
+      traction_records(), stress_records(), fatigue_records(), rating_records(), grid_records(), film_records(),
+      steady_records(), static_records(), march_records(), ramp_records(), run_records(), load_sharing_records(),
+      start_records(), time_records(), periodic_records(), eigen_records(), sweep_records(), continuation_records(),
+      dry_records(), solver_records(), output_records());
   return table;
 }
 

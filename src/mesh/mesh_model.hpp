@@ -13,6 +13,7 @@
 #include "fatigue/fatigue_model.hpp"
 #include "gear/teeth.hpp"
 #include "mesh/contact_path.hpp"
+#include "mesh/mesh_train.hpp"
 #include "mesh/meshed_contact.hpp"
 #include "mesh/motion.hpp"
 #include "mesh/natural_frequency.hpp"
@@ -48,6 +49,10 @@ struct MeshModel {
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats
+  std::shared_ptr<const MeshTrain> train{};                  ///< absent: rigid supports; of dry pairs alone
+
+  /// Degrees of freedom of the motion.
+  Eigen::Index freedoms() const { return train ? train->freedoms() : 1; }
 
   /// A contact at time T, and one at a place xi [m] at the first speed.
   MeshedContact contact(int number, double T) const;

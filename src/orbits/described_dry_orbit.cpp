@@ -6,11 +6,18 @@
 namespace gearfilm {
 namespace {
 
-/// Of the modulus of multipliers: their product is exp(-c T), c the damper's (Liouville).
+/// Of the modulus of multipliers: their product is exp(-c T), c the damper's, with the trace of M^-1 C of a drive train
+/// (Liouville).
 double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit& orbit) {
   const double product = orbit.monodromy.determinant();
-  const double expected = std::exp(-dry_damping(mesh, damping_ratio) * mesh.period());
-  return std::abs(std::sqrt(std::abs(product)) - std::sqrt(expected));
+  double decay = -dry_damping(mesh, damping_ratio);
+  if (mesh.train) decay = decay * mesh.inertia * mesh.train->by_force[0] + mesh.train->by_velocity.trace();
+  const double expected = std::exp(decay * mesh.period());
+  // Of one multiplier, so many of which are in the product.
+  const auto one = [&mesh](double all) {
+    return mesh.train ? std::pow(all, 0.5 / static_cast<double>(mesh.freedoms())) : std::sqrt(all);
+  };
+  return std::abs(one(std::abs(product)) - one(expected));
 }
 
 }  // namespace

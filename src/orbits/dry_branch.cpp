@@ -11,7 +11,7 @@ BranchMap dry_branch_map(MeshAt mesh_at, double damping_ratio, double unit) {
     MapValue value;
     for (int n = 1; n <= order; ++n) value.states.push_back(end.states[n * mesh.pattern - 1]);
     value.by_motion = end.by_start;
-    value.by_parameter = {end.by_parameter.H0() / unit, end.by_parameter.V0() / unit};
+    value.by_parameter = {end.by_parameter.q / unit, end.by_parameter.v / unit};
     value.largest_force = end.extremes.largest_force / mesh.scales.static_force;
     value.smallest_force = end.extremes.smallest_force / mesh.scales.static_force;
     value.least_approach = end.extremes.least_approach;

@@ -23,7 +23,7 @@ const Tuned<double> narrowest_ratio("dry_orbit_narrowest_ratio", 0.97,
 // Of H_0, off an orbit of first order: the way to where the pair settles may be a long one without order.
 constexpr std::array pushes = {0.05, -0.05, 0.2, -0.2, 0.02, -0.02};
 // Off the balance, of marches: as large as motions that lose contact.
-const std::array<Motion, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {0.0, 2.0}}};
+constexpr std::array<std::array<double, 2>, 4> far_pushes = {{{0.0, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {0.0, 2.0}}};
 
 // What damping takes in one mesh period: free oscillations in it times the damping ratio. Above this the pair forgets
 // its start within a few mesh periods.
@@ -33,6 +33,14 @@ const Tuned<double> forgetful("dry_orbit_forgetful", 0.1,
 DryOrbit describe(const DryMap& map, const Motion& start) {
   const DryFlowEnd end = map(start);
   return {start, end.by_start, end.extremes.largest_force};
+}
+
+/// The same, pushed by a displacement and a velocity of the flanks.
+Motion pushed(const Motion& motion, double H0, double V0) {
+  Motion result = motion;
+  result.H0() += H0;
+  result.V0() += V0;
+  return result;
 }
 
 Motion at_rest(const MeshModel& mesh) { return DryMarch::balance(mesh, DryForce(mesh), 0.0); }
@@ -84,7 +92,7 @@ std::optional<Motion> find_beside_first_order(const DryMap& map) {
   try {
     const Motion first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch()).start;
     for (const double push : pushes) {
-      if (auto start = shoot(map, settle(map, {first_order.H0() + push, first_order.V0()}))) return start;
+      if (auto start = shoot(map, settle(map, pushed(first_order, push, 0.0)))) return start;
     }
   } catch (const SolveError&) {  // there is none of first order
   }
@@ -111,9 +119,9 @@ Motion find_by_marches(const DryMap& map, const Motion& from) {
   const int order = map.mesh().order;
   std::vector<DrySettling> marches;
   std::string trouble;
-  for (const Motion& push : far_pushes) {
+  for (const auto& push : far_pushes) {
     try {
-      marches.push_back(settle_for_long(map, moved(from, 1.0, push)));
+      marches.push_back(settle_for_long(map, pushed(from, push[0], push[1])));
     } catch (const SolveError& error) {
       trouble = error.what();
       continue;
@@ -170,7 +178,7 @@ DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motio
 
 DryOrbit dry_orbit_after(const MeshModel& mesh, double damping_ratio, const Motion& from, const DryWatch& watch) {
   const DryMap map(mesh, damping_ratio, watch);
-  return describe(map, find_by_marches(map, from));
+  return describe(map, find_by_marches(map, DryMarch::in_train(mesh, from)));
 }
 
 std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {

@@ -23,7 +23,7 @@ int patterns_to_settle(const DryMap& map, double damping_ratio) {
 /// Thrown to end a march that has come to repeat.
 struct Repeats {};
 
-Motion middle(const Motion& a, const Motion& b) { return {0.5 * (a.H0() + b.H0()), 0.5 * (a.V0() + b.V0())}; }
+Motion middle(const Motion& a, const Motion& b) { return {0.5 * (a.q + b.q), 0.5 * (a.v + b.v)}; }
 
 }  // namespace
 

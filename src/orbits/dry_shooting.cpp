@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
+#include "orbits/monodromy.hpp"
 #include "parallel/petsc.hpp"
 
 namespace gearfilm {
@@ -20,17 +22,18 @@ public:
   void defect(SNES, Vec in, Vec out) {
     const VecReading x(in);
     const VecWriting r(out);
-    const Motion end = at({x[0], x[1]}).states.back();
-    r[0] = end.H0() - x[0];
-    r[1] = end.V0() - x[1];
+    const Eigen::VectorXd end = to_vector(at(motion_from(x.values())).states.back());
+    for (Eigen::Index n = 0; n < end.size(); ++n) r[n] = end[n] - x[n];
   }
 
   void slope(SNES, Vec in, Mat, Mat out) {
     const VecReading x(in);
-    const Eigen::Matrix2d by_start = at({x[0], x[1]}).by_start - Eigen::Matrix2d::Identity();
-    for (int row = 0; row < 2; ++row) {
-      for (int column = 0; column < 2; ++column) {
-        petsc_check(MatSetValue(out, row, column, by_start(row, column), INSERT_VALUES));
+    const Monodromy& by_start = at(motion_from(x.values())).by_start;
+    const auto size = static_cast<PetscInt>(by_start.rows());
+    for (PetscInt row = 0; row < size; ++row) {
+      for (PetscInt column = 0; column < size; ++column) {
+        const double unit = row == column ? 1.0 : 0.0;
+        petsc_check(MatSetValue(out, row, column, by_start(row, column) - unit, INSERT_VALUES));
       }
     }
     petsc_check(MatAssemblyBegin(out, MAT_FINAL_ASSEMBLY));
@@ -39,7 +42,7 @@ public:
 
 private:
   const DryFlowEnd& at(const Motion& motion) {
-    if (!value_ || motion.H0() != motion_.H0() || motion.V0() != motion_.V0()) value_ = map_(motion);
+    if (!value_ || to_vector(motion) != to_vector(motion_)) value_ = map_(motion);
     motion_ = motion;
     return *value_;
   }
@@ -50,12 +53,12 @@ private:
 };
 
 /// A pair in free flight comes back from where it is pushed: no factors, which there are none of then.
-void without_factors(SNES snes) {
+void without_factors(SNES snes, PetscInt iterations) {
   KSP ksp = nullptr;
   PC pc = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   petsc_check(KSPSetType(ksp, KSPGMRES));
-  petsc_check(KSPSetTolerances(ksp, 1e-12, 1e-30, PETSC_DEFAULT, 10));
+  petsc_check(KSPSetTolerances(ksp, 1e-12, 1e-30, PETSC_DEFAULT, iterations));
   petsc_check(KSPGetPC(ksp, &pc));
   petsc_check(PCSetType(pc, PCNONE));
 }
@@ -66,27 +69,27 @@ std::optional<Motion> solve(const DryMap& map, const Motion& guess) {
   OwnedVec state, defect;
   OwnedMat jacobian;
   OwnedSNES snes;
-  petsc_check(VecCreateSeq(PETSC_COMM_SELF, 2, state.put()));
+  const Eigen::VectorXd first = to_vector(guess);
+  const auto size = static_cast<PetscInt>(first.size());
+  petsc_check(VecCreateSeq(PETSC_COMM_SELF, size, state.put()));
   petsc_check(VecDuplicate(state, defect.put()));
-  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, 2, 2, nullptr, jacobian.put()));
+  petsc_check(MatCreateSeqDense(PETSC_COMM_SELF, size, size, nullptr, jacobian.put()));
   petsc_check(SNESCreate(PETSC_COMM_SELF, snes.put()));
   petsc_check(SNESSetOptionsPrefix(snes, "dry_"));
   petsc_check(SNESSetFunction(snes, defect, Callback<&MapThere::defect>::call, &there));
   petsc_check(SNESSetJacobian(snes, jacobian, jacobian, Callback<&MapThere::slope>::call, &there));
-  without_factors(snes);
+  without_factors(snes, std::max<PetscInt>(10, 2 * size));
   petsc_check(SNESSetTolerances(snes, shooting_tolerance * map.oscillations(), 1e-30, 1e-14, 30, 1000));
   petsc_check(SNESSetFromOptions(snes));
   {
     const VecWriting x(state);
-    x[0] = guess.H0();
-    x[1] = guess.V0();
+    std::ranges::copy(first, x.values().begin());
   }
   petsc_check(SNESSolve(snes, nullptr, state));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   petsc_check(SNESGetConvergedReason(snes, &reason));
   if (reason <= 0) return {};
-  const VecReading x(state);
-  return Motion{x[0], x[1]};
+  return motion_from(VecReading(state).values());
 }
 
 }  // namespace
@@ -100,7 +103,7 @@ DryFlowEnd DryMap::operator()(const Motion& start) const {
 
 std::optional<Motion> shoot(const DryMap& map, const Motion& guess) {
   try {
-    return solve(map, guess);
+    return solve(map, DryMarch::in_train(map.mesh(), guess));
   } catch (const SolveError&) {
     return {};
   }

@@ -92,9 +92,11 @@ private:
   OscillatingFilm oscillating_;
 };
 
+}  // namespace
+
 /// p of one film at the last two s, from which those at further s begin: p is analytic in s, so that a line through
 /// two of them is one with a complex slope.
-class ResponseMemory {
+class DynamicStiffness::Memory {
 public:
   /// Puts a guess into change, which has the size of p.
   void guess(std::complex<double> s, Vec change) const {
@@ -131,13 +133,11 @@ private:
   std::complex<double> last_s_, before_s_;
 };
 
-/// -dF/dH_0 of all contacts together of a pair in a state at rest, placed.
-class DynamicStiffness {
+class DynamicStiffness::Films {
 public:
-  DynamicStiffness(LubricatedPair& pair, Vec state, const SwingOptions& options)
+  Films(LubricatedPair& pair, Vec state, const SwingOptions& options)
       : system_(pair.system()), state_(state), options_(options), memories_(system_.films()) {}
 
-  /// At s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
   std::complex<double> at(std::complex<double> s, double krylov_tolerance) {
     const Eigen::VectorXd displaced = system_.displacements(state_);
     Eigen::VectorXcd stiffness(displaced.size());
@@ -154,7 +154,7 @@ public:
 
 private:
   std::complex<double> of_film(FilmResponse& response, std::complex<double> s, double krylov_tolerance,
-                               ResponseMemory& memory) {
+                               Memory& memory) {
     const OwnedMat matrix = shell_jacobian(response);
     OwnedVec column, change;
     petsc_check(MatCreateVecs(matrix, change.put(), column.put()));
@@ -172,9 +172,23 @@ private:
   FilmSystem& system_;
   Vec state_;
   const SwingOptions& options_;
-  std::vector<ResponseMemory> memories_;
+  std::vector<Memory> memories_;
   int solutions_ = 0, krylov_iterations_ = 0;
 };
+
+DynamicStiffness::DynamicStiffness(LubricatedPair& pair, Vec state, const SwingOptions& options)
+    : films_(std::make_unique<Films>(pair, state, options)) {}
+
+DynamicStiffness::~DynamicStiffness() = default;
+
+std::complex<double> DynamicStiffness::at(std::complex<double> s, double krylov_tolerance) {
+  return films_->at(s, krylov_tolerance);
+}
+
+int DynamicStiffness::solutions() const { return films_->solutions(); }
+int DynamicStiffness::krylov_iterations() const { return films_->krylov_iterations(); }
+
+namespace {
 
 double slowest_entrainment(FilmSystem& system) {
   double slowest = system.film(0).conditions().entrainment;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <optional>
 
 #include "dynamics/lubricated_pair.hpp"
@@ -32,6 +33,24 @@ struct SwingingMode {
   int solutions = 0;               ///< of linear systems, all films
   int krylov_iterations = 0;       ///< in all of them
   double swings_in_passage = 0.0;  ///< |s|/U, the largest of the films: radians while oil passes a
+};
+
+/// -dF/dH_0 of all contacts together of a pair in a state at rest, placed; the options must outlive it.
+class DynamicStiffness {
+public:
+  DynamicStiffness(LubricatedPair& pair, Vec state, const SwingOptions& options);
+  ~DynamicStiffness();
+
+  /// At s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
+  std::complex<double> at(std::complex<double> s, double krylov_tolerance);
+
+  int solutions() const;          ///< of linear systems, all films
+  int krylov_iterations() const;  ///< in all of them
+
+private:
+  class Memory;
+  class Films;
+  std::unique_ptr<Films> films_;
 };
 
 /// The mode of a pair in a state at rest. Throws SolveError where a linear solution or the secant method does not

@@ -38,6 +38,8 @@ std::optional<Settling> settling_over(const std::vector<PoincarePoint>& points, 
   const AffineFit fit(returns);
   const std::complex<double> larger = largest_multiplier(multipliers(fit.map()));
   const Motion rest = fit.fixed_point();
+  // Not where the motions lie in a space of less dimensions than a map needs.
+  if (!std::isfinite(std::abs(larger)) || !to_vector(rest).allFinite()) return {};
   return Settling{static_cast<int>(period), larger, 2.0 * fit.deviation(larger), moved(last, 1.0, rest)};
 }
 

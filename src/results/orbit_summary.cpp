@@ -14,7 +14,9 @@ struct PairMultipliers {
   PairMultipliers(const MeshModel& mesh, const Multipliers& pair)
       : all(pair),
         modulus(largest_modulus(pair)),
-        oscillation(free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si())) {}
+        oscillation(mesh.train
+                        ? std::nullopt
+                        : free_oscillation(pair, mesh.mesh_frequency_si() / mesh.periods(), mesh.frequency_si())) {}
 
   const Multipliers& all;
   double modulus;

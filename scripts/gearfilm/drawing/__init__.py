@@ -33,6 +33,8 @@ KINDS = {
     "mixed": Kind("sweep, periodic, transient or steady", "load, friction and wear of asperities; Stribeck curve"),
     "wear": Kind("wear", "depth that the flanks have lost, over roll angle and face"),
     "damage": Kind("periodic, transient or steady", "stresses below films, fatigue of flanks, ratings"),
+    "campbell": Kind("info or eigen, of a drive train", "natural frequencies over the speed, met by the mesh"),
+    "modes": Kind("info or eigen, of a drive train", "shapes of the modes"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
 }
@@ -74,7 +76,7 @@ def command(kind, words):
     if hasattr(module, "command"):
         module.command(parser, words)
         return
-    parser.add_argument("folder", type=pathlib.Path, help=f"folder with results.h5 of gearfilm {KINDS[kind].commands}")
+    parser.add_argument("folder", type=pathlib.Path, help=f"folder with the results of gearfilm {KINDS[kind].commands}")
     canvas.add_output(parser, kind)
     getattr(module, "add_options", lambda _: None)(parser)
     arguments = parser.parse_args(words)

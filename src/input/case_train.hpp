@@ -1,0 +1,51 @@
+// The drive train of a case.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gear/line_of_action.hpp"
+#include "input/parameter_values.hpp"
+#include "mesh/mesh_train.hpp"
+#include "train/train_damping.hpp"
+
+namespace gearfilm {
+
+struct CaseInput;
+
+struct TrainCase {
+  Train train;                 ///< with the row of the contact
+  Eigen::RowVectorXd back;     ///< the row of the reverse flanks' approach
+  TorqueRipple ripple{};       ///< of the torque that drives
+  long pattern = 1;            ///< mesh periods after which its harmonics repeat together
+  double damping_ratio = 0.0;  ///< of every mode
+};
+
+/// A key of the drive train that is given; empty where none is.
+std::string given_train_key(const ParameterValues& values);
+
+/// Absent where no key of it is given: the gears then turn on rigid supports, and nothing is joined to them. Throws
+/// InputError where it does not fit together.
+std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfAction& line);
+
+/// Harmonics of the torque in a train that is put together. Throws InputError, also where they swing the whole by more
+/// than the teeth let pass.
+void read_torque_harmonics(const ParameterValues& values, const LineOfAction& line, TrainCase& train);
+
+/// Mesh periods after which teeth with errors and fluctuations of the torque repeat together.
+long whole_pattern(const CaseInput& problem);
+
+/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train; dry_too: it
+/// moves dry pairs with their train.
+void require_rigid_supports(const CaseInput& problem, const std::string& command, bool dry_too = false);
+
+/// What the motion of the dry pair feels of it; null without one, and on films.
+std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem);
+
+/// Its modes and damping on the stiffness of the dry mesh; of dry contacts with their damper. Of a case with a train.
+DampedTrain damped_train_of(const CaseInput& problem);
+
+/// By how much the static force parts the centres of the gears on their bearings [m].
+double centre_distance_growth(const CaseInput& problem);
+
+}  // namespace gearfilm

@@ -1,0 +1,46 @@
+// The parts of a drive train as they are read, before they are put together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "input/parameter_values.hpp"
+#include "train/train.hpp"
+
+namespace gearfilm {
+
+enum class TrainSide : std::uint8_t { pinion, wheel };
+
+struct TrainParts {
+  struct ShaftPart {
+    std::size_t a = 0, b = 0;
+    Shaft shaft;
+  };
+  struct BearingPart {
+    std::size_t node = 0;
+    Bearing bearing;
+  };
+  struct GroundPart {
+    std::size_t node = 0;
+    double stiffness = 0.0, damping = 0.0;
+  };
+
+  std::vector<TrainNode> nodes;  ///< the pinion and the wheel first
+  std::vector<TrainSide> sides;  ///< of the nodes
+  std::vector<ShaftPart> shafts{};
+  std::vector<BearingPart> bearings{};
+  std::vector<GroundPart> grounds{};
+
+  static constexpr std::size_t pinion = 0, wheel = 1;
+};
+
+/// Adds what the file train.file has, one element a line; # begins a remark:
+///   node NAME pinion|wheel inertia [mass]      shaft A B k [c [I]]      bearing NODE kx ky [kxy kyx [cx cy]]
+///   ground NODE k [c]                          fixed NODE
+/// Throws InputError with the line that is wrong.
+void add_train_file(const ParameterValues& values, TrainParts& parts);
+
+/// Whether a stiffness stores energy in every direction.
+bool is_positive(const Eigen::Matrix2d& stiffness);
+
+}  // namespace gearfilm

@@ -1,0 +1,104 @@
+// The dry pair in its drive train: energy, and the derivatives of its motion.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "pair_case.hpp"
+
+namespace gearfilm {
+namespace {
+
+/// The example of a motor, gears on isotropic bearings and a load, whose shafts and bearings do not damp.
+CaseInput undamped_reducer(const Settings& settings = {}) {
+  return input_case("electric_reducer.yaml", with({{"model", "dry"},
+                                                   {"train.damping_ratio", "0"},
+                                                   {"pinion.bearing_damping_ratio", "0"},
+                                                   {"wheel.bearing_damping_ratio", "0"}},
+                                                  settings));
+}
+
+/// Kinetic energy and that of shafts and bearings, by the modes of M^-1 K: M^-1 e_1 has the part (p_i)_1/m_i of each.
+class TrainEnergy {
+public:
+  explicit TrainEnergy(const MeshTrain& train) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(-train.by_displacement);
+    const Eigen::MatrixXd modes = eigen.eigenvectors().real();
+    to_modes_ = modes.inverse();
+    rates_ = eigen.eigenvalues().real();
+    masses_ = modes.row(0).transpose().cwiseQuotient(to_modes_ * train.by_force);
+  }
+
+  double kinetic(const Motion& motion) const { return 0.5 * masses_.dot((to_modes_ * motion.v).cwiseAbs2()); }
+  double stored(const Motion& motion) const {
+    return 0.5 * masses_.cwiseProduct(rates_).dot((to_modes_ * motion.q).cwiseAbs2());
+  }
+  const Eigen::VectorXd& masses() const { return masses_; }
+
+private:
+  Eigen::MatrixXd to_modes_;
+  Eigen::VectorXd rates_, masses_;
+};
+
+/// Of the contacts and the tooth force, from H_0 = 0 on, by Simpson's rule: they are springs that harden.
+double potential(const DryContacts& contacts, double static_force, double H0) {
+  constexpr int panels = 2000;
+  double sum = 0.0;
+  for (int n = 0; n <= panels; ++n) {
+    const double weight = n == 0 || n == panels ? 1.0 : (n % 2 == 1 ? 4.0 : 2.0);
+    sum += weight * (contacts.total_force(H0 * n / panels) - static_force);
+  }
+  return -sum * H0 / panels / 3.0;
+}
+
+TEST(DryTrain, keeps_its_energy_where_nothing_damps) {
+  const MeshModel mesh = mesh_model(undamped_reducer(), 0.0, MeshGeometry::held);
+  ASSERT_EQ(mesh.freedoms(), 5);  // across the line of action gears on such bearings do not move
+  const TrainEnergy energy(*mesh.train);
+  EXPECT_GT(energy.masses().minCoeff(), 0.0);
+  const DryContacts contacts(DryForce(mesh), mesh, mesh.path.contacts_after(0.0), 0.0);
+  const auto total = [&](const Motion& motion) {
+    return energy.kinetic(motion) + energy.stored(motion) + potential(contacts, mesh.scales.static_force, motion.H0());
+  };
+  Motion motion = Motion::zero(mesh.freedoms());
+  motion.H0() = contacts.balance(mesh.scales.static_force) - 0.3;
+  const double before = total(motion);
+  double largest = 0.0, drift = 0.0;
+  const DryFlow flow(mesh, 0.0);
+  const double end = 5e-3 / mesh.scales.time;
+  constexpr int looks = 100;
+  for (int n = 0; n < looks; ++n) {
+    motion = flow.between(motion, n * end / looks, (n + 1) * end / looks);
+    largest = std::max(largest, energy.kinetic(motion));
+    drift = std::max(drift, std::abs(total(motion) - before));
+  }
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(drift, 1e-6 * largest);
+}
+
+// In contact, and thrown against the reverse flanks. Where gaps close the map bends within the step of the differences.
+TEST(DryTrain, has_the_derivatives_of_its_map) {
+  const MeshModel mesh = mesh_after_leaving(
+      undamped_reducer({{"gear.backlash", "1e-5"}, {"motor.torque_harmonics", "1 0.1 0, 6 0.05 30"}}));
+  ASSERT_EQ(mesh.freedoms(), 7);  // reverse flanks push in another direction
+  EXPECT_EQ(mesh.pattern, 27);
+  const DryFlow flow(mesh, mesh, 1.0, 0.02);
+  for (const double thrown : {0.01, 10.0}) {
+    Motion start = DryMarch::balance(mesh, DryForce(mesh), 0.0);
+    start.v.setConstant(0.01);
+    start.V0() = thrown;
+    const DryFlowEnd end = flow(start, 1);
+    const Eigen::VectorXd x = to_vector(start);
+    for (Eigen::Index n = 0; n < x.size(); n += 3) {
+      constexpr double step = 1e-4;
+      const Eigen::VectorXd by = step * Eigen::VectorXd::Unit(x.size(), n);
+      const Eigen::VectorXd there = to_vector(flow(to_motion(x + by), 1).states[0]);
+      const Eigen::VectorXd back = to_vector(flow(to_motion(x - by), 1).states[0]);
+      const Eigen::VectorXd slope = end.by_start.col(n);
+      EXPECT_LT(((there - back) / (2.0 * step) - slope).norm(), 1e-4 * (1.0 + slope.norm())) << n;
+    }
+    EXPECT_LT(to_vector(end.by_parameter).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace gearfilm
