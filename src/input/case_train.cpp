@@ -128,7 +128,10 @@ TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double
 
 std::string given_train_key(const ParameterValues& values) {
   for (const Parameter& parameter : parameter_table()) {
-    if (is_train_key(parameter.name) && values.given(parameter.name)) return parameter.name;
+    if (!is_train_key(parameter.name) || !values.given(parameter.name)) continue;
+    // That a machine is not held makes no train.
+    if (parameter.name.ends_with(".fixed") && !values.yes(parameter.name)) continue;
+    return parameter.name;
   }
   return {};
 }

@@ -99,10 +99,10 @@ class SavedCases(ProgramTest):
         return run.stdout, run.stderr.replace(str(path), "CASE"), summary_in(self.folder / "info")
 
     def assert_same(self, texts):
-        """Of every case, all texts mean the same as the original."""
-        for case in CASES:
+        """The texts of every case mean the same as the original. Each case takes every third of the forms in turn."""
+        for number, case in enumerate(CASES):
             wanted = self.info(case)
-            for name, write in texts.items():
+            for name, write in list(texts.items())[number % 3::3]:
                 with self.subTest(case=case.stem, saved=name):
                     self.assertEqual(self.info(self.write_case(write(case), f"{case.stem}.yaml")), wanted)
 
