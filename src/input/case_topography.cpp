@@ -28,7 +28,8 @@ void refuse_heights(const ParameterValues& values) {
   std::vector<std::string> keys = {surfaces[0], surfaces[1], cutoff_key};
   for (std::size_t body : {0, 1}) {
     const WaveKeys wave = wave_keys(body);
-    keys.insert(keys.end(), {wave.amplitude, wave.wavelength, wave.phase});
+    keys.insert(keys.end(), {wave.amplitude, wave.wavelength});
+    if (values.real(wave.phase) != 0.0) keys.push_back(wave.phase);
   }
   for (const std::string& key : keys) {
     if (!values.given(key)) continue;
@@ -40,7 +41,7 @@ std::optional<Waviness> read_wave(const ParameterValues& values, std::size_t bod
   const WaveKeys keys = wave_keys(body);
   values.require_both(keys.amplitude, keys.wavelength, "give amplitude and wavelength, or neither");
   const bool across = values.text(direction) == "longitudinal";
-  if (values.given(keys.phase) && (across || !values.has(keys.amplitude)))
+  if (values.real(keys.phase) != 0.0 && (across || !values.has(keys.amplitude)))
     values.refuse(keys.phase, across ? "is given, but waves across the face are mirror images; delete it"
                                      : "is given, but not '" + keys.amplitude + "'; delete it");
   if (!values.has(keys.amplitude)) return {};
