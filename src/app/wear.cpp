@@ -102,7 +102,7 @@ private:
         .on_period = [&](const SearchPeriod&) { period.volumes = flanks.take(comm_); },
         .on_coarse_period = [](const SearchPeriod&) {},
         .check_stop = stop_.check_in(comm_)};
-    OrbitChain chain([&](double) { return search; });
+    OrbitChain chain([&](double) { return OrbitProblem(search); });
     OrbitChain::Search how;
     Summary step = {{"direction", "up"}, {"value", worn_.revolutions()}};
     step.update(worn_summary(worn_));

@@ -52,6 +52,7 @@ std::vector<Passage> FlankRecorder::of_period(int mesh_periods) const {
     }
   }
   std::vector<Passage> found;
+  found.reserve(teeth.size());
   for (auto& [tooth, passage] : teeth) found.push_back(std::move(passage));
   return found;
 }

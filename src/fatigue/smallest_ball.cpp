@@ -85,7 +85,7 @@ Ball smallest_ball(std::span<const DeviatorPoint> points) {
   for (;;) {
     Points core;
     for (const std::size_t n : chosen) core.push_back(points[n]);
-    const Ball ball = walk(core);
+    Ball ball = walk(core);
     const std::size_t far = farthest_from(ball.centre, points);
     const bool held = (points[far] - ball.centre).norm() <= ball.radius * (1.0 + outside);
     if (held || std::ranges::count(chosen, far) > 0) return ball;

@@ -27,7 +27,7 @@ DepthTable read_profile(const ParameterValues& values, const std::string& key, c
 }
 
 DepthTable read_hardness_table(const ParameterValues& values, const std::string& key, double deepest) {
-  const DepthTable table = read_profile(values, key, "the hardness there [HV]", deepest);
+  DepthTable table = read_profile(values, key, "the hardness there [HV]", deepest);
   for (const double hardness : table.value) {
     if (hardness >= 100.0 && hardness <= 1200.0) continue;
     values.refuse(key, "has a hardness of " + format_value(hardness) + " HV; give numbers in [100, 1200]");

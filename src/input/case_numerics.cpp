@@ -63,8 +63,8 @@ Steps steps_by_waves(const CaseInput& problem) {
 void require_resolved_waves(const CaseInput& problem) {
   const Steps longest = steps_by_waves(problem);
   const auto require = [&](const std::string& name, int nodes, double length, double step) {
-    const int needed = step < HUGE_VAL ? nodes_along(length, step) : 0;
-    if (nodes >= needed) return;
+    if (length <= step * (nodes - 1) * (1.0 + 1e-9)) return;
+    const int needed = nodes_along(length, step);
     problem.parameters.refuse(
         problem.parameters.has(name) ? name : "roughness.model",
         worded("needs ", needed, " nodes where ", nodes, " are given or possible: ", nodes_in_wave,

@@ -90,7 +90,7 @@ std::shared_ptr<const RatingModel> read_rating(const CaseInput& problem) {
     });
   }
   require_inputs(problem, model);
-  return std::make_shared<const RatingModel>(std::move(model));
+  return std::make_shared<const RatingModel>(model);
 }
 
 }  // namespace gearfilm

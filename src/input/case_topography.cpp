@@ -87,8 +87,7 @@ FlankTopography heights_of(const ParameterValues& values, const LineOfAction& li
     }
     if (wave && across) result.shortest_across = std::min(result.shortest_across, wave->wavelength);
     if (wave && !across) shortest = std::min(shortest, wave->wavelength);
-    flanks[body] =
-        Topography(across ? std::nullopt : wave, across ? wave : std::nullopt, std::move(profile), remaining(shortest));
+    flanks[body] = Topography(across ? std::nullopt : wave, across ? wave : std::nullopt, profile, remaining(shortest));
     result.shortest_along = std::min(result.shortest_along, shortest);
   }
   if (flanks[0].flat() && flanks[1].flat())

@@ -15,7 +15,7 @@ SurfaceHeight height_of(const Waviness& wave, double at) {
 
 }  // namespace
 
-Topography::Topography(std::optional<Waviness> along, std::optional<Waviness> across, HeightProfile profile,
+Topography::Topography(std::optional<Waviness> along, std::optional<Waviness> across, const HeightProfile& profile,
                        double remaining)
     : along_(along), across_(across), begin_(profile.begin), step_(profile.step), remaining_(remaining) {
   const std::vector<double>& z = profile.heights;

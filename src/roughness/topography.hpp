@@ -35,7 +35,8 @@ class Topography {
 public:
   Topography() = default;
   /// remaining: the part of the heights along the flank that a loaded contact is expected not to flatten.
-  Topography(std::optional<Waviness> along, std::optional<Waviness> across, HeightProfile profile, double remaining);
+  Topography(std::optional<Waviness> along, std::optional<Waviness> across, const HeightProfile& profile,
+             double remaining);
 
   /// What travels with the flank, and what stands in the contact: waves whose crests lie along the rolling.
   SurfaceHeight along(double s) const;

@@ -19,7 +19,7 @@ struct Stress {
 };
 
 Stress operator+(Stress a, const Stress& b);
-Stress operator*(double factor, const Stress& stress);
+Stress operator*(double factor, const Stress& t);
 
 /// p_H, a third of the trace.
 inline double hydrostatic(const Stress& stress) { return (stress.xx + stress.yy + stress.zz) / 3.0; }

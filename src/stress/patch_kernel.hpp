@@ -24,11 +24,11 @@ namespace gearfilm {
 
 enum class SurfaceLoad { pressure, shear_x, shear_y };
 
-/// F/(2 pi) of a corner at (x, y) from the place, at the depth z >= 0. Not below an edge at z = 0.
-Stress patch_corner(SurfaceLoad load, double x, double y, double z, double poisson_ratio);
+/// F/(2 pi) of a corner at (x, y) from the place, at the depth z >= 0; nu: Poisson's ratio. Not below an edge at z = 0.
+Stress patch_corner(SurfaceLoad load, double x, double y, double z, double nu);
 
 /// Stress at the depth z beneath a place, x away from the middle line of a cell h_x wide that lies in a strip of y
 /// relative to the place, under unit load.
-Stress patch_stress(SurfaceLoad load, double x, double h_x, const Strip& strip, double z, double poisson_ratio);
+Stress patch_stress(SurfaceLoad load, double x, double h_x, const Strip& strip, double z, double nu);
 
 }  // namespace gearfilm

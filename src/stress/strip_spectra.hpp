@@ -34,8 +34,9 @@ class StripSpectra {
 public:
   explicit StripSpectra(const StripLattice& lattice);
 
-  /// Adds to K(k) of each component, [component][waves()], those of cells in a strip of y relative to the place.
-  void add(SurfaceLoad load, const Strip& strip, double z, double poisson_ratio, std::span<double> spectra);
+  /// Adds to K(k) of each component, [component][waves()], those of cells in a strip of y relative to the place;
+  /// nu: Poisson's ratio.
+  void add(SurfaceLoad load, const Strip& strip, double z, double nu, std::span<double> spectra);
 
 private:
   StripLattice lattice_;

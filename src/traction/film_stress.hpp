@@ -40,9 +40,9 @@ using ContactStress = std::array<BodyStress, body_count>;
 
 /// A section below a film, until the next one of its discretisation is computed.
 struct FilmSection {
-  const RowStress* row;
-  const SectionStresses* stresses;  ///< [p_h], of own depths
-  StressProfiles profiles;          ///< [p_h]
+  const RowStress* row = nullptr;
+  const SectionStresses* stresses = nullptr;  ///< [p_h], of own depths
+  StressProfiles profiles;                    ///< [p_h]
 };
 
 /// Of the section below a row.

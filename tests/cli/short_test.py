@@ -6,7 +6,7 @@ stderr.
 import unittest
 
 from films import BARBIERI, summary_in
-from program import ProgramTest
+from program import INPUT, ProgramTest
 
 COARSE = ["-grid_nx", 33, "-grid_ny", 17, "-time_dt", 0.24]
 # The films of a tenth of the case study's torque are thick enough for this grid and these steps.
@@ -42,6 +42,17 @@ class Short(ProgramTest):
     def test_sweep(self):
         self.run_well("sweep", BARBIERI, *LIGHT, *FEW_PERIODS, "-periodic_multipliers", "no", "-sweep_values", "15000",
                       "-sweep_direction", "up")
+
+    def test_wear(self):
+        self.run_well("wear", INPUT / "mixed_first_gear.yaml", "-pinion_speed_rpm", 300, "-grid_nx", 49, "-grid_ny", 13,
+                      "-time_dt", 0.24, "-wear_cycles", 10)
+
+    def test_waves_and_stresses(self):
+        self.march("-roughness_model", "both", "-pinion_roughness", "0.1e-6", "-roughness_amplitude_2", "0.1e-6",
+                   "-roughness_wavelength_2", "0.05", "-stress_model", "row", "-mesh_periods", 0.2)
+
+    def test_drive_train(self):
+        self.run_well("info", INPUT / "electric_reducer.yaml")
 
     def test_wrong_inputs(self):
         self.assert_wrong(["-1"], "steady", BARBIERI, "-lubricant_viscosity", -1)
