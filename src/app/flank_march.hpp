@@ -17,8 +17,8 @@ public:
 
   void step(const StepRecord& record, const std::vector<ActiveContact>& contacts);
 
-  /// Of the march so far; nothing before any contact has gone the whole way. rest: as of flank_results; grid: the
-  /// films' last one. Collective.
+  /// Stresses that the last whole passage of the march so far has left in both flanks; nothing before any contact has
+  /// gone the whole way. rest, grid: the pair at rest and the last grid of its films, for flank_results. Collective.
   std::optional<FlankResults> results(const Grid& grid, const MeshModel& rest) const;
 
 private:

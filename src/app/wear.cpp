@@ -113,7 +113,8 @@ private:
     return step;
   }
 
-  /// Of a mesh period: what either flank loses over its coefficient is the integral of pressure times sliding [J].
+  /// Friction work of the asperities in a mesh period [J]: mu_b times the volume that a flank loses over its
+  /// coefficient of wear, which is the integral of their pressure times sliding.
   double asperity_work(const PeriodWear& period) const {
     const std::array<double, 2> coefficients = {problem_.wear->pinion, problem_.wear->wheel};
     for (std::size_t gear = 0; gear < coefficients.size(); ++gear) {

@@ -1,4 +1,5 @@
-// What a lubricated line contact leaves of waves that pass through it with the oil, their crests across the rolling.
+// Amplitude of waves on a surface within a lubricated line contact over that outside of it; their crests lie across the
+// rolling, and they travel with the entrainment.
 //
 //   A_d/A_i = 1/(1 + 0.125 nabla + 0.04 nabla^2) ,   nabla = (Lambda/a) M^(3/4)/L^(1/2)
 //   M = w'/(E' R_x) (2 U)^(-1/2) = 2 pi (p_h/E')^2 (2 U)^(-1/2) ,  L = alpha_B E' (2 U)^(1/4) ,  U = eta_0 u_m/(E' R_x)

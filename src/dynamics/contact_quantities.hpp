@@ -43,7 +43,8 @@ double wheel_wear(const QuantityInputs& at);
 /// Volume that a flank loses by time [m^3/s].
 double pinion_wear_rate(const QuantityInputs& at);
 double wheel_wear_rate(const QuantityInputs& at);
-/// Of rated pairs, in SI (rating_model.hpp); zero of others.
+/// Contact and root stresses, film ratio and temperature by the ratings of rating_model.hpp, in SI; zero for pairs that
+/// are not rated.
 double rated_contact_stress(const QuantityInputs& at);
 double rated_pinion_root(const QuantityInputs& at);
 double rated_wheel_root(const QuantityInputs& at);

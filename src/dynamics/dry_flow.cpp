@@ -155,7 +155,7 @@ private:
     return train_acceleration(pair.mesh, contacts, T, motion, pair.damping, derivatives);
   }
 
-  /// The same of a drive train.
+  /// x' of a pair in a drive train, and below it the rates of Phi and w, as of a pair alone.
   void train_rates(double s, const double* x, double* rate) const {
     const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
     const Motion motion = motion_in(x);

@@ -162,3 +162,26 @@ def write_figure(folder, name, draw, endings=ENDINGS, program="gearfilm"):
         sys.exit(f"{program}: cannot write the figure: {error}")
     for path in paths:
         print(f"figure: {path}")
+
+
+def draw_over_path(contacts, panels, height, from_zero=False):
+    """Columns of contacts over their place on the line of action.
+
+    panels: label and lines of each; a line is a column, its scale, name and colour. height: of a panel [in].
+    """
+    figure, axes = pyplot.subplots(len(panels), 1, sharex=True, figsize=(7, height * len(panels) + 0.6), squeeze=False,
+                                   constrained_layout=True)
+    for panel, (label, lines) in zip(axes[:, 0], panels):
+        for column, scale, name, colour in lines:
+            for number, rows in enumerate(contacts):
+                order = numpy.argsort(rows["xi"])
+                panel.plot(1e3 * rows["xi"][order], scale * rows[column][order], color=colour, linewidth=1.4,
+                           label=name if number == 0 and name else None)
+        panel.set_ylabel(label)
+        if from_zero:
+            panel.set_ylim(bottom=0)
+        if len(lines) > 1:
+            add_legend(panel, *panel.get_legend_handles_labels())
+    axes[-1, 0].set_xlabel(r"position $\xi$ of the contact [mm]")
+    add_grid(*axes[:, 0])
+    return figure

@@ -8,8 +8,8 @@ von Mises stress in the section below it, and the pressure above.
 import numpy
 from matplotlib import pyplot
 
-from .canvas import (BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, Foreign, add_grid, add_legend, by_contact, fill,
-                     of_last_period, open_results, read_table)
+from .canvas import (BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, Foreign, add_grid, add_legend, by_contact, draw_over_path,
+                     fill, of_last_period, open_results, read_table)
 
 LACK = "it has no stresses below films; give stress.model"
 LOADED = 0.02       # of the largest force: contacts that carry less are left out
@@ -83,24 +83,6 @@ def read_path(results):
     return by_contact(rows[rows["force"] > LOADED * rows["force"].max()])
 
 
-def draw_path(contacts):
-    panels = panels_of(contacts[0].dtype.names)
-    figure, axes = pyplot.subplots(len(panels), 1, sharex=True, figsize=(7, 2.2 * len(panels) + 0.6), squeeze=False,
-                                   constrained_layout=True)
-    for panel, (label, lines) in zip(axes[:, 0], panels):
-        for column, scale, name, colour in lines:
-            for number, rows in enumerate(contacts):
-                order = numpy.argsort(rows["xi"])
-                panel.plot(1e3 * rows["xi"][order], scale * rows[column][order], color=colour, linewidth=1.4,
-                           label=name if number == 0 and name else None)
-        panel.set_ylabel(label)
-        if len(lines) > 1:
-            add_legend(panel, *panel.get_legend_handles_labels())
-    axes[-1, 0].set_xlabel(r"position $\xi$ of the contact [mm]")
-    add_grid(*axes[:, 0])
-    return figure
-
-
 def draw_section(contact):
     """Pressure along the section's row, and the von Mises stress in both bodies below it."""
     section = contact["section"]
@@ -128,5 +110,6 @@ def draw_folder(folder, path=False):
         if "flank" in results and not path:
             return draw_flanks([flank_of(results, gear) for gear in GEARS])
         if "history" in results:
-            return draw_path(read_path(results))
+            contacts = read_path(results)
+            return draw_over_path(contacts, panels_of(contacts[0].dtype.names), height=2.2)
         return draw_section(results["contact0"])

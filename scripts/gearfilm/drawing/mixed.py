@@ -8,7 +8,7 @@ import numpy
 from matplotlib import pyplot
 
 from .canvas import (BLUE, DARK, GREEN, VERMILLION, Foreign, PlotError, add_grid, add_legend, by_contact,
-                     of_last_period, open_results, read_table)
+                     draw_over_path, of_last_period, open_results, read_table)
 from .diagrams import SPEED, varied_quantity
 
 LACK = "it has no asperities; give roughness.model"
@@ -64,22 +64,7 @@ def panels_of(names):
 
 
 def draw_march(contacts):
-    panels = panels_of(contacts[0].dtype.names)
-    figure, axes = pyplot.subplots(len(panels), 1, sharex=True, figsize=(7, 2.4 * len(panels) + 0.6), squeeze=False,
-                                   constrained_layout=True)
-    for panel, (label, lines) in zip(axes[:, 0], panels):
-        for column, scale, name, colour in lines:
-            for number, rows in enumerate(contacts):
-                order = numpy.argsort(rows["xi"])
-                panel.plot(1e3 * rows["xi"][order], scale * rows[column][order], color=colour, linewidth=1.4,
-                           label=name if number == 0 and name else None)
-        panel.set_ylabel(label)
-        panel.set_ylim(bottom=0)
-        if len(lines) > 1:
-            add_legend(panel, *panel.get_legend_handles_labels())
-    axes[-1, 0].set_xlabel(r"position $\xi$ of the contact [mm]")
-    add_grid(*axes[:, 0])
-    return figure
+    return draw_over_path(contacts, panels_of(contacts[0].dtype.names), height=2.4, from_zero=True)
 
 
 def draw_film(contact):
