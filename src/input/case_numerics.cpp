@@ -72,7 +72,8 @@ void require_resolved_waves(const CaseInput& problem) {
   };
   const Domain& domain = problem.numerics.domain;
   require("grid.nx", problem.numerics.nx, domain.x_max - domain.x_min, longest.x);
-  if (!problem.numerics.face_rows) require("grid.ny", problem.numerics.ny, 2.0 * domain.y_half, longest.y);
+  const bool is_row = problem.scales.solids.line;
+  if (!is_row && !problem.numerics.face_rows) require("grid.ny", problem.numerics.ny, 2.0 * domain.y_half, longest.y);
 }
 
 void set_nodes(CaseInput& result) {
