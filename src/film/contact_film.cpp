@@ -18,14 +18,16 @@ namespace {
 /// diverge.
 double longest_level_step(const Scales& scales) { return 1.2 * inlet_rise(ExpectedFilm(scales)); }
 
-/// Own rows whose films count. At free ends of a face, where P = 0, the film beneath the edge itself is thinner than
-/// any step of rows resolves, and it carries nothing: it is no film of the model.
+/// Own rows whose films count.
 RowRange rows_with_film(const Grid& grid, const Scales& scales) {
-  const Face* face = scales.solids.face.get();
-  return face && face->end == EndFace::free ? grid.inner_rows() : RowRange{0, grid.y_count()};
+  return corners_carry_films(scales) ? RowRange{0, grid.y_count()} : grid.inner_rows();
 }
 
 }  // namespace
+
+bool corners_carry_films(const Scales& scales) {
+  return !scales.solids.face || scales.solids.face->end != EndFace::free;
+}
 
 ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options)
     : discretisation_(std::move(discretisation)),

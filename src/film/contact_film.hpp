@@ -39,6 +39,10 @@ struct FilmQuantities {
   bool finite = true;  ///< false where any pressure or film is not a number
 };
 
+/// At free ends of a face, where P = 0, the film beneath the edge itself is thinner than any step of rows resolves, and
+/// it carries nothing: it is no film of the model.
+bool corners_carry_films(const Scales& scales);
+
 class ContactFilm {
 public:
   ContactFilm(SharedDiscretisation discretisation, const Scales& scales, const MultigridOptions& options);

@@ -79,7 +79,7 @@ FaceQuantities face_quantities(const ContactFilm& film) {
   MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
   MPI_Allreduce(MPI_IN_PLACE, flows, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
   FaceQuantities face;
-  face.corners_carry_films = !film.scales().solids.face || film.scales().solids.face->end != EndFace::free;
+  face.corners_carry_films = corners_carry_films(film.scales());
   for (int whole = 0; whole < axis.whole_count(); ++whole) {
     const int row = axis.stored_row(whole);
     face.Y.push_back(axis.whole_y(whole));

@@ -13,10 +13,12 @@ CaseInput case_with_parameter(const CaseInput& problem, const std::string& param
     if (!values.has(name)) values.set(name, text, "grid of what is varied");
   };
   keep("grid.nx", std::to_string(numerics.nx));
-  keep("grid.ny", std::to_string(numerics.ny));
   keep("grid.x_min", format_value(numerics.domain.x_min));
   keep("grid.x_max", format_value(numerics.domain.x_max));
-  keep("grid.y_half", format_value(numerics.domain.y_half));
+  if (!numerics.face_rows) {
+    keep("grid.ny", std::to_string(numerics.ny));
+    keep("grid.y_half", format_value(numerics.domain.y_half));
+  }
   return make_case(values);
 }
 

@@ -200,6 +200,14 @@ void compare_grid(const CaseInput& problem, Oddities& found) {
   compare(1.0 / steps.x,
           {"the number of nodes along the half-axis a", "", 3, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
           found);
+  if (problem.numerics.face_rows) {
+    for (const std::string name : {"grid.ny", "grid.y_half"}) {
+      if (problem.parameters.has(name)) {
+        found.push_back("'" + name + "' is given, but films over the whole face have rows of their own; give " +
+                        "grid.first_row, grid.row_growth or grid.largest_row instead");
+      }
+    }
+  }
   if (steps.y == 0.0) return;  // rows are graded, or single
   compare(1.0 / steps.y,
           {"the number of nodes along the half-axis b", "", 3, HUGE_VAL, "too coarse for a film; raise grid.ny", ""},

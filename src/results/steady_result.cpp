@@ -3,6 +3,7 @@
 #include "elasticity/row_contact.hpp"
 #include "film/domain_margins.hpp"
 #include "film/face_quantities.hpp"
+#include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "output/run_identity.hpp"
@@ -86,9 +87,14 @@ constexpr auto face_members = std::to_array<Member<AlongFace>>({
     {"tilting_moment", "M", "N m", "moment of the pressure about the middle of the face, int int p y dx dy",
      [](const AlongFace& of) -> Summary { return of.scales.force(of.face.tilting_moment) * of.scales.length; }},
     {"tilting_stiffness", "-dM/dtheta", "N m/rad",
-     "by how much the moment falls with the misalignment, of the dry contact under the same force",
+     "by how much the moment falls with the misalignment, of the dry contact under the same force; null where that is "
+     "not found",
      [](const AlongFace& of) -> Summary {
-       return tilting_stiffness(of.scales, of.result.quantities.pressure_integral, of.dry_radius);
+       try {
+         return tilting_stiffness(of.scales, of.result.quantities.pressure_integral, of.dry_radius);
+       } catch (const SolveError&) {
+         return {};
+       }
      }},
     {"approach", "", "m", "approach of the bodies, without what their ends give way as a whole",
      [](const AlongFace& of) -> Summary { return -of.scales.thickness * of.result.solution.H0; }},
