@@ -9,6 +9,7 @@
 #include "input/parameter.hpp"
 #include "numerics/tuned.hpp"
 #include "output/results_docs.hpp"
+#include "results/contact_map_result.hpp"
 #include "results/continuation_result.hpp"
 #include "results/derived.hpp"
 #include "results/eigen_summary.hpp"
@@ -46,9 +47,9 @@ std::string constants_markdown() {
 
 std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
-         orbit_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() + basins_markdown() +
-         continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() + train_markdown() +
-         derived_markdown() + bench_markdown();
+         orbit_markdown() + contact_map_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() +
+         basins_markdown() + continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() +
+         train_markdown() + derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 10> case_commands = {{

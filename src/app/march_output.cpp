@@ -7,6 +7,7 @@
 
 #include "gearfilm/error.hpp"
 #include "output/run_identity.hpp"
+#include "results/contact_map_result.hpp"
 #include "results/poincare_result.hpp"
 #include "results/spectrum_result.hpp"
 
@@ -35,6 +36,11 @@ MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid
       statistics_(mesh.path.mesh_period(), mesh.scales.static_force, mesh.path.course()),
       ratings_(mesh),
       progress_(grid.comm()) {
+  if (lubricated_) {
+    const auto period = purpose == MarchPurpose::search ? std::optional(mesh.period()) : std::nullopt;
+    maps_ = std::make_unique<CarriedMaps>(mesh, problem.parameters.integer("fatigue.flank_points"), period);
+    checkpoint_.carry(*maps_);
+  }
   write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
     snapshots_.emplace(file_, problem.scales, run.directory() / "results.xmf");
@@ -47,6 +53,7 @@ void MarchOutput::step(const StepRecord& record, const std::vector<ActiveContact
   signal_.add(record);
   section_.add(record);
   ratings_.add(record);
+  if (maps_) maps_->maps.add(record, contacts);
   const double period = mesh_.path.mesh_periods(record.T);
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
     take_snapshot(record, contacts);
@@ -77,6 +84,7 @@ std::string text_of(const SearchPeriod& period) {
 
 void MarchOutput::end_search_period(const SearchPeriod& period) {
   note(text_of(period));
+  if (maps_ && period.accepted) found_maps_ = maps_->maps.maps();
   if (!snapshots_) return;
   for (const FilmSnapshot& snapshot : held_) {
     if (period.accepted && snapshot.T > period.begin) snapshots_->write(snapshot);
@@ -90,6 +98,14 @@ void MarchOutput::publish() {
   if (file_.published()) return;
   history_->write();
   file_.publish();
+}
+
+void MarchOutput::write_flanks(const std::optional<FlankResults>& fatigue) {
+  const std::optional<ContactMapPair> maps = purpose_ == MarchPurpose::search ? found_maps_
+                                             : maps_                          ? maps_->maps.maps()
+                                                                              : std::nullopt;
+  if (maps) write_contact_maps(file_, *maps);
+  if (maps && fatigue) gearfilm::write_flanks(file_, *mesh_.fatigue, *fatigue);
 }
 
 void MarchOutput::finish() {

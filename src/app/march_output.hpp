@@ -1,8 +1,11 @@
 // What every march in time leaves on disk and on the screen: history, snapshots, statistics, progress.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 
+#include "dynamics/contact_maps.hpp"
 #include "dynamics/march_statistics.hpp"
 #include "input/case.hpp"
 #include "orbits/periodic_orbit.hpp"
@@ -13,6 +16,7 @@
 #include "output/resumable_run.hpp"
 #include "output/snapshots.hpp"
 #include "output/summary.hpp"
+#include "results/flank_result.hpp"
 #include "results/rating_result.hpp"
 
 namespace gearfilm {
@@ -20,6 +24,18 @@ namespace gearfilm {
 /// What a march is for: itself, with fields written as it goes; or a search, of which only the last period's fields are
 /// wanted.
 enum class MarchPurpose { march, search };
+
+/// Maps of the flanks' surfaces that go on with the march.
+class CarriedMaps final : public CarriedSums {
+public:
+  template <class... Arguments>
+  explicit CarriedMaps(Arguments&&... arguments) : maps(std::forward<Arguments>(arguments)...) {}
+
+  std::vector<double> sums() const override { return maps.values(); }
+  void take(const std::vector<double>& sums, const Grid& grid) override { maps.take(sums, grid); }
+
+  ContactMaps maps;
+};
 
 class MarchOutput {
 public:
@@ -39,6 +55,10 @@ public:
 
   /// Least safeties over [T_begin, T_end], of a pair that is rated.
   Summary safeties(double T_begin, double T_end) const { return ratings_.safeties(T_begin, T_end); }
+
+  /// Adds /flank/pinion and /flank/wheel: what films did to the surfaces, of a search in the period that it found, and
+  /// fatigue where it is judged.
+  void write_flanks(const std::optional<FlankResults>& fatigue);
 
   /// Writes and closes results.h5.
   void finish();
@@ -68,6 +88,8 @@ private:
   MotionSignal signal_;
   PoincareSection section_;
   RatingHistory ratings_;
+  std::unique_ptr<CarriedMaps> maps_;         ///< null in the dry model
+  std::optional<ContactMapPair> found_maps_;  ///< of the period that a search found
   Progress progress_;
   double next_snapshot_ = 0.0;
 };

@@ -110,7 +110,7 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   summary["dry"] = dry_summary(mesh);
   if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(begin, end);
   if (mesh.fatigue) add_flanks(mesh, flanks, summary);
-  if (flanks) write_flanks(output.file(), *mesh.fatigue, *flanks);
+  output.write_flanks(flanks);
   summary["completed"] = true;
   output.finish();
   write_summary(comm, run.directory().path(), summary);
@@ -118,7 +118,7 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   print_result(comm, run.directory().path(), problem, summary, largest_of(errors, mesh.scales),
                advice(problem, found.own));
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
-  warn_of_validity(comm, summary);
+  warn_of_validity(comm, problem, summary);
 }
 
 void search(MPI_Comm comm, const CaseInput& given) {

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "input/case_stress.hpp"
 #include "output/screen.hpp"
 #include "results/friction_summary.hpp"
 
@@ -44,9 +45,14 @@ void warn_of_heating(MPI_Comm comm, const CaseInput& problem, const Summary& hea
        "); thermal.model film, with friction.law and lubricant.temperature_viscosity, computes it");
 }
 
-void warn_of_validity(MPI_Comm comm, const Summary& summary) {
-  if (const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"});
-      pressure && *pressure > largest_sound_pressure) {
+void warn_of_validity(MPI_Comm comm, const CaseInput& problem, const Summary& summary) {
+  const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"});
+  const auto yielding = first_yield_pressure(problem.parameters, problem.scales);
+  if (pressure && yielding && *pressure > *yielding) {
+    warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above the ", 1e-9 * *yielding,
+         " GPa under which a gear of this yield stress yields below its surface: stresses are those of elastic bodies");
+  }
+  if (pressure && *pressure > largest_sound_pressure) {
     warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above ",
          1e-9 * largest_sound_pressure, " GPa: more than hardened steel bears");
   }

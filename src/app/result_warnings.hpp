@@ -10,9 +10,10 @@ namespace gearfilm {
 /// summary. Says nothing where the case asks for isothermal films itself (`thermal.model: none`).
 void warn_of_heating(MPI_Comm comm, const CaseInput& problem, const Summary& heating);
 
-/// Where a summary, of one contact or of a march, has pressures that harden steel does not bear, temperatures beyond
-/// those of the oil's laws, or that did not settle, and films thinner than the flanks are rough.
-void warn_of_validity(MPI_Comm comm, const Summary& summary);
+/// Where a summary, of one contact or of a march, has pressures that hardened steel does not bear or under which the
+/// gears yield, temperatures beyond those of the oil's laws, or that did not settle, and films thinner than the flanks
+/// are rough.
+void warn_of_validity(MPI_Comm comm, const CaseInput& problem, const Summary& summary);
 
 /// Relative error up to which nothing is said of it: 5 %, or more where the case itself says so by grid.accuracy.
 double tolerable_error(const CaseInput& problem);

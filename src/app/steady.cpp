@@ -121,7 +121,7 @@ void run_steady(MPI_Comm comm, const CaseInput& problem) {
   warn_of_errors(comm, problem, result.solved.errors);
   warn_of_heating(comm, problem, summary["predictions"]);
   warn_of_unrest(comm, result.solved);
-  warn_of_validity(comm, summary);
+  warn_of_validity(comm, problem, summary);
 }
 
 }  // namespace gearfilm

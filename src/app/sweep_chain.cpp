@@ -13,6 +13,7 @@
 #include "results/flank_result.hpp"
 #include "results/pair_conditions.hpp"
 #include "results/poincare_result.hpp"
+#include "results/rating_result.hpp"
 #include "results/sweep_point.hpp"
 
 namespace gearfilm {
@@ -147,11 +148,14 @@ private:
         result[name].push_back({period.defect, period.film_defect});
       };
     };
-    const SearchWatch watch{.on_period = list("search"),
-                            .on_coarse_period = list("coarse_search"),
-                            .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
-                            .check_stop = stop_.check_in(group_),
-                            .store = &kept};
+    RatingHistory ratings(problem.mesh);
+    const SearchWatch watch{
+        .on_step = [&](const StepRecord& record, const std::vector<ActiveContact>&) { ratings.add(record); },
+        .on_period = list("search"),
+        .on_coarse_period = list("coarse_search"),
+        .on_trouble = [&](const std::string& trouble) { result["coarse_error"] = trouble; },
+        .check_stop = stop_.check_in(group_),
+        .store = &kept};
     OrbitChain::Search search;
     const auto describe_search = [&] {
       result["start"] = search.from_neighbour ? "neighbour" : "dry orbit";
@@ -162,6 +166,9 @@ private:
       describe_search();
       write_films(point, found.orbit.end);
       add_orbit(problem.mesh, found, result);
+      if (problem.mesh.rating) {
+        result["safety"] = ratings.safeties(found.orbit.begin, found.orbit.begin + problem.mesh.period());
+      }
       if (problem.mesh.fatigue) {
         add_flanks(problem.mesh, flank_results(problem, films, found.orbit, watch.check_stop), result);
       }

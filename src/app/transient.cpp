@@ -66,11 +66,11 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
       .print(comm, folder);
 }
 
-void add_fatigue(const CaseInput& problem, const MeshModel& mesh, const Grid& grid, const FlankMarch& flanks,
-                 MarchOutput& output, Summary& summary) {
+std::optional<FlankResults> add_fatigue(const CaseInput& problem, const MeshModel& mesh, const Grid& grid,
+                                        const FlankMarch& flanks, Summary& summary) {
   const std::optional<FlankResults> results = flanks.results(grid, mesh_after_leaving(problem));
   add_flanks(mesh, results, summary);
-  if (results) write_flanks(output.file(), *mesh.fatigue, *results);
+  return results;
 }
 
 /// What is known so far, into the files; and its summary.
@@ -78,7 +78,9 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
                     const std::optional<GridShape>& grid, const FlankMarch& flanks, MarchOutput& output,
                     bool completed) {
   Summary summary = march_summary(problem, mesh, output.statistics());
-  if (mesh.fatigue && grid) add_fatigue(problem, mesh, Grid(output.file().comm(), *grid), flanks, output, summary);
+  std::optional<FlankResults> fatigue;
+  if (mesh.fatigue && grid) fatigue = add_fatigue(problem, mesh, Grid(output.file().comm(), *grid), flanks, summary);
+  output.write_flanks(fatigue);
   if (grid) summary["final_grid"] = grid_summary(mesh.scales, *grid);
   if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(0.0, HUGE_VAL);
   summary["completed"] = completed;
@@ -124,7 +126,7 @@ void run_transient(MPI_Comm comm, const CaseInput& problem) {
   const Summary summary = write_march(run, problem, mesh, march.grid_shape(), flanks, output, true);
   print_recurrence(comm, summary);
   print_extremes(comm, run.directory().path(), summary);
-  warn_of_validity(comm, summary);
+  warn_of_validity(comm, problem, summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   run.complete();
 }

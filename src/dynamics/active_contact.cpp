@@ -45,6 +45,12 @@ std::shared_ptr<const Traction> traction_of(const TractionModel& model, const Ac
   return std::make_shared<Traction>(traction(model, *contact.film));
 }
 
+std::shared_ptr<const Traction> friction_of_step(const TractionModel& model, const ActiveContact& contact, double T) {
+  StepFriction& friction = *contact.friction;
+  if (friction.T != T) friction = {T, traction_of(model, contact)};
+  return friction.known;
+}
+
 std::vector<int> numbers_of(const std::vector<ActiveContact>& contacts) {
   std::vector<int> numbers(contacts.size());
   std::ranges::transform(contacts, numbers.begin(), &ActiveContact::number);

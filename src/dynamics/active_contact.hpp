@@ -1,6 +1,7 @@
 // A tooth contact that is being computed: its film, the fields that it carries in time, and what follows the film.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -9,12 +10,19 @@
 
 namespace gearfilm {
 
+/// Friction and temperatures at the last time at which they were asked for.
+struct StepFriction {
+  double T = -HUGE_VAL;
+  std::shared_ptr<const Traction> known{};
+};
+
 struct ActiveContact {
   int number = 0;                                         ///< of the tooth pair, counted from the leading one at T = 0
   ContactFilm* film = nullptr;                            ///< at its present state; null in the dry model
   ContactFields fields{};                                 ///< as the last segment left them
   std::vector<std::shared_ptr<FilmProcess>> processes{};  ///< that follow the film
   std::shared_ptr<StressRecorder> stress{};               ///< below it; null where nobody asks
+  std::shared_ptr<StepFriction> friction = std::make_shared<StepFriction>();
 };
 
 /// A contact that begins with a stationary film, which `found` is; with the film and its processes in equilibrium
@@ -34,6 +42,9 @@ void save_processes(ActiveContact& contact);
 /// Friction and temperatures of a contact's film at its present state: of the process that knows them, else of the film
 /// alone. Collective.
 std::shared_ptr<const Traction> traction_of(const TractionModel& model, const ActiveContact& contact);
+
+/// The same at T, of the film that was recorded then (contact_records). Collective.
+std::shared_ptr<const Traction> friction_of_step(const TractionModel& model, const ActiveContact& contact, double T);
 
 std::vector<int> numbers_of(const std::vector<ActiveContact>& contacts);
 

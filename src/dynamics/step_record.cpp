@@ -16,6 +16,7 @@ std::vector<ContactRecord> contact_records(const MeshModel& mesh, const std::vec
     std::shared_ptr<const Traction> friction;
     if (mesh.traction) {
       friction = traction_of(*mesh.traction, contacts[k]);
+      *contacts[k].friction = {T, friction};
       at.traction = with_powers_times(mesh.load_factor(), friction->quantities);
     }
     at.rating = mesh.rating.get();

@@ -6,7 +6,8 @@
 namespace gearfilm {
 
 FlankPath::FlankPath(const LineOfAction& line, bool pinion)
-    : pinion_(pinion),
+    : line_(line),
+      pinion_(pinion),
       base_radius_(pinion ? line.base_radius_pinion() : line.base_radius_wheel()),
       radius_at_pitch_(base_radius_ * std::tan(line.working_pressure_angle())),
       lowest_(std::min(arc_length(line.entry()), arc_length(line.exit()))),
@@ -14,10 +15,7 @@ FlankPath::FlankPath(const LineOfAction& line, bool pinion)
 
 double FlankPath::curvature_radius(double xi) const { return radius_at_pitch_ + (pinion_ ? xi : -xi); }
 
-double FlankPath::arc_length(double xi) const {
-  const double rho = curvature_radius(xi);
-  return rho * rho / (2.0 * base_radius_);
-}
+double FlankPath::arc_length(double xi) const { return line_.involute_lengths(xi)[pinion_ ? 0 : 1]; }
 
 double FlankPath::position_of(double s) const {
   const double way = std::sqrt(2.0 * base_radius_ * s) - radius_at_pitch_;

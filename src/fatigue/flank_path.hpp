@@ -22,11 +22,14 @@ public:
   double position_of(double s) const;
   /// x of a point in the contact at xi [m].
   double place(double s, double xi) const { return pinion_ ? arc_length(xi) - s : s - arc_length(xi); }
+  /// s of the point that is at x in the contact at xi [m].
+  double point(double x, double xi) const { return pinion_ ? arc_length(xi) - x : arc_length(xi) + x; }
   /// s of the first and the last point that contacts have in their middle, the smaller one first.
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
 
 private:
+  LineOfAction line_;
   bool pinion_;
   double base_radius_;
   double radius_at_pitch_;  ///< rho at xi = 0 [m]

@@ -1,6 +1,9 @@
 #include "input/case_stress.hpp"
 
+#include <algorithm>
+
 #include "gearfilm/error.hpp"
+#include "stress/first_yield.hpp"
 #include "stress/stress_depths.hpp"
 
 namespace gearfilm {
@@ -34,6 +37,19 @@ std::optional<StressModel> read_stress(const ParameterValues& values) {
                      .poisson_ratio = read_poisson_ratios(values),
                      .whole_fields = values.text(model) == "field",
                      .every = values.real("stress.every")};
+}
+
+std::optional<double> first_yield_pressure(const ParameterValues& values, const Scales& scales) {
+  if (values.text("case.kind") != "gear_pair") return {};
+  std::optional<double> smallest;
+  for (const char* key : {"pinion.yield_stress", "wheel.yield_stress"}) {
+    const std::optional<double> stress = values.real_if_given(key);
+    if (stress) smallest = std::min(*stress, smallest.value_or(*stress));
+  }
+  if (!smallest) return {};
+  const bool along_face = scales.solids.face || scales.solids.line;
+  const double axes = scales.hertz.ellipticity;
+  return *smallest * first_yield_ratio(along_face ? 0.0 : std::min(axes, 1.0 / axes));
 }
 
 }  // namespace gearfilm

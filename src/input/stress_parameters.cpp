@@ -52,7 +52,9 @@ std::vector<Parameter> flank_material_records(const std::string& subscript) {
   const std::string with_others = "not known; needs the other two of surface_hardness, core_hardness, case_depth";
   const Range hardness = closed(100, 1200);
   const std::string lines = ", one point a line; # begins a comment; a name in a case file is relative to that file";
-  return {optional(with_others, number("surface_hardness", "HV_s" + subscript, "HV", hardness,
+  return {optional("not known", number("yield_stress", "sigma_y" + subscript, "Pa", closed(1e7, 1e10),
+                                       "yield stress of the flank, above whose elastic limit contacts are warned of")),
+          optional(with_others, number("surface_hardness", "HV_s" + subscript, "HV", hardness,
                                        "hardness at the surface of a case-hardened flank")),
           optional(with_others, number("core_hardness", "HV_c" + subscript, "HV", hardness, "hardness of its core")),
           optional(with_others, number("case_depth", "CHD_" + subscript, "m", left_open(0, 0.05), "depth of 550 HV")),

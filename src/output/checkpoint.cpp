@@ -72,6 +72,38 @@ void read_snapshots(const Grid& grid, const Summary& description, const CompactF
   }
 }
 
+/// Values that all processes have, in as many fields as hold them, node by node.
+void append_sums(const Grid& grid, const std::vector<double>& sums, CompactFields& fields) {
+  const auto rows = static_cast<std::size_t>(grid.rows()), first = static_cast<std::size_t>(grid.y_begin());
+  const std::size_t nodes = static_cast<std::size_t>(grid.nx()) * rows;
+  for (std::size_t begin = 0; begin < sums.size(); begin += nodes) {
+    std::vector<double>& field = fields.emplace_back();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(grid.nx()); ++i) {
+      for (std::size_t j = 0; j < static_cast<std::size_t>(grid.y_count()); ++j) {
+        const std::size_t n = begin + i * rows + first + j;
+        field.push_back(n < sums.size() ? sums[n] : 0.0);
+      }
+    }
+  }
+}
+
+/// Back from the last fields of a state.
+std::vector<double> read_sums(const Grid& grid, std::size_t size, const CompactFields& fields) {
+  const auto rows = static_cast<std::size_t>(grid.rows()), count = static_cast<std::size_t>(grid.y_count());
+  const std::size_t nodes = static_cast<std::size_t>(grid.nx()) * rows, used = (size + nodes - 1) / nodes;
+  std::vector<double> sums(used * nodes, 0.0);
+  for (std::size_t k = 0; k < used; ++k) {
+    const std::vector<double>& field = fields.at(fields.size() - used + k);
+    for (std::size_t n = 0; n < field.size(); ++n) {
+      sums[k * nodes + n / count * rows + static_cast<std::size_t>(grid.y_begin()) + n % count] = field[n];
+    }
+  }
+  // Zeros but on one process.
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
+  sums.resize(size);
+  return sums;
+}
+
 }  // namespace
 
 Checkpoint::Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin)
@@ -182,6 +214,10 @@ std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
     kept.state.films = films_from(found->fields, description["films"]);
     kept.state.shape = found->shape;
     if (end == kept_.end()) kept.memory = memory_;
+    if (carried_) {
+      const Grid grid(grid_.comm(), found->shape);
+      carried_->take(read_sums(grid, description["sums"].get<std::size_t>(), found->fields), grid);
+    }
   }
   const std::uint64_t steps_begin = first == kept_.begin() ? 0 : (first - 1)->steps.end;
   kept.records = log_.read(steps_begin, (end - 1)->steps.end);
@@ -224,7 +260,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
                          {"steps_end", next.steps.end},
                          {"steps_checksum", next.steps.checksum},
                          {"guesses", {{"processes", guesses_mark.processes}, {"checksum", guesses_mark.checksum}}}};
-  const Grid grid = state.films.empty() ? grid_ : Grid(grid_.comm(), state.shape);
+  const Grid grid = state.shape.nx == 0 ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);
   description["figures"] = quantity_names();
@@ -233,6 +269,9 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
     description["snapshots"].push_back(description_of(snapshot));
     append_fields(grid, snapshot, fields);
   }
+  const std::vector<double> sums = carried_ ? carried_->sums() : std::vector<double>();
+  description["sums"] = sums.size();
+  append_sums(grid, sums, fields);
   write_state(grid, file(next), description, fields);
   std::vector<std::filesystem::path> written = {own_file(next), file(next)};
   if (grid_.rank() == 0) written.insert(written.end(), {log_.path(), folder_});

@@ -20,6 +20,19 @@
 
 namespace gearfilm {
 
+/// What an observer has summed up of a march on its way, kept with its states.
+class CarriedSums {
+public:
+  CarriedSums() = default;
+  CarriedSums(const CarriedSums&) = delete;
+  CarriedSums& operator=(const CarriedSums&) = delete;
+  virtual ~CarriedSums() = default;
+  /// Alike on all processes. Collective.
+  virtual std::vector<double> sums() const = 0;
+  /// The same back, of films on this grid. Collective.
+  virtual void take(const std::vector<double>& sums, const Grid& grid) = 0;
+};
+
 class Checkpoint final : public RunStore {
 public:
   enum class Begin { anew, where_it_stopped };
@@ -33,6 +46,9 @@ public:
   void record(const StepRecord& record) override;
   void keep(double T, const PairState& state, const std::vector<double>& memory) override;
 
+  /// Keeps these with every state, and gives them back what is kept of a run that is taken over. They must outlive the
+  /// marches.
+  void carry(CarriedSums& sums) { carried_ = &sums; }
   /// Fields that are to be kept with the next state.
   void attach(const FilmSnapshot& snapshot);
   /// The fields that were kept of the run now taken over, one after the other.
@@ -85,6 +101,7 @@ private:
   std::vector<StepRecord> waiting_;  ///< since the last state
   std::vector<FilmSnapshot> attached_;
   std::deque<FilmSnapshot> replayed_, replayed_sections_;
+  CarriedSums* carried_ = nullptr;
 };
 
 }  // namespace gearfilm

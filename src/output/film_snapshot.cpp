@@ -45,7 +45,8 @@ FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record,
   if (!contacts.empty()) snapshot.shape = contacts.front().film->grid().shape();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
-    const std::shared_ptr<const Traction> traction = mesh.traction ? traction_of(*mesh.traction, contacts[k]) : nullptr;
+    const std::shared_ptr<const Traction> traction =
+        mesh.traction ? friction_of_step(*mesh.traction, contacts[k], record.T) : nullptr;
     const TractionFields* friction = traction ? &traction->fields : nullptr;
     const ContactFilm& film = *contacts[k].film;
     contact.fields = film_fields(film, friction);

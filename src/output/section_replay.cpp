@@ -26,7 +26,8 @@ std::optional<FilmSnapshot> section_snapshot(const MeshModel& mesh, const StepRe
     if (!contacts[k].stress || !contacts[k].stress->is_of(record.T)) continue;
     const ContactFilm& film = *contacts[k].film;
     snapshot.shape = film.grid().shape();
-    const std::shared_ptr<const Traction> traction = mesh.traction ? traction_of(*mesh.traction, contacts[k]) : nullptr;
+    const std::shared_ptr<const Traction> traction =
+        mesh.traction ? friction_of_step(*mesh.traction, contacts[k], record.T) : nullptr;
     ContactSnapshot contact{contacts[k].number, record.contacts[k].position, {}};
     for (NamedField& field : film_fields(film, traction ? &traction->fields : nullptr)) {
       if (is_needed(field)) contact.fields.push_back(std::move(field));

@@ -65,10 +65,6 @@ public:
     const FlankPath path(mesh_.path.line(), body == pinion_body);
     FlankResult flank;
     flank.s = flank_points(path, fatigue.flank_points);
-    for (const double s : flank.s) {
-      flank.xi.push_back(path.position_of(s));
-      flank.radius.push_back(path.curvature_radius(flank.xi.back()));
-    }
     for (const Passage& passage : passages) {
       const FlankMap map = flank_map(passage[body], flank.s, own_.count(), fatigue.dang_van);
       keep_larger(flank.map.dang_van, whole(map.dang_van, flank.s));
@@ -243,9 +239,6 @@ void write_flanks(ResultsFile& file, const FatigueModel& fatigue, const FlankRes
     const FlankResult& flank = results.of_body[body];
     const std::string group = body == pinion_body ? "/flank/pinion" : "/flank/wheel";
     const int points = static_cast<int>(flank.s.size());
-    file.rows(group, "s", "m", points, 1, flank.s);
-    file.rows(group, "xi", "m", points, 1, flank.xi);
-    file.rows(group, "rho", "m", points, 1, flank.radius);
     file.rows(group, "z", "m", depths, 1, results.z);
     file.rows(group, "dang_van", "Pa", points, depths, flank.map.dang_van);
     file.rows(group, "von_mises_max", "Pa", points, depths, flank.map.von_mises);

@@ -13,8 +13,6 @@ namespace gearfilm {
 /// One flank, on all processes. Arrays are [point][depth], in Pa.
 struct FlankResult {
   std::vector<double> s;       ///< points along the flank, from the base circle [m]
-  std::vector<double> xi;      ///< of the contact that has a point in its middle [m]
-  std::vector<double> radius;  ///< of curvature there [m]
   FlankMap map;                ///< of the worst passage at each place
   std::vector<double> safety;  ///< by dang_van; empty without a limit
 };
@@ -34,7 +32,7 @@ FlankResults flank_results(const Grid& grid, const MeshModel& rest, const std::v
 FlankResults flank_results(const OrbitProblem& problem, const SharedDiscretisation& films, const PeriodicOrbit& orbit,
                            const StopCheck& check_stop);
 
-/// /flank/pinion and /flank/wheel. Collective.
+/// Beside the maps of surfaces, whose points are the same (contact_map_result.hpp). Collective.
 void write_flanks(ResultsFile& file, const FatigueModel& fatigue, const FlankResults& results);
 
 /// Largest values and least safeties added to a summary; null where nothing is known.

@@ -10,6 +10,7 @@ namespace gearfilm {
 
 void RatingHistory::add(const StepRecord& record) {
   if (!mesh_.rating) return;
+  while (!moments_.empty() && moments_.back().T > record.T) moments_.pop_back();
   for (const ContactRecord& contact : record.contacts) {
     const ContactQuantities& of = contact.quantities;
     moments_.push_back({record.T,
@@ -121,9 +122,19 @@ Summary RatingHistory::micropitting(const std::vector<Moment>& moments) const {
   return found;
 }
 
+Summary safeties_at_rest(const MeshModel& mesh, const ContactRecord& contact) {
+  RatingHistory moment(mesh);
+  StepRecord record;
+  record.contacts = {contact};
+  moment.add(record);
+  return moment.safeties(0.0, 0.0);
+}
+
 std::string rating_markdown() {
   return "\n## Safeties\n\n"
-         "With any limit of `rating`, the summaries of `periodic` and `transient` have the table `safety`: `pitting`,\n"
+         "With any limit of `rating`, the summaries of `periodic`, `transient`, `steady` and of each periodic state "
+         "of\n"
+         "`sweep` on films have the table `safety`: `pitting`,\n"
          "`root_pinion`, `root_wheel`, `flash`, `integral` and `micropitting`. Each has the largest stress or\n"
          "temperature, or the smallest film ratio, where that is met (`xi`), the `limit` that was used with its\n"
          "factors, and the `safety`, null where no limit is given; a rating of which nothing is known is null itself.\n"

@@ -13,6 +13,7 @@ class RatingHistory {
 public:
   explicit RatingHistory(const MeshModel& mesh) : mesh_(mesh) {}
 
+  /// A step that is not later than those before, of a march that began again, takes their place.
   void add(const StepRecord& record);
 
   /// The table `safety` over [T_begin, T_end]: for each rating an object, or null where nothing is known of it.
@@ -39,6 +40,9 @@ private:
   const MeshModel& mesh_;
   std::vector<Moment> moments_;
 };
+
+/// The table of one contact at rest, of a pair that is rated.
+Summary safeties_at_rest(const MeshModel& mesh, const ContactRecord& contact);
 
 /// What is in the table, in the manual's Markdown.
 std::string rating_markdown();

@@ -41,7 +41,8 @@ public:
         base_wheel_(rows()),
         gain_(static_cast<std::size_t>(rows()) * points()) {
     const std::size_t nodes = grid_.local_size();
-    contact_heat_ = boundary_stress(model, film);
+    fields_.boundary_stress = boundary_stress(model, film);
+    contact_heat_ = fields_.boundary_stress;
     for (std::size_t n = 0; n < contact_heat_.size(); ++n) {
       contact_heat_[n] *= line_.velocities[n % line_.velocities.size()].sliding;
     }

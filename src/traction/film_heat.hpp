@@ -21,7 +21,8 @@ namespace gearfilm {
 
 /// Compact fields of a contact's own nodes, SI.
 struct TractionFields {
-  std::vector<double> shear_stress;  ///< tau_m, of the sign of u_s [Pa]
+  std::vector<double> shear_stress;     ///< tau_m, of the sign of u_s [Pa]
+  std::vector<double> boundary_stress;  ///< tau_b of asperities likewise; empty between smooth surfaces
   // With heat only; empty without.
   std::vector<double> temperature_pinion;  ///< [K]
   std::vector<double> temperature_wheel;

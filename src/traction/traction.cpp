@@ -21,6 +21,7 @@ TractionFields isothermal_film(const TractionModel& model, const ContactFilm& fi
   const Grid& grid = film.grid();
   TractionFields fields;
   fields.shear_stress.assign(grid.local_size(), 0.0);
+  fields.boundary_stress = boundary_stress(model, film);
   FilmLine line(film);
   for (int i = 0; i < grid.nx(); ++i) {
     line.load(i);
@@ -105,7 +106,7 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   TractionQuantities& quantities = result.quantities;
 
   const std::vector<SurfaceVelocities> velocities = row_velocities(film);
-  const std::vector<double> of_asperities = boundary_stress(model, film);
+  const std::vector<double>& of_asperities = fields.boundary_stress;
   std::vector<double> all_stress = fields.shear_stress;
   for (std::size_t n = 0; n < of_asperities.size(); ++n) all_stress[n] += of_asperities[n];
   const std::vector<double> heat = sliding_heat(velocities, all_stress);

@@ -136,6 +136,29 @@ class Flanks(DamageTest):
         with h5py.File(self.folder / name / "results.h5") as file:
             return {key: values[()].squeeze() for key, values in file[f"flank/{body}"].items()}
 
+    def assert_balanced(self, name, mesh_periods):
+        """What friction takes is on the flanks or beyond their ends, and extremes are those of the history."""
+        with h5py.File(self.folder / name / "results.h5") as file:
+            history = file["history"].attrs
+            begin, end = (history.get(f"periodic_{limit}", fallback) for limit, fallback in (("from", 0), ("to", numpy.inf)))
+            contacts = file["history/contacts"][()]
+            beyond = {body: file[f"flank/{body}"].attrs["friction_energy_beyond"] for body in ("pinion", "wheel")}
+        contacts = contacts[(contacts["T"] > begin - 1e-9) & (contacts["T"] < end + 1e-9)]
+        lost = sum(numpy.trapz(of["power_sliding"], of["t"])
+                   for of in (contacts[contacts["contact"] == number] for number in numpy.unique(contacts["contact"])))
+        for body in ("pinion", "wheel"):
+            flank = self.flank(name, body)
+            self.assertEqual(flank["p_max"].shape, (flank["s"].size, flank["y"].size))
+            along = numpy.full(flank["s"].size, flank["s"][1] - flank["s"][0])
+            along[[0, -1]] /= 2
+            on_flank = along @ flank["friction_energy"] @ numpy.gradient(flank["y"])
+            self.assertAlmostEqual(mesh_periods * (on_flank + beyond[body]) / lost, 1, delta=1e-9)
+            self.assertLess(beyond[body], 0.15 * on_flank)
+            self.assertEqual(flank["p_max"].max(), contacts["p_max"].max())
+            self.assertGreaterEqual(flank["h_min"].min(), contacts["h_min"].min())
+            numpy.testing.assert_array_equal(flank["p_max"], flank["p_max"][:, ::-1])
+            self.assertGreater(flank["sliding_distance"].max(), 0)
+
     def test_maps_have_what_the_summary_says(self):
         self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
         summary = summary_in(self.folder / "orbit")
@@ -157,6 +180,9 @@ class Flanks(DamageTest):
             self.assertEqual(summary[f"dang_van_surface_{body}"], flank["dang_van"][inside, 0].max())
             self.assertLessEqual(flank["von_mises_max"].max(), contacts[f"von_mises_max_{body}"].max() * (1 + 1e-3))
             self.assertGreater(flank["von_mises_max"].max(), contacts[f"von_mises_max_{body}"][-50:].max() * 0.9)
+        self.assert_balanced("orbit", 1.0)
+        run = plot("face", self.folder / "orbit")
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run)
         flank = self.flank("orbit")
         expected = (0.4e6 * flank["hardness"] - 0.2 * flank["residual_stress"]) / flank["dang_van"]
         numpy.testing.assert_allclose(flank["safety"], expected, rtol=1e-12)
@@ -169,6 +195,9 @@ class Flanks(DamageTest):
         march = summary_in(self.folder / "march")
         for name in ("dang_van_max_pinion", "dang_van_max_wheel", "life_ratio"):
             self.assertAlmostEqual(march[name] / summary[name], 1, delta=0.03, msg=name)
+        self.assert_balanced("march", 3.0)
+        energy, repeated = (self.flank(name)["friction_energy"] for name in ("orbit", "march"))
+        numpy.testing.assert_allclose(repeated, energy, rtol=0, atol=0.03 * energy.max())
         self.assertIsNone(march["safety_dang_van_wheel"])
 
     def test_a_sweep_has_the_columns_and_more_torque_more_stress(self):
@@ -187,7 +216,16 @@ class Flanks(DamageTest):
             self.run_well(*march, "-output_dir", "together", processes=processes)
             found, expected = self.flank("together"), self.flank("alone")
             for name, values in expected.items():
-                numpy.testing.assert_allclose(found[name], values, rtol=0, atol=1e-4 * numpy.abs(values).max(), err_msg=name)
+                numpy.testing.assert_allclose(found[name], values, rtol=0, atol=1e-4 * numpy.nanmax(numpy.abs(values)),
+                                              err_msg=name)
+
+    def test_a_search_goes_on_to_the_bit(self):
+        search = ["periodic", BARBIERI, *SMALL, "-friction_law", "eyring", "-periodic_multipliers", "no"]
+        outcome = stopped_after(30, [*search, "-output_dir", "run"], self.folder, signal.SIGUSR1)
+        self.assertEqual(outcome.status, 3, outcome)
+        expected = self.uninterrupted(*search)
+        self.assertIn("p_max", self.flank("uninterrupted"))
+        self.assert_same(self.complete(*search), expected)
 
     def test_a_march_goes_on_to_the_bit(self):
         """Stopped while the contact that is judged is on its way."""

@@ -171,7 +171,7 @@ class Lines(FaceTest):
 
 
 class Figure(unittest.TestCase):
-    def test_pattern_has_every_place_of_the_flank_once_with_loads_of_its_rows(self):
+    def test_rows_have_their_loads(self):
         x, y = numpy.linspace(-0.2, 0.2, 401), numpy.array([-7.0, -2.0, 1.0, 7.0])
         ellipse = numpy.sqrt(numpy.maximum(1 - (x / 0.1) ** 2, 0))[:, None]
 
@@ -179,23 +179,15 @@ class Figure(unittest.TestCase):
             across = numpy.where(abs(y) < 7, pressure, 0)
             return Film(contact=0, xi=xi, time=0, x=x, y=y, thickness=0.1 + 0 * ellipse * across, pressure=ellipse * across)
 
-        known_y, rows = face.pattern([film(2.0, 1.5), film(-3.0, 1.0), film(2.0, 1.5)])
-        self.assertEqual([row.place for row in rows], [-3.0, 2.0])
-        numpy.testing.assert_array_equal(known_y, y)
         # A semi-ellipse of 1 GPa and the half-width 0.1 mm carries 50 pi N/mm.
-        numpy.testing.assert_allclose(rows[0].line_load, [0, 50 * math.pi, 50 * math.pi, 0], rtol=2e-3)
-        numpy.testing.assert_allclose(rows[1].pressure, [0, 1.5, 1.5, 0])
+        numpy.testing.assert_allclose(face.rows_of(film(-3.0, 1.0), y).line_load, [0, 50 * math.pi, 50 * math.pi, 0], rtol=2e-3)
+        numpy.testing.assert_allclose(face.rows_of(film(2.0, 1.5), y).pressure, [0, 1.5, 1.5, 0])
 
     def test_roll_angle_of_the_pitch_point_is_the_tangent_of_the_working_pressure_angle(self):
-        class Run:
-            parameters = {"gear.module": Parameter(4.5e-3, "m"), "gear.pressure_angle_deg": Parameter(20.0, "deg"),
-                          "gear.centre_distance": Parameter(90e-3, "m"), "pinion.teeth": Parameter(16.0, ""),
-                          "wheel.teeth": Parameter(24.0, "")}
-
-        base_radius = 36 * math.cos(math.radians(20))
-        first, second = face.roll_angles(Run, [0.0, base_radius])
-        self.assertAlmostEqual(first, math.degrees(math.tan(math.radians(20))), places=9)
-        self.assertAlmostEqual(second - first, math.degrees(1), places=9)
+        base_radius, angles = 36 * math.cos(math.radians(20)), numpy.radians([20.0, 21.0])
+        rho = base_radius * numpy.tan(angles)
+        numpy.testing.assert_allclose(face.roll_angles({"s": rho**2 / (2 * base_radius), "rho": rho}),
+                                      numpy.degrees(numpy.tan(angles)), rtol=1e-12)
 
 
 if __name__ == "__main__":

@@ -191,7 +191,7 @@ class Figures(ProgramTest):
                 with self.subTest(command=command, kind=name):
                     if command in own:
                         self.assert_drawn(name)
-                    elif name in ("film", "face") and command in ("transient", "periodic"):
+                    elif name == "film" and command in ("transient", "periodic"):
                         self.assert_refused(name, "it stores no films; run it with -output_snapshot_interval")
                     else:
                         self.assert_refused(name, "results.h5 is not a result of gearfilm", own[0])

@@ -107,7 +107,7 @@ def draw_section(contact):
 def draw_folder(folder, path=False):
     """Of `gearfilm periodic`, `transient` or `steady`, with stress.model or limits of rating."""
     with open_results(folder / "results.h5", "periodic, transient or steady", LACK) as results:
-        if "flank" in results and not path:
+        if "dang_van" in results.get("flank/pinion", ()) and not path:
             return draw_flanks([flank_of(results, gear) for gear in GEARS])
         if "history" in results:
             contacts = read_path(results)
