@@ -25,7 +25,7 @@ ProblemAt problems_of(const CaseInput& problem) {
 
 void check_continuation(const CaseInput& problem) {
   require_inertia(problem);
-  require_rigid_supports(problem, "continuation", true);
+  require_moving_train(problem, "continuation");
   require_moving_contacts(problem, "continuation", true);
   if (!problem.dry() && !problem.search.with_multipliers) {
     problem.parameters.refuse("periodic.multipliers",

@@ -62,7 +62,8 @@ void add_modes_of_train(const CaseInput& problem, RestingPair* rest, const Watch
 /// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
 Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
                      Summary summary, std::vector<std::string>& remarks) {
-  const MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
+  MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
+  mesh.train.reset();  // modes of a train follow from the stiffness of the films beneath the pair alone
   RestingPair rest(mesh, problem.numerics, discretisation);
   const FilmSwing swing = film_swing(mesh, problem.numerics, rest, watcher);
   const SwingQuantities quantities = quantities_of(swing, problem.scales);
@@ -143,7 +144,7 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   require_standing_heights(given, "eigen");
   if (given.modes.of_orbit) {
     require_one_pattern(given, "eigen");
-    require_rigid_supports(given, "eigen.orbit", true);
+    require_moving_train(given, "eigen.orbit");
   }
   CaseInput problem = given;
   problem.numerics.solver.multigrid.precision =

@@ -1,4 +1,5 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
+#include <algorithm>
 #include <iomanip>
 
 #include "app/commands.hpp"
@@ -39,9 +40,9 @@ std::string advice(const CaseInput& problem, const DescribedOrbit& found) {
            std::to_string(order) + ", not " + std::to_string(asked);
   }
   if (!found.decay) return "";
-  const auto& mu = found.decay->multipliers;
-  const double lowest = std::min(mu[0].real(), mu[1].real());
-  if (mu[0].imag() != 0.0 || lowest > -1.0) return "";
+  const bool doubles = std::ranges::any_of(found.decay->multipliers,
+                                           [](const auto& mu) { return mu.imag() == 0.0 && mu.real() <= -1.0; });
+  if (!doubles) return "";
   return " a multiplier has passed -1: the motion doubles its period; try -periodic_order " + std::to_string(2 * asked);
 }
 

@@ -113,7 +113,7 @@ void print_result(MPI_Comm comm, const CaseInput& problem, const Summary& summar
 /// Throws InputError for a sweep that says too little or asks for what there is not, before any work.
 void check_sweep(const CaseInput& problem) {
   require_inertia(problem);
-  require_rigid_supports(problem, "sweep", true);
+  require_moving_train(problem, "sweep");
   require_moving_contacts(problem, "sweep", true);
   require_one_pattern(problem, "sweep");
   if (problem.sweep.values.empty()) {

@@ -99,7 +99,7 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
 
 void run_transient(MPI_Comm comm, const CaseInput& problem) {
   require_inertia(problem);
-  require_rigid_supports(problem, "transient", true);
+  require_moving_train(problem, "transient");
   const SharedDiscretisation films = discretise(comm, problem);
   // A march that failed may go on with other steps.
   ResumableRun run(problem, films->grid(), "transient", {"time", "solver"});

@@ -20,8 +20,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.T = T_;
   record.dT = dT;
   record.motion = motion_;
-  const double parted = mesh_.train ? mesh_.train->back.dot(motion_.q) : motion_.H0();
-  record.back_force = reverse_flank_force(mesh_, parted, T_).value;
+  record.back_force = reverse_flank_force(mesh_, motion_, T_).value;
   record.wall_seconds = wall_seconds;
   std::vector<ActiveContact> live;
   const std::vector<int> numbers = mesh_.path.contacts_after(T_);
@@ -45,21 +44,13 @@ void DryMarch::observe(double dT, double wall_seconds) const {
 
 void DryMarch::start(const std::optional<Motion>& motion) {
   T_ = 0.0;
-  motion_ = motion ? in_train(mesh_, *motion) : balance(mesh_, force_, T_);
+  motion_ = motion ? mesh_.in_train(*motion) : balance(mesh_, force_, T_);
   observe(0.0, 0.0);
 }
 
 Motion DryMarch::balance(const MeshModel& mesh, const DryForce& force, double T) {
   const DryContacts contacts(force, mesh, mesh.path.contacts_after(T), T);
-  return in_train(mesh, {contacts.balance(mesh.scales.static_force), 0.0});
-}
-
-Motion DryMarch::in_train(const MeshModel& mesh, const Motion& motion) {
-  if (motion.freedoms() == mesh.freedoms()) return motion;
-  Motion whole = Motion::zero(mesh.freedoms());
-  whole.H0() = motion.H0();
-  whole.v = mesh.train->by_force * (motion.V0() / mesh.train->by_force[0]);
-  return whole;
+  return mesh.in_train({contacts.balance(mesh.scales.static_force), 0.0});
 }
 
 void DryMarch::run(double T_end) {

@@ -21,9 +21,6 @@ public:
 
   /// At rest at a time.
   static Motion balance(const MeshModel& mesh, const DryForce& force, double T);
-  /// A motion of the flanks alone, in a drive train: with the displacements of least energy, and the velocities that a
-  /// blow between the flanks gives.
-  static Motion in_train(const MeshModel& mesh, const Motion& motion);
 
   /// Starts at the given motion, or at rest in balance.
   void start(const std::optional<Motion>& motion);

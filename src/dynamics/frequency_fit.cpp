@@ -1,5 +1,8 @@
 #include "dynamics/frequency_fit.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace gearfilm {
 
 using namespace std::complex_literals;
@@ -19,12 +22,27 @@ FrequencyFit frequency_fit(double w, std::complex<double> D) {
   return {.alpha = y / square, .beta = x + y * y / square, .inertia = 1.0 / x, .damping = -y / x};
 }
 
-BodyEquations fitted(BodyEquations motion, const FrequencyFit& fit) {
-  const double inertia = motion.mass(1, 1);
-  motion.mass(0, 1) = fit.alpha;
-  motion.stiffness(0, 1) = -fit.beta;
-  motion.mass(1, 1) = fit.inertia * inertia;
-  motion.stiffness(1, 1) = fit.damping * inertia;
+ModalFit::ModalFit(const Swings& swings, const std::function<FrequencyFit(double w)>& fit_of) {
+  std::vector<FrequencyFit> fits;
+  for (const double w : swings.rates) fits.push_back(fit_of(w));
+  const auto matrix = [&](double FrequencyFit::*part) -> Eigen::MatrixXd {
+    Eigen::VectorXd diagonal(swings.rates.size());
+    std::ranges::transform(fits, diagonal.begin(), [part](const FrequencyFit& fit) { return fit.*part; });
+    return swings.shapes * diagonal.asDiagonal() * swings.coordinates;
+  };
+  alpha = matrix(&FrequencyFit::alpha);
+  beta = matrix(&FrequencyFit::beta);
+  inertia = matrix(&FrequencyFit::inertia);
+  damping = matrix(&FrequencyFit::damping);
+}
+
+BodyEquations fitted(BodyEquations motion, const ModalFit& fit) {
+  const Eigen::Index n = fit.alpha.rows();
+  const Eigen::MatrixXd inertia = motion.mass.bottomRightCorner(n, n);
+  motion.mass.topRightCorner(n, n) = fit.alpha;
+  motion.stiffness.topRightCorner(n, n) = -fit.beta;
+  motion.mass.bottomRightCorner(n, n) = inertia * fit.inertia;
+  motion.stiffness.bottomRightCorner(n, n) += inertia * fit.damping;
   return motion;
 }
 

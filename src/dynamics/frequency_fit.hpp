@@ -7,10 +7,12 @@
 //   dH/dT + alpha dV/dT = beta V ,                      alpha = y/(w^2 x), beta = x + y^2/(w^2 x)
 //   f dV/dT + c V + w^2 H = 0 ,                         f = 1/x, c = -y/x
 // have H = exp(i w T), V = i w H as their solution in the formula, whatever dT is. H is in the restoring force alone:
-// where it rests does not matter. Where nothing presses, w = 0, nothing is changed.
+// where it rests does not matter. Where nothing presses, w = 0, nothing is changed. Bodies with n degrees of freedom
+// have as many swings, each with its own fit; these become matrices by their shapes.
 #pragma once
 
 #include <complex>
+#include <functional>
 
 #include "solver/body_equations.hpp"
 
@@ -31,7 +33,22 @@ std::complex<double> derivative_by_bdf2(double w, double dT, double dT_before);
 /// For a formula that makes D of i w.
 FrequencyFit frequency_fit(double w, std::complex<double> D);
 
-/// The equation of motion of a pair, s = (H_0, V_0), so fitted.
-BodyEquations fitted(BodyEquations motion, const FrequencyFit& fit);
+/// Undamped free oscillations of the bodies on their contacts: rates w [1/T] and shapes, a column each, by which
+/// y = (shapes) z; coordinates: its inverse.
+struct Swings {
+  Eigen::VectorXd rates;
+  Eigen::MatrixXd shapes, coordinates;
+  double contact_stiffness = 0.0;  ///< [-]
+};
+
+/// The fits of all oscillations together, as matrices in y.
+struct ModalFit {
+  ModalFit(const Swings& swings, const std::function<FrequencyFit(double w)>& fit_of);
+
+  Eigen::MatrixXd alpha, beta, inertia, damping;
+};
+
+/// An equation of motion with s = (y, dy/dT), so fitted.
+BodyEquations fitted(BodyEquations motion, const ModalFit& fit);
 
 }  // namespace gearfilm

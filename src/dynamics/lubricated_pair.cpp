@@ -1,9 +1,9 @@
 #include "dynamics/lubricated_pair.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "dynamics/train_equations.hpp"
 #include "film/face_pressure.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "mesh/reverse_flanks.hpp"
@@ -21,6 +21,12 @@ std::vector<ContactFilm*> films_of(const std::vector<ActiveContact>& contacts) {
   std::vector<ContactFilm*> films(contacts.size());
   std::ranges::transform(contacts, films.begin(), &ActiveContact::film);
   return films;
+}
+
+/// Of so many degrees of freedom without inertia.
+Swings resting(Eigen::Index freedoms) {
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(freedoms, freedoms);
+  return {Eigen::VectorXd::Zero(freedoms), unit, unit};
 }
 
 std::vector<ActiveContact> without_fields(const std::vector<ActiveContact>& contacts) {
@@ -41,15 +47,16 @@ LubricatedPair::LubricatedPair(const MeshModel& mesh, const std::vector<ActiveCo
       films_(films_of(contacts)),
       share_(share),
       dry_force_(mesh),
-      system_(films_, equation_of_motion({mesh.inertia, mesh.scales.static_force}, films_.size())) {}
+      friction_(mesh.freedoms()),
+      swings_(resting(mesh.freedoms())),
+      fit_(swings_, [](double) { return FrequencyFit(); }),
+      system_(films_, bodies_at(0.0)) {}
 
-Motion LubricatedPair::motion(Vec state) const {
-  const std::vector<double> scalars = system_.scalars(state);
-  return {scalars[0], scalars[1]};
-}
+Motion LubricatedPair::motion(Vec state) const { return motion_from(system_.scalars(state)); }
 
 void LubricatedPair::set_motion(Vec state, const Motion& motion) const {
-  system_.set_scalars(state, std::array{motion.H0(), motion.V0()});
+  const Eigen::VectorXd scalars = to_vector(motion);
+  system_.set_scalars(state, {scalars.data(), static_cast<std::size_t>(scalars.size())});
 }
 
 OwnedVec LubricatedPair::allowed_errors(double of_motion, double of_pressures) const {
@@ -59,7 +66,9 @@ OwnedVec LubricatedPair::allowed_errors(double of_motion, double of_pressures) c
   petsc_check(VecGetSize(errors, &entries));
   const double alone = of_motion / std::sqrt(static_cast<double>(entries));
   // Without inertia V_0 is no more than a difference of H_0.
-  set_motion(errors, {alone, mesh_.inertia > 0.0 ? alone / mesh_.velocity_weight() : HUGE_VAL});
+  const double of_velocity = mesh_.inertia > 0.0 ? alone / mesh_.velocity_weight() : HUGE_VAL;
+  const Eigen::Index n = mesh_.freedoms();
+  set_motion(errors, {Eigen::VectorXd::Constant(n, alone), Eigen::VectorXd::Constant(n, of_velocity)});
   return errors;
 }
 
@@ -88,7 +97,9 @@ void LubricatedPair::predict_without_force(Vec state, double T0, double T1,
   double thinnest = HUGE_VAL;
   for (const FilmQuantities& film : quantities) thinnest = std::min(thinnest, film.central_film);
   const double change = std::max((T1 - T0) * last.V0(), -crossed * thinnest);
-  set_motion(state, {last.H0() + change, last.V0()});
+  Motion guess = moved(last, T1 - T0, {last.v, Eigen::VectorXd::Zero(last.freedoms())});
+  guess.H0() = last.H0() + change;
+  set_motion(state, guess);
 }
 
 // An extrapolation of pressures at their nodes would leave gaps and overlaps many films deep where a contact shrinks by
@@ -134,13 +145,20 @@ void LubricatedPair::predict_for_motion(Vec guess, Vec last, double T0, double T
   }
 }
 
-double LubricatedPair::swing(double T, const std::vector<FilmQuantities>& quantities) const {
-  if (mesh_.inertia == 0.0) return 0.0;
+double LubricatedPair::contact_stiffness(double T, const std::vector<FilmQuantities>& quantities) const {
   std::vector<double> forces(quantities.size());
   std::ranges::transform(quantities, forces.begin(),
                          [](const FilmQuantities& film) { return std::max(0.0, film.pressure_integral); });
-  const double stiffness = DryContacts(dry_force_, mesh_, numbers_, T).stiffness(forces) / share_at(T);
-  return std::sqrt(stiffness / mesh_.inertia);
+  return DryContacts(dry_force_, mesh_, numbers_, T).stiffness(forces) / share_at(T);
+}
+
+Swings LubricatedPair::swings(double T, const std::vector<FilmQuantities>& quantities) const {
+  if (mesh_.inertia == 0.0) return resting(1);
+  const double stiffness = contact_stiffness(T, quantities);
+  if (mesh_.train) return swings_of(*mesh_.train, stiffness);
+  Swings swings = resting(1);
+  swings.rates[0] = std::sqrt(stiffness / mesh_.inertia);
+  return swings;
 }
 
 void LubricatedPair::transfer_load(double T0, double T1, double load) {
@@ -158,18 +176,29 @@ void LubricatedPair::place(double T) {
     conditions.texture.moves = true;
     move_surfaces(*films_[k], conditions);
   }
-  const PairLoad load{mesh_.inertia, mesh_.scales.static_force, share_at(T), friction_.at(T) - left_over(T)};
-  BodyEquations bodies = fitted(equation_of_motion(load, films_.size()), fit_);
-  ReverseFlankForce reverse_flanks;
-  if (mesh_.teeth.backlash()) {
-    const auto law = [this, T](double H0) {
-      const ReverseForce back = reverse_flank_force(mesh_, H0, T);
-      return ReverseFlankForce::Value{back.value, back.slope};
-    };
-    // They approach as H_0 grows, and act along the line on which the films act.
-    reverse_flanks = {law, bodies.displacement.row(0), bodies.force.col(0)};
-  }
+  BodyEquations bodies = fitted(bodies_at(T), fit_);
+  ReverseFlankForce reverse_flanks = reverse_flanks_at(T, bodies);
   system_.set_bodies(std::move(bodies), mesh_.compliance(numbers_, T), std::move(reverse_flanks));
+}
+
+BodyEquations LubricatedPair::bodies_at(double T) const {
+  const double force = mesh_.scales.static_force;
+  if (mesh_.train) {
+    return equation_of_motion(*mesh_.train, {force, share_at(T), friction_.at(T), mesh_.path.mesh_periods(T)},
+                              films_.size());
+  }
+  return equation_of_motion({mesh_.inertia, force, share_at(T), friction_.at(T)[0] - left_over(T)}, films_.size());
+}
+
+ReverseFlankForce LubricatedPair::reverse_flanks_at(double T, const BodyEquations& bodies) const {
+  if (!mesh_.teeth.backlash()) return {};
+  const auto law = [this, T](double approach) {
+    const ReverseForce back = reverse_flank_force(mesh_, approach, T);
+    return ReverseFlankForce::Value{back.value, back.slope};
+  };
+  if (mesh_.train) return reverse_flanks_in(*mesh_.train, mesh_.scales.static_force, law);
+  // They approach as H_0 grows, and act along the line on which the films act.
+  return {law, bodies.displacement.row(0), bodies.force.col(0)};
 }
 
 void LubricatedPair::begin_friction(double T, const std::vector<ContactRecord>& contacts) {
@@ -181,7 +210,7 @@ void LubricatedPair::continue_friction(double T, const std::vector<ContactRecord
 }
 
 void LubricatedPair::linearise(Vec state, const FilmSystem::Rate& rate, double shift, SmootherFactors factors) {
-  const bool together = mesh_.inertia == 0.0 || shift == 0.0;
+  const bool together = mesh_.inertia == 0.0 || shift == 0.0 || (mesh_.train && contacts_hold(swings_, shift));
   system_.linearise(state, rate, shift,
                     together ? FilmSystem::BlockElimination::exact : FilmSystem::BlockElimination::scalars_first,
                     factors);

@@ -1,5 +1,5 @@
-// A gear pair on the films of its present contacts: a film system (film_system.hpp) whose bodies are the rigid pair and
-// whose contacts travel.
+// A gear pair on the films of its present contacts: a film system (film_system.hpp) whose bodies are the gears, alone
+// or in their drive train, and whose contacts travel.
 #pragma once
 
 #include <optional>
@@ -43,17 +43,21 @@ public:
   void predict_for_motion(Vec guess, Vec last, double T0, double T1,
                           const std::vector<FilmQuantities>& quantities) const;
 
-  /// Circular frequency with which the pair would swing on dry contacts of these forces at T; 0 without inertia.
-  double swing(double T, const std::vector<FilmQuantities>& quantities) const;
-  /// For the equation of motion of the stage to come.
-  void fit_frequency(const FrequencyFit& fit) { fit_ = fit; }
+  /// How the bodies would swing on dry contacts of these forces at T; at no rate without inertia.
+  Swings swings(double T, const std::vector<FilmQuantities>& quantities) const;
+  /// Fits the equation of motion of the stage to come to these swings.
+  void fit_frequencies(const Swings& swings, const std::function<FrequencyFit(double w)>& fit_of) {
+    swings_ = swings;
+    fit_ = ModalFit(swings, fit_of);
+  }
 
   /// Without inertia: the contacts, which carry `load` [-] at T0, come to carry the static force at T1.
   void transfer_load(double T0, double T1, double load);
 
   /// Puts every contact where it is at time T.
   void place(double T);
-  /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step.
+  /// The rest before the contacts in time steps; together with them where there is no inertia, or no time step, or
+  /// light nodes of a drive train are held by the contacts.
   void linearise(Vec state, const FilmSystem::Rate& rate, double shift,
                  SmootherFactors factors = SmootherFactors::of_this_state);
 
@@ -72,6 +76,11 @@ public:
   std::vector<ContactRecord> records(double T, const std::vector<FilmQuantities>& quantities) const;
 
 private:
+  /// Of the dry contacts of these forces at T [-].
+  double contact_stiffness(double T, const std::vector<FilmQuantities>& quantities) const;
+  BodyEquations bodies_at(double T) const;
+  /// None without a backlash.
+  ReverseFlankForce reverse_flanks_at(double T, const BodyEquations& bodies) const;
   /// f at time T; 1 where contacts share by themselves.
   double share_at(double T) const;
   /// What the contacts have not taken over yet of the static force at time T [-].
@@ -84,7 +93,8 @@ private:
   std::optional<LoadSharing::Piece> share_;
   DryForce dry_force_;
   ExtrapolatedFriction friction_;
-  FrequencyFit fit_;
+  Swings swings_;
+  ModalFit fit_;
   struct Transfer {
     double begin = 0.0;
     double end = 0.0;

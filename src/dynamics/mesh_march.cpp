@@ -90,7 +90,7 @@ void MeshMarch::observe_present() {
   StepRecord record;
   record.T = T();
   record.motion = motion();
-  record.back_force = reverse_flank_force(mesh(), motion().H0(), T()).value;
+  record.back_force = reverse_flank_force(mesh(), motion(), T()).value;
   record.contacts = films_.records();
   observe(record);
 }

@@ -213,7 +213,7 @@ void MeshedFilms::settle(const LoadCondition& load) {
 void MeshedFilms::start(const std::optional<Motion>& motion) {
   T_ = 0.0;
   if (motion) {
-    motion_ = *motion;
+    motion_ = mesh_.in_train(*motion);
     contacts_.clear();
     // What films carry that do not exist yet, their dry contacts tell.
     const std::vector<int> numbers = mesh_.path.contacts_after(T_);
@@ -226,6 +226,7 @@ void MeshedFilms::start(const std::optional<Motion>& motion) {
     }
   } else {
     balance_at_rest();
+    motion_ = mesh_.in_train(motion_);
   }
   grow_domain();
   const std::vector<FilmQuantities> present = quantities();

@@ -88,7 +88,7 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
     for (std::size_t n = 0; n < guessed_.size(); ++n)
       values[n] = std::max(0.0, guessed_[n] + miss->unit * miss->pressures[n]);
   }
-  pair.set_motion(guess, {guessed_motion_.H0() + miss->motion.H0(), guessed_motion_.V0() + miss->motion.V0()});
+  pair.set_motion(guess, moved(guessed_motion_, 1.0, miss->motion));
 }
 
 void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0, double T) {

@@ -87,16 +87,18 @@ void SegmentStepper::create_time_scheme() {
 
 // The first step of a segment is a BDF1 step to its middle, and a BDF2 step from there.
 void SegmentStepper::fit_frequency(double begin, double T) {
-  double w = std::min(pair_.swing(solved_time_, solved_films_), longest_swing_step / (T - begin));
-  if (w * (T - begin) < shortest_swing_step) w = 0.0;
   PetscInt steps = 0;
   PetscReal before = 0.0;
   petsc_check(TSGetStepNumber(ts_, &steps));
   petsc_check(TSGetPrevTime(ts_, &before));
   const double half = 0.5 * (T - begin);
-  pair_.fit_frequency(frequency_fit(w, at_start_    ? derivative_by_bdf1(w, T - begin)
-                                       : steps == 0 ? derivative_by_bdf2(w, half, half)
-                                                    : derivative_by_bdf2(w, T - begin, begin - before)));
+  pair_.fit_frequencies(pair_.swings(solved_time_, solved_films_), [&](double rate) {
+    double w = std::min(rate, longest_swing_step / (T - begin));
+    if (w * (T - begin) < shortest_swing_step) w = 0.0;
+    return frequency_fit(w, at_start_    ? derivative_by_bdf1(w, T - begin)
+                            : steps == 0 ? derivative_by_bdf2(w, half, half)
+                                         : derivative_by_bdf2(w, T - begin, begin - before));
+  });
 }
 
 void SegmentStepper::transient(TS, Vec state, Vec values) {
@@ -268,7 +270,7 @@ void SegmentStepper::finish_step() {
   const std::vector<FilmQuantities> quantities = pair_.film_quantities(state, T);
   pair_.advance_processes(record.dT);
   record.contacts = pair_.records(T, quantities);
-  record.back_force = reverse_flank_force(pair_.mesh(), record.motion.H0(), T).value;
+  record.back_force = reverse_flank_force(pair_.mesh(), record.motion, T).value;
   record.newton = newton - newton_so_far_;
   record.krylov = krylov - krylov_so_far_;
   record.wall_seconds = MPI_Wtime() - wall_start_;

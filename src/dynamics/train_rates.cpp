@@ -10,7 +10,7 @@ TrainAcceleration train_acceleration(const MeshModel& mesh, const DryContacts& c
                                      double damping, bool derivatives) {
   const MeshTrain& train = *mesh.train;
   const std::vector<double> forces = contacts.forces(motion.H0());
-  const ReverseForce back = reverse_flank_force(mesh, train.back.dot(motion.q), T);
+  const ReverseForce back = reverse_flank_force(mesh, motion, T);
   const double damper = mesh.inertia * damping;
   const double pull = std::accumulate(forces.begin(), forces.end(), -mesh.scales.static_force) - damper * motion.V0();
   TrainAcceleration found{.value = train.by_force * pull + train.by_back_force * back.value +

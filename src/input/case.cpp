@@ -379,7 +379,6 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   }
   result.run.directory = values.text("output.dir");
   in_file_of(values, [&] { check_loads(result); });
-  if (result.kind == CaseKind::gear_pair) in_file_of(values, [&] { return mesh_train_of(result); });
   result.numerics.on_widening = widening_notice(result.scales, contacts_at_a_time(result), heated_points(result));
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "contact/line_contact.hpp"
 #include "dynamics/mesh_march.hpp"
@@ -180,6 +181,15 @@ bool swings(const CaseInput& problem) {
 }
 
 double natural_period(const CaseInput& problem) {
+  constexpr double felt_share = 1e-3;
+  if (problem.pair.train && !problem.dry()) {
+    const std::vector<TrainMode> modes = damped_train_of(problem).modes;
+    double highest = 0.0;
+    for (const TrainMode& mode : modes) {
+      if (mode.mesh_share > felt_share) highest = std::max(highest, mode.frequency());
+    }
+    return 1.0 / (highest * problem.scales.time);
+  }
   return 1.0 / natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
 
@@ -227,9 +237,10 @@ CaseInput with_chosen_motion(const CaseInput& given, std::string& remark) {
   constexpr double many_swings = 40.0;  // of the pair in a mesh period
   ParameterValues values = given.parameters;
   const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
-  const bool choosable = !values.given("motion") && !multipliers_asked && !values.given("periodic.order") &&
-                         !values.yes("friction.in_motion") && given.march.model == MarchModel::dynamic &&
-                         given.march.geometry == MeshGeometry::moving && !given.march.start_motion && swings(given);
+  const bool choosable = !given.pair.train && !values.given("motion") && !multipliers_asked &&
+                         !values.given("periodic.order") && !values.yes("friction.in_motion") &&
+                         given.march.model == MarchModel::dynamic && given.march.geometry == MeshGeometry::moving &&
+                         !given.march.start_motion && swings(given);
   const double in_mesh_period = choosable ? mesh_period(given) / natural_period(given) : 0.0;
   if (in_mesh_period < many_swings) return given;
   remark = worded(std::setprecision(3), "the pair would swing ", in_mesh_period,

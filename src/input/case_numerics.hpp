@@ -21,7 +21,8 @@ std::string thin_film_remark(const CaseInput& problem);
 
 /// The pair has inertia, and it is part of its motion.
 bool swings(const CaseInput& problem);
-/// The period of a free oscillation of the dry pair [T]; of a pair with inertia.
+/// The period of a free oscillation of the dry pair [T], of one with inertia; on films, in a drive train, of the
+/// highest mode that the mesh feels.
 double natural_period(const CaseInput& problem);
 /// The largest speed of a march over its first; 1 without a ramp.
 double largest_speed_ratio(const ParameterValues& values);

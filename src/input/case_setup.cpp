@@ -86,7 +86,7 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
 
 CaseInput periodic_case(const CaseInput& given, std::string& remark) {
   require_inertia(given);
-  require_rigid_supports(given, "periodic", true);
+  require_moving_train(given, "periodic");
   CaseInput chosen = with_chosen_motion(given, remark);
   require_moving_contacts(chosen, "periodic", true);
   require_one_pattern(chosen, "periodic");

@@ -121,7 +121,11 @@ TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double
   const SpurGearNode wheel{TrainParts::wheel, line.base_radius_wheel()};
   train.add_contact(spur_row(train, pinion, wheel, line.working_pressure_angle()));
   Eigen::RowVectorXd back = spur_back_row(train, pinion, wheel, line.working_pressure_angle());
-  return {.train = std::move(train), .back = std::move(back), .damping_ratio = damping_ratio};
+  Eigen::MatrixXd friction = spur_friction_rows(train, pinion, wheel, line.working_pressure_angle());
+  return {.train = std::move(train),
+          .back = std::move(back),
+          .friction = std::move(friction),
+          .damping_ratio = damping_ratio};
 }
 
 }  // namespace
@@ -156,12 +160,29 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
   return found;
 }
 
-void require_rigid_supports(const CaseInput& problem, const std::string& command, bool dry_too) {
-  if (!problem.pair.train || (dry_too && problem.dry())) return;
+void require_rigid_supports(const CaseInput& problem, const std::string& command) {
+  if (!problem.pair.train) return;
   problem.parameters.refuse(given_train_key(problem.parameters),
-                            "is given, but " + command + " moves the pair alone" + (dry_too ? " on films" : "") +
-                                ", on rigid supports; delete the keys of the drive train, or use " +
-                                (dry_too ? "model dry, or eigen for modes on films" : "info or eigen for its modes"));
+                            "is given, but " + command +
+                                " moves the pair alone, on rigid supports; delete the keys of the drive train, or use "
+                                "info or eigen for its modes");
+}
+
+void require_moving_train(const CaseInput& problem, const std::string& command) {
+  if (!problem.pair.train) return;
+  const ParameterValues& values = problem.parameters;
+  const std::string key = given_train_key(values);
+  if (problem.march.model == MarchModel::quasistatic || problem.march.motion == PairMotion::quasi_static) {
+    const std::string how = problem.march.motion == PairMotion::quasi_static ? "motion" : "model";
+    values.refuse(key, "is given, but with '" + how + ": " + values.text(how) + "' " + command +
+                           " moves no drive train; set that to dynamic, or delete the keys of the drive train");
+  }
+  if (torque_determines_force(problem.pair.train->train)) return;
+  in_file_of(values, []() {
+    throw InputError(
+        "the drive train holds both the pinion's side and the wheel's, so that the torque does not determine the tooth "
+        "force; free one side (fixed, ground)");
+  });
 }
 
 namespace {
@@ -183,16 +204,18 @@ DampedTrain damped_train_of(const CaseInput& problem) {
 }
 
 std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem) {
-  if (!problem.pair.train || !problem.dry()) return {};
+  if (!problem.pair.train || !torque_determines_force(problem.pair.train->train)) return {};
   const TrainCase& given = *problem.pair.train;
-  const Eigen::RowVectorXd back = problem.pair.teeth.backlash() ? given.back : Eigen::RowVectorXd();
+  FlankRows rows;
+  if (problem.pair.teeth.backlash()) rows.back = given.back;
+  if (problem.parameters.yes("friction.in_motion")) rows.friction = given.friction;
   const DampedTrain train = damped_train(given.train, {.stiffness = mesh_stiffness(problem)}, given.damping_ratio);
-  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, back, given.ripple, problem.scales));
+  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, rows, given.ripple, problem.scales));
 }
 
 long whole_pattern(const CaseInput& problem) {
   const long teeth = problem.pair.teeth.pattern();
-  return problem.pair.train && problem.dry() ? std::lcm(teeth, problem.pair.train->pattern) : teeth;
+  return problem.pair.train ? std::lcm(teeth, problem.pair.train->pattern) : teeth;
 }
 
 double centre_distance_growth(const CaseInput& problem) {

@@ -16,6 +16,7 @@ struct CaseInput;
 struct TrainCase {
   Train train;                 ///< with the row of the contact
   Eigen::RowVectorXd back;     ///< the row of the reverse flanks' approach
+  Eigen::MatrixXd friction;    ///< FlankRows::friction
   TorqueRipple ripple{};       ///< of the torque that drives
   long pattern = 1;            ///< mesh periods after which its harmonics repeat together
   double damping_ratio = 0.0;  ///< of every mode
@@ -35,11 +36,14 @@ void read_torque_harmonics(const ParameterValues& values, const LineOfAction& li
 /// Mesh periods after which teeth with errors and fluctuations of the torque repeat together.
 long whole_pattern(const CaseInput& problem);
 
-/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train; dry_too: it
-/// moves dry pairs with their train.
-void require_rigid_supports(const CaseInput& problem, const std::string& command, bool dry_too = false);
+/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train.
+void require_rigid_supports(const CaseInput& problem, const std::string& command);
 
-/// What the motion of the dry pair feels of it; null without one, and on films.
+/// Throws InputError where a command moves the pair with its drive train, which does not move: bodies are in balance,
+/// or the torque does not determine the tooth force.
+void require_moving_train(const CaseInput& problem, const std::string& command);
+
+/// What the motion of the pair feels of it; null without one, and where the torque does not determine the tooth force.
 std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem);
 
 /// Its modes and damping on the stiffness of the dry mesh; of dry contacts with their damper. Of a case with a train.

@@ -84,7 +84,7 @@ namespace {
 
 const Case& marchable(const Case& of) {
   require_inertia(of.input());
-  require_rigid_supports(of.input(), "a march", true);
+  require_moving_train(of.input(), "a march");
   return of;
 }
 

@@ -51,6 +51,14 @@ Compliance MeshModel::compliance(std::span<const int> numbers, double T) const {
   }));
 }
 
+Motion MeshModel::in_train(const Motion& motion) const {
+  if (motion.freedoms() == freedoms()) return motion;
+  Motion whole = Motion::zero(freedoms());
+  whole.H0() = motion.H0();
+  whole.v = train->by_force * (motion.V0() / train->by_force[0]);
+  return whole;
+}
+
 std::optional<LoadSharing::Piece> MeshModel::share_from(double T) const {
   if (!load) return {};
   return load->sharing.piece_at(path.position(0, T));

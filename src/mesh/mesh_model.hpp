@@ -49,10 +49,13 @@ struct MeshModel {
   std::optional<InertiaShares> friction_couples_dynamics{};  ///< absent: friction does not act on the motion
   int pattern = 1;                                           ///< mesh periods after which the same teeth meet again
   int order = 1;                                             ///< patterns after which a periodic motion repeats
-  std::shared_ptr<const MeshTrain> train{};                  ///< absent: rigid supports; of dry pairs alone
+  std::shared_ptr<const MeshTrain> train{};                  ///< absent: rigid supports
 
   /// Degrees of freedom of the motion.
   Eigen::Index freedoms() const { return train ? train->freedoms() : 1; }
+  /// A motion of the flanks alone, in the drive train: with the displacements of least energy, and the velocities that
+  /// a blow between the flanks gives. Whole motions stay as they are.
+  Motion in_train(const Motion& motion) const;
 
   /// A contact at time T, and one at a place xi [m] at the first speed.
   MeshedContact contact(int number, double T) const;

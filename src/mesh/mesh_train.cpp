@@ -5,8 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "gearfilm/error.hpp"
-
 namespace gearfilm {
 
 namespace {
@@ -40,37 +38,42 @@ double MeshTrain::ripple(double mesh_periods) const {
   return sum;
 }
 
-MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const Eigen::RowVectorXd& back,
-                     const TorqueRipple& ripple, const Scales& scales) {
+bool torque_determines_force(const Train& train) {
   constexpr double round_off = 1e-9;
+  const Eigen::MatrixXd K = relative_motion(train).projected(train.stiffness());
+  return K.row(0).cwiseAbs().maxCoeff() <= round_off * K.cwiseAbs().maxCoeff();
+}
+
+MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const FlankRows& rows,
+                     const TorqueRipple& ripple, const Scales& scales) {
   const RelativeMotion relative = relative_motion(train);
   const Eigen::MatrixXd K = relative.projected(train.stiffness());
-  if (K.row(0).cwiseAbs().maxCoeff() > round_off * K.cwiseAbs().maxCoeff()) {
-    throw InputError(
-        "the drive train holds both the pinion's side and the wheel's, so that the torque does not determine the tooth "
-        "force; free one side (fixed, ground)");
-  }
   // Both sides of the equation over p_h R_x*, so that a mass is as in Scales::inertia.
   const double force = scales.pressure * scales.solids.radius_x;
-  const Eigen::MatrixXd inverse = (relative.projected(train.mass()) / (force * scales.time * scales.time)).inverse();
+  const Eigen::MatrixXd mass = relative.projected(train.mass()) / (force * scales.time * scales.time);
+  const Eigen::MatrixXd inverse = mass.inverse();
   const Eigen::MatrixXd by_displacement = -inverse * K / force;
   const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damping) / (force * scales.time);
   std::vector<Eigen::VectorXd> forces = {inverse.col(0)};
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(K.cols());
-  if (back.size() > 0) {
-    b = back * relative.motions;
+  if (rows.back.size() > 0) {
+    b = rows.back * relative.motions;
     forces.emplace_back(inverse * b.transpose());
   }
+  const Eigen::MatrixXd friction = rows.friction * relative.motions;
+  for (const auto& row : friction.rowwise()) forces.emplace_back(inverse * row.transpose());
   if (!ripple.harmonics.empty()) {
     const double torque = ripple.mean / scales.force(1.0);
     forces.emplace_back(torque * inverse * (ripple.node * relative.motions).transpose());
   }
   const Eigen::MatrixXd V = reached(forces, {by_displacement, by_velocity});
-  return {.by_force = V.transpose() * inverse.col(0),
+  return {.mass = V.transpose() * mass * V,
+          .by_force = V.transpose() * inverse.col(0),
           .by_back_force = -V.transpose() * inverse * b.transpose(),
           .by_displacement = V.transpose() * by_displacement * V,
           .by_velocity = V.transpose() * by_velocity * V,
           .back = b * V,
+          .friction = friction * V,
           .by_ripple = ripple.harmonics.empty() ? Eigen::VectorXd() : Eigen::VectorXd(V.transpose() * forces.back()),
           .harmonics = ripple.harmonics};
 }

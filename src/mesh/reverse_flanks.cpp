@@ -22,4 +22,8 @@ ReverseForce reverse_flank_force(const MeshModel& mesh, double H0, double T) {
   return sum;
 }
 
+ReverseForce reverse_flank_force(const MeshModel& mesh, const Motion& motion, double T) {
+  return reverse_flank_force(mesh, mesh.train ? mesh.train->back.dot(motion.q) : motion.H0(), T);
+}
+
 }  // namespace gearfilm

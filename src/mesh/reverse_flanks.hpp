@@ -16,5 +16,8 @@ struct ReverseForce {
 
 /// None without a backlash, or where one contact is followed by itself.
 ReverseForce reverse_flank_force(const MeshModel& mesh, double H0, double T);
+/// Of a motion; in a drive train of what the reverse flanks have approached in it (mesh_train.hpp), in the place of
+/// H_0.
+ReverseForce reverse_flank_force(const MeshModel& mesh, const Motion& motion, double T);
 
 }  // namespace gearfilm

@@ -178,7 +178,7 @@ DryOrbit dry_orbit_from(const MeshModel& mesh, double damping_ratio, const Motio
 
 DryOrbit dry_orbit_after(const MeshModel& mesh, double damping_ratio, const Motion& from, const DryWatch& watch) {
   const DryMap map(mesh, damping_ratio, watch);
-  return describe(map, find_by_marches(map, DryMarch::in_train(mesh, from)));
+  return describe(map, find_by_marches(map, mesh.in_train(from)));
 }
 
 std::optional<DryOrbit> follow_dry_orbit(const MeshModel& mesh, double damping_ratio, const Motion& near) {

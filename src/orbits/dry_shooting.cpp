@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "dynamics/dry_pair.hpp"
 #include "gearfilm/error.hpp"
 #include "orbits/monodromy.hpp"
 #include "parallel/petsc.hpp"
@@ -103,7 +102,7 @@ DryFlowEnd DryMap::operator()(const Motion& start) const {
 
 std::optional<Motion> shoot(const DryMap& map, const Motion& guess) {
   try {
-    return solve(map, DryMarch::in_train(map.mesh(), guess));
+    return solve(map, map.mesh().in_train(guess));
   } catch (const SolveError&) {
     return {};
   }

@@ -1,10 +1,13 @@
 #include "orbits/free_decay.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "numerics/tuned.hpp"
 #include "orbits/affine_fit.hpp"
+#include "orbits/map_jacobian.hpp"
 
 namespace gearfilm {
 namespace {
@@ -46,6 +49,59 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
   return motions;
 }
 
+/// The motion a period after each q and v was pushed by itself, relative to the orbit, and the states there.
+struct PushedPeriods {
+  Monodromy map;
+  std::vector<PairState> ends;
+  std::vector<Return> leads;
+};
+
+PushedPeriods pushed_periods(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
+  const MeshModel& mesh = march.mesh();
+  const Eigen::VectorXd begin = to_vector(orbit.start.motion), end = to_vector(orbit.end.motion);
+  PushedPeriods found{Monodromy(begin.size(), begin.size()), {}, {}};
+  for (Eigen::Index k = 0; k < begin.size(); ++k) {
+    const bool velocity = k >= orbit.start.motion.freedoms();
+    const double push = options.push / (velocity ? mesh.velocity_weight() : 1.0);
+    march.resume(mesh.next_period(march.T()), orbit.start);
+    march.displace(to_motion(begin + push * Eigen::VectorXd::Unit(begin.size(), k)));
+    const std::optional<PairState> before = march_period(march, options.lead);
+    const Eigen::VectorXd change = to_vector(march.motion()) - end;
+    found.map.col(k) = change / push;
+    found.ends.push_back(march.state());
+    if (before && orbit.before)
+      found.leads.push_back({difference(before->motion, orbit.before->motion), to_motion(change)});
+  }
+  return found;
+}
+
+/// Of a pair in a drive train.
+FreeDecay decay_of_train(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
+  PushedPeriods pushed = pushed_periods(march, orbit, options);
+  const Eigen::EigenSolver<Monodromy> eigen(pushed.map);
+  Eigen::Index larger = 0;
+  eigen.eigenvalues().cwiseAbs().maxCoeff(&larger);
+  const Eigen::RowVectorXcd mode = eigen.eigenvectors().inverse().row(larger);
+  const auto part_of = [&](const PairState& state) {
+    const Eigen::VectorXd way = to_vector(difference(state.motion, orbit.end.motion));
+    return std::abs((mode * way).value()) / march.mesh().weighted_norm(to_motion(way));
+  };
+  const PairState most = *std::ranges::max_element(pushed.ends, {}, part_of);
+  march.resume(march.mesh().next_period(march.T()), most);
+  march_period(march, options.lead);
+  const Motion way = difference(most.motion, orbit.start.motion);
+  const Motion came_to = difference(march.motion(), orbit.end.motion);
+  const Eigen::VectorXd error = to_vector(came_to) - pushed.map * to_vector(way);
+  MapJacobian map(way.freedoms(), march.mesh().velocity_weight(), pushed.map);
+  map.update(way, came_to);
+  FreeDecay decay{map.monodromy(), multipliers(map.monodromy()), 0.0};
+  decay.modulus_error = std::abs((mode * error).value() / (mode * to_vector(way)).value());
+  pushed.leads.push_back({Motion::zero(way.freedoms()), Motion::zero(way.freedoms())});
+  if (pushed.leads.size() > static_cast<std::size_t>(pushed.map.rows()) && decay.modulus_error < well_known)
+    decay.lead_map = AffineFit(pushed.leads).map();
+  return decay;
+}
+
 }  // namespace
 
 FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, const Motion& end) {
@@ -66,6 +122,7 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
 
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
+  if (begin.freedoms() > 1) return decay_of_train(march, orbit, options);
   const auto near = [&](const Returns& motions) {
     return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
   };

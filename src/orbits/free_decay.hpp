@@ -6,6 +6,9 @@
 // the fixed point: least squares over all returns give its numbers, and what is left over gives their errors. Where
 // contact is lost that is also what bends of the map contribute. Where the multipliers are not known well by that, the
 // pair is pushed the other way too: a kink of the map, whose sides differ, then shows in the error.
+// With n degrees of freedom as many returns would be needed as 2 n and more, of ever smaller motions. There each q and
+// v is pushed by itself for one period, and the pair that then has most of the largest multiplier's mode goes on for
+// another, now with films that have followed: what is new to the map in that gives the error, and corrects the map.
 #pragma once
 
 #include <optional>

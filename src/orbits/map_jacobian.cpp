@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace gearfilm {
@@ -14,7 +15,9 @@ MapJacobian::MapJacobian(Eigen::Index freedoms, double velocity_worth, Monodromy
 Motion MapJacobian::newton_step(const Motion& defect, double largest) const {
   const Eigen::Index size = entries_.rows();
   const Eigen::VectorXd step = (Monodromy::Identity(size, size) - entries_).inverse() * to_vector(defect);
-  return to_motion(std::min(1.0, largest / length(weighted(to_motion(step), worth_))) * step);
+  const Motion whole = to_motion(step);
+  const double of_flanks = std::max(std::abs(whole.H0()), worth_ * std::abs(whole.V0()));
+  return moved(Motion::zero(whole.freedoms()), std::min(1.0, largest / of_flanks), whole);
 }
 
 void MapJacobian::update(const Motion& step, const Motion& map_change) {

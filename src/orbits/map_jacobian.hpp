@@ -16,8 +16,8 @@ public:
   MapJacobian(Eigen::Index freedoms, double velocity_worth, Monodromy monodromy);
 
   const Monodromy& monodromy() const { return entries_; }
-  /// The step by which P(x) - x, the defect, would vanish, shortened to `largest` in the norm of length() with
-  /// velocities by their worth.
+  /// The step by which P(x) - x, the defect, would vanish, shortened so that H_0, and V_0 by its worth, change by no
+  /// more than `largest`: what else a drive train does is nearly linear.
   Motion newton_step(const Motion& defect, double largest) const;
   /// The map changed by map_change over a step of its argument: the smallest change of the Jacobian that agrees, where
   /// velocities count by their worth.

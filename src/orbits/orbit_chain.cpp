@@ -44,7 +44,8 @@ DryPointFound OrbitChain::find_dry(double value, const DryWatch& watch) {
 
 /// The dry orbit next to one on films, if there is any.
 std::optional<DryOrbit> OrbitChain::dry_beside(const MeshModel& mesh, const Motion& motion) const {
-  const Motion near{motion.H0() - film_shift_, motion.V0()};
+  Motion near = motion;
+  near.H0() -= film_shift_;
   std::optional<DryOrbit> dry = follow_dry_orbit(mesh, typical_film_damping, near);
   if (dry && length(difference(dry->start, near)) > beside) dry.reset();
   return dry;
@@ -76,8 +77,7 @@ OrbitGuess OrbitChain::from_neighbour(const At& at, std::optional<DryOrbit>& dry
     const Motion before = last_->dry->start;
     dry = follow_dry_orbit(at.problem.mesh, typical_film_damping, before);
     if (dry && length(difference(dry->start, before)) < same_branch) {
-      guess.motion.H0() += dry->start.H0() - before.H0();
-      guess.motion.V0() += dry->start.V0() - before.V0();
+      guess.motion = moved(guess.motion, 1.0, difference(dry->start, before));
       guess.monodromy = dry->monodromy;
       return guess;
     }
@@ -92,10 +92,9 @@ Motion OrbitChain::extrapolated(double value) const {
   const Motion& last = last_->guess.motion;
   if (!before_) return last;
   const double part = (value - last_->value) / (last_->value - before_->value);
-  const Motion before = before_->guess.motion;
-  const Motion step{part * (last.H0() - before.H0()), part * (last.V0() - before.V0())};
+  const Motion step = moved(Motion::zero(last.freedoms()), part, difference(last, before_->guess.motion));
   if (length(step) >= beside) return last;
-  return {last.H0() + step.H0(), last.V0() + step.V0()};
+  return moved(last, 1.0, step);
 }
 
 }  // namespace gearfilm

@@ -19,8 +19,8 @@ SettledMarch last_of(const std::vector<PoincarePoint>& all, const MarchLength& l
 PairState rescaled(const PairState& state, const Scales& from, const Scales& to) {
   PairState result = state;
   const double thickness = from.thickness / to.thickness;
-  result.motion.H0() *= thickness;
-  result.motion.V0() *= thickness * to.time / from.time;
+  result.motion.q *= thickness;
+  result.motion.v *= thickness * to.time / from.time;
   return result;
 }
 

@@ -35,4 +35,15 @@ inline Eigen::RowVectorXd spur_back_row(const Train& train, const SpurGearNode& 
          n * (train.translation(wheel.node) - train.translation(pinion.node));
 }
 
+/// The rows of what friction acts on: rotation of the pinion and its way along the flanks, t.u_1, then those of the
+/// wheel, with t = (-cos alpha', sin alpha'), along which both flanks move.
+inline Eigen::MatrixXd spur_friction_rows(const Train& train, const SpurGearNode& pinion, const SpurGearNode& wheel,
+                                          double pressure_angle) {
+  const Eigen::RowVector2d t(-std::cos(pressure_angle), std::sin(pressure_angle));
+  Eigen::MatrixXd rows(4, train.freedoms());
+  rows << train.rotation(pinion.node), t * train.translation(pinion.node), train.rotation(wheel.node),
+      t * train.translation(wheel.node);
+  return rows;
+}
+
 }  // namespace gearfilm

@@ -125,9 +125,10 @@ TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
   const AcceptedState &last = steps.last, &before = steps.last_but_one;
   const PairAt pair_before(steps.march, before);
   const OwnedVec state_before = pair_before.vector(before.pressure, before.motion);
-  const double w = pair_before.pair->swing(before.T, pair_before.pair->film_quantities(state_before, before.T));
+  const Swings swings = pair_before.pair->swings(before.T, pair_before.pair->film_quantities(state_before, before.T));
+  const double w = swings.rates[0];
   const FrequencyFit fit = frequency_fit(w, derivative_by_bdf2(w, last.dT, before.dT));
-  system.pair->fit_frequency(fit);
+  system.pair->fit_frequencies(swings, [&](double) { return fit; });
   system.pair->place(last.T);
   const OwnedVec rows = rows_at(state);
   PetscReal size = 0.0;
