@@ -49,8 +49,9 @@ void warn_of_validity(MPI_Comm comm, const CaseInput& problem, const Summary& su
   const auto pressure = value_of(summary, {"p_hertz_max", "p_hertz"});
   const auto yielding = first_yield_pressure(problem.parameters, problem.scales);
   if (pressure && yielding && *pressure > *yielding) {
-    warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above the ", 1e-9 * *yielding,
-         " GPa under which a gear of this yield stress yields below its surface: stresses are those of elastic bodies");
+    warn(comm, three_digits, "a gear of this yield stress yields below its surface from a Hertz pressure of ",
+         1e-9 * *yielding, " GPa on, and the largest is ", 1e-9 * *pressure,
+         " GPa: stresses are those of elastic bodies");
   }
   if (pressure && *pressure > largest_sound_pressure) {
     warn(comm, three_digits, "the largest Hertz pressure is ", 1e-9 * *pressure, " GPa, above ",

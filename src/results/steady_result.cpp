@@ -166,16 +166,16 @@ Summary film_summary(const CaseInput& problem, const SteadyPosition& position, c
   const double load_factor = problem.pair.line ? problem.pair.tooth_force / problem.scales.operation.load : 1.0;
   const QuantityInputs at{scales,      position.contact, result.quantities,   friction, problem.roughness, problem.wear,
                           load_factor, stress,           problem.rating.get()};
-  if (problem.rating) {
-    summary["safety"] =
-        safeties_at_rest(mesh_model(problem, problem.steady.position, MeshGeometry::held),
-                         {.number = 0, .position = problem.steady.position, .quantities = quantities_of(at)});
-  }
   const AvailableModels given = available_models(true, problem.traction, problem.roughness, scales.solids, problem.wear,
                                                  problem.stress, problem.rating.get());
   for (const auto& quantity : contact_quantities) {
     if (!given.has(quantity.needs)) continue;
     summary[std::string(quantity.name)] = quantity.unit.in_si(scales, quantity.value(at));
+  }
+  if (problem.rating) {
+    summary["safety"] =
+        safeties_at_rest(mesh_model(problem, problem.steady.position, MeshGeometry::held),
+                         {.number = 0, .position = problem.steady.position, .quantities = quantities_of(at)});
   }
   add_members(film_members, result, summary);
   summary["predictions"] = film_predictions(position.solids, scales.oil, position.operation);

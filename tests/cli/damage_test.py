@@ -117,6 +117,19 @@ class Steady(DamageTest):
         self.assertEqual(set(with_stress) - set(without), of_stress)
         self.assertEqual({name: value for name, value in with_stress.items() if name in without}, without)
 
+    def test_gears_that_yield_are_warned_of_and_films_at_rest_have_safeties(self):
+        rated = ["-rating_contact_limit", "1.5e9", "-rating_root_limit", "1e9"]
+        for stress, yields in (("1.2e9", True), ("2e9", False)):
+            run = self.run_program("steady", BARBIERI, "-output_dir", "film", *COARSE, *rated, "-wheel_yield_stress", stress)
+            self.assertEqual((run.status, "yields below its surface" in run.stderr), (0, yields), run)
+        film = summary_in(self.folder / "film")
+        for name, key in (("pitting", "sigma_H"), ("root_pinion", "sigma_F_pinion"), ("root_wheel", "sigma_F_wheel")):
+            entry = film["safety"][name]
+            self.assertEqual((entry["stress"], entry["xi"]), (film[key], 4e-3))
+            self.assertAlmostEqual(entry["safety"] * entry["stress"] / entry["limit"], 1)
+        self.assertEqual(film["safety"]["flash"]["temperature"], film["contact_temperature"])
+        self.assertIsNone(film["safety"]["integral"])
+
     def test_a_line_contact_is_hertz_s_beneath_a_film(self):
         case = self.write_case("""
 case: {name: line, kind: line}
@@ -202,12 +215,14 @@ class Flanks(DamageTest):
 
     def test_a_sweep_has_the_columns_and_more_torque_more_stress(self):
         self.run_well("sweep", BARBIERI, *SMALL, *JUDGED, "-sweep_over", "torque", "-sweep_values", "300, 400", "-sweep_direction", "up",
-                      "-periodic_multipliers", "no", "-output_dir", "sweep")
+                      "-rating_contact_limit", "1.5e9", "-periodic_multipliers", "no", "-output_dir", "sweep")
         table = table_in(self.folder / "sweep", "sweep")
         for name in ("dang_van_max_pinion", "von_mises_max_wheel", "orthogonal_shear_pinion"):
             self.assertLess(table[name][0], table[name][1], name)
         self.assertGreater(table["safety_dang_van_pinion"][0], table["safety_dang_van_pinion"][1])
         self.assertTrue(numpy.isnan(table["safety_dang_van_wheel"]).all())
+        pitting = [point["safety"]["pitting"] for point in summary_in(self.folder / "sweep")["points"]]
+        self.assertEqual([entry["stress"] for entry in pitting], list(table["sigma_H_max"]))
 
     def test_any_number_of_processes_gives_the_same(self):
         march = [*MARCH, "-mesh_periods", 2.4]
@@ -221,11 +236,13 @@ class Flanks(DamageTest):
 
     def test_a_search_goes_on_to_the_bit(self):
         search = ["periodic", BARBIERI, *SMALL, "-friction_law", "eyring", "-periodic_multipliers", "no"]
-        outcome = stopped_after(30, [*search, "-output_dir", "run"], self.folder, signal.SIGUSR1)
-        self.assertEqual(outcome.status, 3, outcome)
         expected = self.uninterrupted(*search)
         self.assertIn("p_max", self.flank("uninterrupted"))
-        self.assert_same(self.complete(*search), expected)
+        # In the period that repeats, and in the search on the coarser grid behind it.
+        for lines in (24, 30):
+            outcome = stopped_after(lines, [*search, "-output_dir", "run"], self.folder, signal.SIGUSR1)
+            self.assertEqual(outcome.status, 3, outcome)
+            self.assert_same(self.complete(*search), expected)
 
     def test_a_march_goes_on_to_the_bit(self):
         """Stopped while the contact that is judged is on its way."""

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "damage_reference.hpp"
+#include "stress/first_yield.hpp"
 #include "stress/patch_kernel.hpp"
 #include "stress/stress_depths.hpp"
 
@@ -166,6 +167,13 @@ TEST(StressDepths, lie_closer_at_the_surface_and_find_the_maximum_between_them) 
   EXPECT_NEAR(peak.value, damage_number("line_von_mises_max_nu.3"), 1e-3);
   EXPECT_NEAR(peak.at, damage_number("line_von_mises_depth"), 0.02);
   EXPECT_THROW(largest_between(depths, values, 3.0), std::invalid_argument);
+}
+
+TEST(FirstYield, is_that_of_lines_and_circles_and_falls_between) {
+  EXPECT_NEAR(first_yield_ratio(0.0), 1.0 / damage_number("line_von_mises_max_nu.3"), 1e-3);
+  EXPECT_NEAR(first_yield_ratio(1.0), 1.0 / damage_number("circle_von_mises_max_nu.3"), 1e-3);
+  for (double axes = 0.05; axes <= 1.0; axes += 0.05)
+    EXPECT_LT(first_yield_ratio(axes), first_yield_ratio(axes - 0.05));
 }
 
 }  // namespace

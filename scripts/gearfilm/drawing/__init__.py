@@ -22,7 +22,7 @@ class Kind(NamedTuple):
 
 KINDS = {
     "film": Kind("steady, or a march with films", "the film over the contact, and pressure and film along y = 0"),
-    "face": Kind("steady, or a march with films", "pressure and film over the face, line load, contact pattern"),
+    "face": Kind("steady, periodic or transient", "pressure and film over the face, line load, contact pattern"),
     "march": Kind("transient or periodic", "motion, forces and films over the length travelled"),
     "orbit": Kind("periodic or transient", "phase portrait, force over the line of action, spectrum"),
     "sweep": Kind("sweep", "response of a sweep, its marches as dots, or its basins"),

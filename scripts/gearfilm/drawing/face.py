@@ -43,18 +43,17 @@ def roll_angles(flank):
     return numpy.degrees(2 * flank["s"] / flank["rho"])
 
 
-def draw_along(axes, y, load, film):
-    load_axes, film_axes = axes
-    load_axes.plot(y, load, color=BLUE)
-    load_axes.set_ylabel("line load [N/mm]")
-    load_axes.set_ylim(bottom=0)
-    film_axes.plot(y, film, color=VERMILLION)
-    film_axes.set_ylabel("h [µm]")
-    film_axes.set_ylim(0, THICKEST_SHOWN * float(numpy.interp(0, y, film)))
-    for panel in axes:
-        panel.set_xlabel("y along the face [mm]")
-        panel.set_xlim(y[0], y[-1])
-    add_grid(*axes)
+def draw_along(axes, y, values, label, colour, top=None):
+    axes.plot(y, values, color=colour)
+    axes.set_ylabel(label)
+    axes.set_ylim(0, top)
+    axes.set_xlabel("y along the face [mm]")
+    axes.set_xlim(y[0], y[-1])
+    add_grid(axes)
+
+
+def draw_film_along(axes, y, film, middle):
+    draw_along(axes, y, film, "h [µm]", VERMILLION, THICKEST_SHOWN * middle)
 
 
 def draw_map(figure, axes, y, places, values, levels, label):
@@ -79,7 +78,8 @@ def draw_contact(figure, panels, film):
     for axes, title in zip(panels[0], ("pressure", "film; oil enters from below")):
         axes.set_title(title, fontsize=9)
         axes.set_ylabel("x [mm]")
-    draw_along(panels[1], film.y, rows.line_load, rows.film)
+    draw_along(panels[1][0], film.y, rows.line_load, "line load [N/mm]", BLUE)
+    draw_film_along(panels[1][1], film.y, rows.film, float(numpy.interp(0, film.y, rows.film)))
     panels[1][0].set_title("load by unit length", fontsize=9)
     panels[1][1].set_title("smallest film of the rows", fontsize=9)
 
@@ -88,12 +88,15 @@ def draw_pattern(figure, panels, flank):
     """Over the face and the roll angle."""
     y, angles = 1e3 * flank["y"], roll_angles(flank)
     known = [entry for entry in PATTERN if entry[0] in flank]
+    film = 1e6 * flank["h_min"].reshape(angles.size, y.size)
+    middle = float(numpy.nanmin(film[:, abs(y).argmin()]))
     for axes in panels.flat[len(known):]:
-        axes.set_visible(False)
+        draw_film_along(axes, y, numpy.nanmin(film, axis=0), middle)
+        axes.set_title("smallest film on the way over the flank", fontsize=9)
     for axes, (name, scale, title, label) in zip(panels.flat, known):
         values = scale * flank[name].reshape(angles.size, y.size)
         if name == "h_min":
-            levels = film_levels(values, float(numpy.nanmin(values[:, abs(y).argmin()])))
+            levels = film_levels(values, middle)
         else:
             # What no contact has met counts as the least.
             values = numpy.nan_to_num(values, nan=numpy.nanmin(values))
