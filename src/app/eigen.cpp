@@ -1,4 +1,5 @@
 // `gearfilm eigen`: natural frequencies of the dry pair, of the pair on its films, and multipliers of the orbit.
+#include <algorithm>
 #include <iomanip>
 
 #include "app/commands.hpp"
@@ -98,7 +99,9 @@ Summary orbit_multipliers(const CaseInput& problem, const SharedDiscretisation& 
   MeshMarch march = watched_march(search, films, watch, on_step);
   const PeriodicOrbit orbit = find_periodic_orbit(march, first_guess(search, films, dry_start(mesh)),
                                                   problem.search.options, [](const SearchPeriod&) {});
-  const FloquetMultipliers found = floquet_multipliers(march, orbit, {.periods = problem.modes.orbit_periods});
+  const int needed = static_cast<int>(2 * mesh.freedoms());
+  const FloquetMultipliers found =
+      floquet_multipliers(march, orbit, {.periods = std::max(problem.modes.orbit_periods, needed)});
   Summary summary = {{"periods_used", orbit.periods_used}};
   add_multipliers(mesh, found.gear_pair, summary);
   if (found.film_bound) summary["film_multiplier_bound"] = *found.film_bound;

@@ -27,6 +27,7 @@ void check_wear(const CaseInput& problem) {
     throw InputError("the case '" + problem.name +
                      "' has nothing that wears; give wear.coefficient_pinion or wear.coefficient_wheel");
   if (problem.dry()) problem.parameters.refuse("model", "is dry, but asperities wear beside films; set it to dynamic");
+  require_moving_train(problem, "wear");
   if (!problem.wearing.cycles) throw InputError("'wear.cycles' is missing; give the revolutions of the pinion");
 }
 

@@ -22,6 +22,8 @@ Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vec
     basis.rightCols(1) = rest.normalized();
   };
   for (const Eigen::VectorXd& vector : from) add(vector, vector.norm());
+  // By the powers of the first matrix alone at first: what they reach does not depend on the others.
+  for (Eigen::Index n = 0; n < basis.cols(); ++n) add(matrices.front() * basis.col(n), matrices.front().norm());
   for (Eigen::Index n = 0; n < basis.cols(); ++n) {
     for (const Eigen::MatrixXd& matrix : matrices) add(matrix * basis.col(n), matrix.norm());
   }

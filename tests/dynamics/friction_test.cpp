@@ -33,6 +33,23 @@ TEST(FrictionInMotion, sliding_beyond_the_pitch_point_takes_force_off_the_contac
             20.0 * newton);
 }
 
+// Of shafts that do not twist and gears that stay in their bearings, the inertias of either side turn together.
+TEST(FrictionInMotion, in_a_drive_train_works_on_all_that_turns_and_across_the_line_of_action) {
+  const MeshModel mesh = mesh_after_leaving(input_case("electric_reducer.yaml", coulomb));
+  const LineOfAction& line = mesh.path.line();
+  const auto mass = [](double inertia, double radius) { return inertia / (radius * radius); };
+  const double pinion = mass(0.03 + 1.8e-4, line.base_radius_pinion());
+  const double wheel = mass(0.15 + 1e-2, line.base_radius_wheel());
+  MeshModel alone = mesh;
+  alone.train.reset();
+  alone.friction_couples_dynamics = InertiaShares{wheel / (pinion + wheel), pinion / (pinion + wheel)};
+  const std::vector<ContactRecord> contacts = {sliding_contact(2e-3, 100.0), sliding_contact(-1e-3, -50.0)};
+  const Eigen::VectorXd in_train = friction_on_motion(mesh, contacts);
+  EXPECT_NEAR(in_train[0] / friction_on_motion(alone, contacts)[0], 1.0, 1e-9);
+  EXPECT_EQ(mesh.freedoms(), 7);  // 5, and a way of each gear along the flanks
+  EXPECT_GT(in_train.tail(6).norm(), 0.1 * std::abs(in_train[0]));
+}
+
 // Away from the pitch point, where Coulomb's friction changes sign at once.
 TEST(FrictionInMotion, is_of_second_order_in_time) {
   std::vector<double> ends;

@@ -1,0 +1,231 @@
+"""Drive trains in motion, dry and on films, from outside, against the numbers of tests/reference/drivetrain.json.
+Environment as for cli_test.py.
+"""
+import shutil
+import unittest
+
+import numpy
+
+from films import SAME, summary_in
+from trains import CASE_STUDY, GRID, MASSES, REFERENCE, RELIEF, SHAFTS, TrainTest, bearings
+from vibration import table_in
+
+
+class DryMotion(TrainTest):
+    def damped_bearings(self, stiffness):
+        """With 0.04 sqrt(k m), 2 % of the critical damping of each gear on its own."""
+        file = self.folder / f"bearings_{stiffness}.train"
+        file.write_text("".join(f"bearing {gear} {stiffness} {stiffness} 0 0 {c!r} {c!r}\n" for gear, c in zip(
+            ("pinion", "wheel"), (0.04 * (stiffness * mass) ** 0.5 for mass in CASE_STUDY["m"]))), encoding="utf-8")
+        return [*MASSES, "-train_file", file]
+
+    def periodic(self, *options, zeta=0.05):
+        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", zeta, *options)
+
+    def assert_moduli(self, summary, expected, relative):
+        """Of pairs of multipliers, in any order."""
+        found = sorted(abs(complex(*mu)) for mu in summary["floquet"])
+        self.assertEqual(len(found), 2 * len(expected))
+        for n, modulus in enumerate(sorted(expected)):
+            for one in found[2 * n:2 * n + 2]:
+                self.assertAlmostEqual(one / modulus, 1, delta=relative)
+
+    def test_two_gears_that_only_turn_move_as_the_pair(self):
+        expected, tolerance = REFERENCE["dry_orbit_1dof"], REFERENCE["dry_orbit_1dof"]["tol"]
+        orbit = self.periodic("-train_damping_ratio", 0)
+        self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
+        self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=2 * tolerance["V0_abs"])
+        self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_force_ratio_max"],
+                               delta=tolerance["force"])
+        self.assert_moduli(orbit, [abs(complex(*expected["multiplier"]))], tolerance["mu"])
+
+    def test_orbits_on_bearings_are_those_of_the_reference(self):
+        tolerance = REFERENCE["dry_orbit_bearings"]["tol"]
+        for stiffness in ("1e10", "1e9", "1e8"):
+            with self.subTest(stiffness=stiffness):
+                expected = REFERENCE["dry_orbit_bearings"][stiffness]
+                orbit = self.periodic(*self.damped_bearings(float(stiffness)))
+                self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
+                self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=tolerance["V0_abs"])
+                self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_max"], delta=tolerance["force"])
+                # Across the line of action gears on such bearings do not move: three pairs of multipliers.
+                self.assert_moduli(orbit, expected["mu_abs"], tolerance["mu"])
+                self.assertLess(orbit["floquet_modulus_error"], 1e-6)
+                self.assertIsNone(orbit["free_frequency"])
+
+    def test_resonances_over_the_speed_are_those_of_the_reference(self):
+        tolerance = REFERENCE["speed_sweep"]["tol"]["total_max"]
+        for stiffness, speeds in ((1e9, (6500, 13000)), (1e8, (7000, 7500))):
+            sweep = self.summary("sweep", "-model", "dry", "-dry_damping_ratio", 0.02, "-sweep_direction", "up",
+                                 "-sweep_values", ", ".join(map(str, speeds)), "-periodic_multipliers", "no",
+                                 *self.damped_bearings(stiffness))
+            expected = {row[0]: row[1] for row in
+                        REFERENCE["speed_sweep"]["rpm__total_max__total_min"][str(stiffness)]}
+            self.assertEqual(sweep["points_found"], 2)
+            for point in sweep["points"]:
+                self.assertAlmostEqual(point["total_force_ratio_max"] / expected[point["value"]], 1, delta=tolerance)
+            shutil.rmtree(self.folder / "sweep")
+
+    def test_a_march_settles_on_the_periodic_motion(self):
+        bearings_at = self.damped_bearings(1e9)
+        orbit = self.periodic(*bearings_at)
+        march = self.summary("transient", "-model", "dry", "-dry_damping_ratio", 0.05, "-mesh_periods", 40,
+                             "-start_place", "after_leaving", *bearings_at)
+        self.assertAlmostEqual(march["settling"]["modulus"], orbit["floquet_modulus"], delta=2e-3)
+        self.assertEqual(march["settles_on"], 1)
+
+    def test_a_march_goes_on_to_the_bit(self):
+        march = ["transient", self.write_case(RELIEF), "-model", "dry", "-keep_checkpoint", "yes", "-start_place",
+                 "after_leaving", "-output_dir"]
+        self.run_program(*march, "whole", "-mesh_periods", 6, *SHAFTS)
+        self.run_program(*march, "parts", "-mesh_periods", 3, *SHAFTS)
+        run = self.run_program(*march, "parts", "-mesh_periods", 6, "-restart", "yes", *SHAFTS)
+        self.assertEqual(run.status, 0, run)
+        whole, parts = (table_in(self.folder / name, "history/steps") for name in ("whole", "parts"))
+        self.assertEqual(whole["H0"].tolist(), parts["H0"].tolist())
+
+    def test_a_branch_is_followed_through_a_resonance(self):
+        branch = self.summary("continuation", "-model", "dry", "-dry_damping_ratio", 0.05, "-continuation_from", 12480,
+                              "-continuation_to", 12520, *self.damped_bearings(1e9))
+        self.assertEqual(branch["bifurcations"], [])
+        self.assertEqual(branch["branches"][0]["last_value"], 12520)
+
+
+class MotionOnFilms(TrainTest):
+    """On the films of 97 x 33 nodes."""
+
+    def steps(self, folder):
+        return table_in(self.folder / folder, "history/steps")
+
+    def damped_bearings(self):
+        return [*bearings(1e9), "-train_damping_ratio", 0.01]
+
+    def test_two_gears_that_only_turn_march_as_the_pair(self):
+        march = ["transient", self.write_case(RELIEF), *GRID, "-mesh_periods", 1, "-friction_law", "eyring",
+                 "-friction_in_motion", "yes", "-output_dir"]
+        self.run_program(*march, "pair")
+        self.run_program(*march, "train", "-train_damping_ratio", 0)
+        pair, train = self.steps("pair"), self.steps("train")
+        self.assertLess(abs(pair["H0"] - train["H0"]).max(), 1e-8)
+        self.assertEqual(pair["newton"].sum(), train["newton"].sum())
+
+    def test_a_ring_down_on_bearings_has_the_modes_of_the_reference(self):
+        """Of motions that are sums of damped oscillations, by the linear map from one span of the signal to the next."""
+        rest = self.summary("eigen", *GRID)["H0"]
+        self.summary("transient", *GRID, *bearings(1e9), "-geometry", "held", "-start_H0", rest, "-start_V0", -0.02,
+                     "-mesh_periods", 20)
+        rows = self.steps("transient")[100:]
+        span = len(rows) // 3
+        signal = rows["H0"]
+        windows = numpy.array([signal[n:n + span] for n in range(len(signal) - span)])
+        left, size, right = numpy.linalg.svd(windows[:-1], full_matrices=False)
+        count = 7  # three oscillations and the mean
+        pencil = left[:, :count].T @ windows[1:] @ right[:count].T / size[:count]
+        rates = numpy.log(numpy.linalg.eigvals(pencil)) / rows["dT"][0] * (rows["T"] / rows["t"])[0]
+        found = sorted((rate for rate in rates if rate.imag > 1), key=lambda rate: rate.imag)
+        expected = REFERENCE["films_real"]["1e9"]
+        self.assertEqual(len(found), 3)
+        for rate, frequency, zeta in zip(found, expected["f"], expected["zeta"]):
+            self.assertAlmostEqual(abs(rate) / (2 * numpy.pi) / frequency, 1, delta=2e-4)
+            self.assertAlmostEqual(-rate.real / abs(rate) / zeta, 1, delta=0.03)
+
+    def test_a_march_goes_on_to_the_bit_and_is_the_same_on_two_processes(self):
+        march = ["transient", self.write_case(RELIEF), *GRID, *self.damped_bearings(), "-keep_checkpoint", "yes",
+                 "-start_place", "after_leaving", "-output_dir"]
+        self.run_program(*march, "whole", "-mesh_periods", 2)
+        self.run_program(*march, "parts", "-mesh_periods", 1)
+        run = self.run_program(*march, "parts", "-mesh_periods", 2, "-restart", "yes")
+        self.assertEqual(run.status, 0, run)
+        self.run_program(*march, "shared", "-mesh_periods", 2, processes=2)
+        whole, parts, shared = (self.steps(name) for name in ("whole", "parts", "shared"))
+        for name in ("H0", "V0", "force_total"):
+            self.assertEqual(whole[name].tolist(), parts[name].tolist())
+        self.assertLess(abs(whole["H0"] - shared["H0"]).max(), SAME)
+
+    def test_multipliers_of_the_periodic_state_are_by_the_damping_of_its_modes(self):
+        orbit = self.summary("periodic", *GRID, *self.damped_bearings())
+        self.assertLessEqual(orbit["periods_used"], 5)
+        self.assertLess(orbit["floquet_modulus_error"], 5e-3)
+        found = sorted((abs(complex(*mu)) for mu in orbit["floquet"]), reverse=True)
+        films, dry = REFERENCE["films_real"]["1e9"], REFERENCE["table3"]["f"]["weber_bores"]["1e+09"]
+        for n, (frequency, zeta, share) in enumerate(zip(films["f"], films["zeta"],
+                                                         (share for share in dry["mesh_share"] if share > 1e-9))):
+            damping = zeta + 0.01 * (1 - share)
+            expected = numpy.exp(-2 * numpy.pi * damping * frequency * 60 / (15000 * 28))
+            for modulus in found[2 * n:2 * n + 2]:
+                self.assertAlmostEqual(modulus, expected, delta=5e-3)
+
+    def test_a_small_fluctuation_of_torque_moves_springs_in_the_place_of_films(self):
+        amplitude, order = 0.05, 4
+        dampers = ["-motor_shaft_damping", 1.0, "-load_shaft_damping", 4.0]
+        films = self.summary("eigen", *GRID)
+        summary = self.summary("transient", *GRID, *SHAFTS, *dampers, "-geometry", "held", "-mesh_periods", 7,
+                               "-motor_torque_harmonics", f"{order} {amplitude} 30", "-periodic_max_pattern", 7)
+        rows = self.steps("transient")
+        (pinion, wheel), (I_1, I_2) = CASE_STUDY["rb"], CASE_STUDY["I"]
+        radii = numpy.array([pinion, pinion, wheel, wheel])  # motor, pinion, wheel, load: ways r phi
+        masses = numpy.array([0.02, I_1, I_2, 0.15]) / radii ** 2
+        rate = 2 * numpy.pi * films["film_frequency"] / numpy.sqrt(1 - films["film_damping_ratio"] ** 2)
+        joints = numpy.array([[1, -1, 0, 0], [0, 1, -1, 0], [0, 0, 1, -1]])
+        springs = numpy.array([2e4 / pinion ** 2, films["m_ge"] * rate ** 2, 8e4 / wheel ** 2])
+        damping = numpy.array([1.0 / pinion ** 2, 2 * films["film_damping_ratio"] * rate * films["m_ge"],
+                               4.0 / wheel ** 2])
+        # x = (stretches of the joints, velocities) from rest: a particular oscillation, and free ones that cancel it.
+        A = numpy.block([[numpy.zeros((3, 3)), joints],
+                         [-(joints.T * springs / masses[:, None]), -(joints.T * damping) @ joints / masses[:, None]]])
+        omega = order * 2 * numpy.pi * 15000 / 60
+        push = numpy.zeros(7, complex)
+        push[3] = amplitude * summary["static_force"] / masses[0] * numpy.exp(1j * numpy.pi / 6)
+        forced = numpy.linalg.solve(1j * omega * numpy.eye(7) - A, push)
+        values, vectors = numpy.linalg.eig(A)
+        free = numpy.linalg.solve(vectors, -forced.real.astype(complex))
+        ways = numpy.array([(forced * numpy.exp(1j * omega * t)).real + (vectors @ (free * numpy.exp(values * t))).real
+                            for t in rows["t"]])
+        expected = springs[1] * ways[:, 1] + damping[1] * (ways[:, 3:] @ joints[1])
+        found = rows["force_total"] - summary["static_force"]
+        self.assertLess(abs(found - expected).max(), 0.02 * abs(expected).max())
+        self.assertGreater(abs(expected).max(), 2e-3 * summary["static_force"])
+
+
+class Ripple(TrainTest):
+    LINE = [*SHAFTS, "-motor_shaft_damping", 1.0, "-load_shaft_damping", 4.0]
+
+    def periodic(self, harmonics):
+        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", 0.02, *self.LINE,
+                            "-motor_torque_harmonics", harmonics, "-periodic_max_pattern", 28, "-time_dt", 0.05)
+
+    def first_order(self):
+        """Amplitude of the tooth force at the order of the pinion, over the static force."""
+        rows = table_in(self.folder / "periodic", "history/steps")
+        time, force = rows["T"] / (rows["T"].max() - rows["T"].min()), rows["force_total"]
+        turning = force * numpy.exp(-2j * numpy.pi * time)
+        value = (numpy.diff(time) * (turning[1:] + turning[:-1])).sum()
+        return abs(value) / summary_in(self.folder / "periodic")["static_force"]
+
+    def test_a_tenth_of_torque_is_a_tooth_force_of_the_reference(self):
+        expected = REFERENCE["torque_harmonic"]
+        orbit = self.periodic("1 0.1 0")
+        self.assertAlmostEqual(orbit["total_force_ratio_max"] / expected["total_max"], 1, delta=expected["tol"])
+        self.assertAlmostEqual(orbit["total_force_ratio_min"] / expected["total_min"], 1, delta=expected["tol"])
+        self.assertAlmostEqual(
+            self.first_order() / expected["mesh_force_amplitude_order1_over_static"]["orbit"], 1, delta=expected["tol"])
+        found = sorted(abs(complex(*mu)) for mu in orbit["floquet"])
+        for modulus, one in zip(sorted(expected["multipliers_abs"]), found):
+            self.assertAlmostEqual(modulus, one, delta=expected["tol"])
+
+    def test_wrong_harmonics(self):
+        for harmonics, words in (("1 0.1", ["motor.torque_harmonics", "has the part '1 0.1'"]),
+                                 ("0 0.1 0", ["no order > 0"]),
+                                 ("3.14159 0.1 0", ["never repeats together with the mesh"]),
+                                 ("1 0.1 0", ["repeat together after 28 mesh periods", "raise that to 28"]),
+                                 ("0.5 0.1 0", ["repeat together after 56 mesh periods"]),
+                                 ("1 1e5 0", ["swings the whole train by", "of the base pitch"])):
+            with self.subTest(harmonics=harmonics):
+                self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
+                                  "-motor_torque_harmonics", harmonics)
+        self.assert_wrong(["the motor turns at an imposed speed"], "info", self.write_case(RELIEF), *SHAFTS,
+                          "-motor_fixed", "yes", "-motor_torque_harmonics", "1 0.1 0")
+
+
+if __name__ == "__main__":
+    unittest.main()
