@@ -32,7 +32,7 @@ Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vec
 
 }  // namespace
 
-double MeshTrain::ripple(double mesh_periods) const {
+double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_periods) {
   double sum = 0.0;
   for (const TorqueHarmonic& one : harmonics) {
     sum += one.amplitude * std::cos(2.0 * std::numbers::pi * one.cycles * mesh_periods + one.phase);
@@ -40,10 +40,28 @@ double MeshTrain::ripple(double mesh_periods) const {
   return sum;
 }
 
-MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const Eigen::RowVectorXd& back,
-                     const TorqueRipple& ripple, const Scales& scales) {
+double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
+  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
+  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
+}
+
+Eigen::VectorXd MeshTrain::acceleration(const Motion& motion, double pull, double back_force, const ContactPath& path,
+                                        double T) const {
+  Eigen::VectorXd sum =
+      by_force * pull + by_back_force * back_force + by_displacement * motion.q + by_velocity * motion.v;
+  if (!ripples.empty()) {
+    const double passed = path.mesh_periods(T);
+    for (const Ripple& ripple : ripples) sum += fluctuation(ripple.harmonics, passed) * ripple.by_torque;
+  }
+  if (by_run_up.size() > 0) sum += path.course().acceleration(T) * by_run_up;
+  return sum;
+}
+
+MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Eigen::RowVectorXd& back,
+                     const std::vector<NodeTorque>& torques, const Scales& scales, double pinion_speed) {
   constexpr double round_off = 1e-9;
-  const RelativeMotion relative = relative_motion(train);
+  const Train& train = damped->train;
+  const RelativeMotion& relative = damped->relative;
   const Eigen::MatrixXd K = relative.projected(train.stiffness());
   if (K.row(0).cwiseAbs().maxCoeff() > round_off * K.cwiseAbs().maxCoeff()) {
     throw InputError(
@@ -54,25 +72,36 @@ MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const E
   const double force = scales.pressure * scales.solids.radius_x;
   const Eigen::MatrixXd inverse = (relative.projected(train.mass()) / (force * scales.time * scales.time)).inverse();
   const Eigen::MatrixXd by_displacement = -inverse * K / force;
-  const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damping) / (force * scales.time);
+  const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damped->damping) / (force * scales.time);
   std::vector<Eigen::VectorXd> forces = {inverse.col(0)};
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(K.cols());
   if (back.size() > 0) {
     b = back * relative.motions;
     forces.emplace_back(inverse * b.transpose());
   }
-  if (!ripple.harmonics.empty()) {
-    const double torque = ripple.mean / scales.force(1.0);
-    forces.emplace_back(torque * inverse * (ripple.node * relative.motions).transpose());
+  std::vector<MeshTrain::Ripple> ripples;
+  for (const NodeTorque& torque : torques) {
+    if (torque.harmonics.empty()) continue;
+    forces.emplace_back(torque.mean / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+    ripples.push_back({forces.back(), torque.harmonics});
+  }
+  Eigen::VectorXd by_run_up;
+  for (const NodeTorque& torque : torques) {
+    if (!torque.accelerates) continue;
+    const double moment = torque_of_run_up(*damped, torque) * pinion_speed / scales.time;
+    forces.emplace_back(moment / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+    by_run_up = forces.back();
   }
   const Eigen::MatrixXd V = reached(forces, {by_displacement, by_velocity});
+  for (MeshTrain::Ripple& ripple : ripples) ripple.by_torque = V.transpose() * ripple.by_torque;
   return {.by_force = V.transpose() * inverse.col(0),
           .by_back_force = -V.transpose() * inverse * b.transpose(),
           .by_displacement = V.transpose() * by_displacement * V,
           .by_velocity = V.transpose() * by_velocity * V,
           .back = b * V,
-          .by_ripple = ripple.harmonics.empty() ? Eigen::VectorXd() : Eigen::VectorXd(V.transpose() * forces.back()),
-          .harmonics = ripple.harmonics};
+          .ripples = std::move(ripples),
+          .by_run_up = by_run_up.size() > 0 ? Eigen::VectorXd(V.transpose() * by_run_up) : by_run_up,
+          .whole = {.damped = damped, .torques = torques, .motions = relative.motions * V}};
 }
 
 }  // namespace gearfilm

@@ -1,46 +1,14 @@
-"""Drive trains and their figures from outside, against the numbers of tests/reference/drivetrain.json. Environment as for cli_test.py.
+"""Drive trains and their figures from outside, against the numbers of tests/reference/drivetrain.json.
 
-The pair: the case study with tip relief, of given inertias. Its grid on films is that of the reference.
+Environment as for cli_test.py. The grid on films is that of the reference.
 """
-import json
-import re
-import shutil
 import unittest
 
-import numpy
-
-from films import SAME, summary_in
-from program import INPUT, SOURCE, ProgramTest
+from films import SAME
 from script import plot
-from vibration import table_in
+from trains import MASSES, REFERENCE, RELIEF, SHAFTS, TrainTest, bearings
 
-REFERENCE = json.loads((SOURCE / "tests/reference/drivetrain.json").read_text(encoding="utf-8"))
-CASE_STUDY = REFERENCE["table3"]["input"]
-RELIEF = re.sub(r"^  equivalent_mass.*\n", "", (INPUT / "barbieri2013_relief.yaml").read_text(encoding="utf-8"),
-                flags=re.MULTILINE)
-for gear, inertia in zip(("pinion", "wheel"), CASE_STUDY["I"]):
-    RELIEF = RELIEF.replace(f"{gear}:\n", f"{gear}:\n  inertia: {inertia!r}\n")
-MASSES = ["-pinion_mass", CASE_STUDY["m"][0], "-wheel_mass", CASE_STUDY["m"][1]]
-SHAFTS = ["-motor_inertia", 0.02, "-motor_shaft_stiffness", 2e4, "-load_inertia", 0.15, "-load_shaft_stiffness", 8e4]
 GRID = ["-grid_nx", 97, "-grid_ny", 33]
-
-
-def bearings(stiffness):
-    return [*MASSES, "-pinion_bearing_stiffness", stiffness, "-wheel_bearing_stiffness", stiffness]
-
-
-class TrainTest(ProgramTest):
-    def summary(self, command, *options, processes=1):
-        run = self.run_program(command, self.write_case(RELIEF), "-output_dir", command, *options, processes=processes)
-        self.assertEqual(run.status, 0, run)
-        self.warnings = run.stderr
-        return summary_in(self.folder / command)
-
-    def assert_frequencies(self, modes, expected, relative=1e-6):
-        """expected: the rotation of the whole, which is no mode, first."""
-        self.assertEqual(len(modes), len(expected) - 1)
-        for mode, frequency in zip(modes, expected[1:]):
-            self.assertAlmostEqual(mode["frequency_dry"] / frequency, 1, delta=relative)
 
 
 class Dry(TrainTest):
@@ -137,126 +105,6 @@ class OnFilms(TrainTest):
         self.assertAlmostEqual(mode["damping_ratio"] / summary["film_damping_ratio"], 1, delta=1e-5)
 
 
-class DryMotion(TrainTest):
-    def damped_bearings(self, stiffness):
-        """With 0.04 sqrt(k m), 2 % of the critical damping of each gear on its own."""
-        file = self.folder / f"bearings_{stiffness}.train"
-        file.write_text("".join(f"bearing {gear} {stiffness} {stiffness} 0 0 {c!r} {c!r}\n" for gear, c in zip(
-            ("pinion", "wheel"), (0.04 * (stiffness * mass) ** 0.5 for mass in CASE_STUDY["m"]))), encoding="utf-8")
-        return [*MASSES, "-train_file", file]
-
-    def periodic(self, *options, zeta=0.05):
-        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", zeta, *options)
-
-    def assert_moduli(self, summary, expected, relative):
-        """Of pairs of multipliers, in any order."""
-        found = sorted(abs(complex(*mu)) for mu in summary["floquet"])
-        self.assertEqual(len(found), 2 * len(expected))
-        for n, modulus in enumerate(sorted(expected)):
-            for one in found[2 * n:2 * n + 2]:
-                self.assertAlmostEqual(one / modulus, 1, delta=relative)
-
-    def test_two_gears_that_only_turn_move_as_the_pair(self):
-        expected, tolerance = REFERENCE["dry_orbit_1dof"], REFERENCE["dry_orbit_1dof"]["tol"]
-        orbit = self.periodic("-train_damping_ratio", 0)
-        self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
-        self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=2 * tolerance["V0_abs"])
-        self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_force_ratio_max"],
-                               delta=tolerance["force"])
-        self.assert_moduli(orbit, [abs(complex(*expected["multiplier"]))], tolerance["mu"])
-
-    def test_orbits_on_bearings_are_those_of_the_reference(self):
-        tolerance = REFERENCE["dry_orbit_bearings"]["tol"]
-        for stiffness in ("1e10", "1e9", "1e8"):
-            with self.subTest(stiffness=stiffness):
-                expected = REFERENCE["dry_orbit_bearings"][stiffness]
-                orbit = self.periodic(*self.damped_bearings(float(stiffness)))
-                self.assertAlmostEqual(orbit["H0_after_leaving"] / expected["H0"], 1, delta=tolerance["H0"])
-                self.assertAlmostEqual(orbit["V0_after_leaving"], expected["V0"], delta=tolerance["V0_abs"])
-                self.assertAlmostEqual(orbit["total_force_ratio_max"], expected["total_max"], delta=tolerance["force"])
-                # Across the line of action gears on such bearings do not move: three pairs of multipliers.
-                self.assert_moduli(orbit, expected["mu_abs"], tolerance["mu"])
-                self.assertLess(orbit["floquet_modulus_error"], 1e-6)
-                self.assertIsNone(orbit["free_frequency"])
-
-    def test_resonances_over_the_speed_are_those_of_the_reference(self):
-        tolerance = REFERENCE["speed_sweep"]["tol"]["total_max"]
-        for stiffness, speeds in ((1e9, (6500, 13000)), (1e8, (7000, 7500))):
-            sweep = self.summary("sweep", "-model", "dry", "-dry_damping_ratio", 0.02, "-sweep_direction", "up",
-                                 "-sweep_values", ", ".join(map(str, speeds)), "-periodic_multipliers", "no",
-                                 *self.damped_bearings(stiffness))
-            expected = {row[0]: row[1] for row in
-                        REFERENCE["speed_sweep"]["rpm__total_max__total_min"][str(stiffness)]}
-            self.assertEqual(sweep["points_found"], 2)
-            for point in sweep["points"]:
-                self.assertAlmostEqual(point["total_force_ratio_max"] / expected[point["value"]], 1, delta=tolerance)
-            shutil.rmtree(self.folder / "sweep")
-
-    def test_a_march_settles_on_the_periodic_motion(self):
-        bearings_at = self.damped_bearings(1e9)
-        orbit = self.periodic(*bearings_at)
-        march = self.summary("transient", "-model", "dry", "-dry_damping_ratio", 0.05, "-mesh_periods", 40,
-                             "-start_place", "after_leaving", *bearings_at)
-        self.assertAlmostEqual(march["settling"]["modulus"], orbit["floquet_modulus"], delta=2e-3)
-        self.assertEqual(march["settles_on"], 1)
-
-    def test_a_march_goes_on_to_the_bit(self):
-        march = ["transient", self.write_case(RELIEF), "-model", "dry", "-keep_checkpoint", "yes", "-start_place",
-                 "after_leaving", "-output_dir"]
-        self.run_program(*march, "whole", "-mesh_periods", 6, *SHAFTS)
-        self.run_program(*march, "parts", "-mesh_periods", 3, *SHAFTS)
-        run = self.run_program(*march, "parts", "-mesh_periods", 6, "-restart", "yes", *SHAFTS)
-        self.assertEqual(run.status, 0, run)
-        whole, parts = (table_in(self.folder / name, "history/steps") for name in ("whole", "parts"))
-        self.assertEqual(whole["H0"].tolist(), parts["H0"].tolist())
-
-    def test_a_branch_is_followed_through_a_resonance(self):
-        branch = self.summary("continuation", "-model", "dry", "-dry_damping_ratio", 0.05, "-continuation_from", 12480,
-                              "-continuation_to", 12520, *self.damped_bearings(1e9))
-        self.assertEqual(branch["bifurcations"], [])
-        self.assertEqual(branch["branches"][0]["last_value"], 12520)
-
-
-class Ripple(TrainTest):
-    LINE = [*SHAFTS, "-motor_shaft_damping", 1.0, "-load_shaft_damping", 4.0]
-
-    def periodic(self, harmonics):
-        return self.summary("periodic", "-model", "dry", "-dry_damping_ratio", 0.02, *self.LINE,
-                            "-motor_torque_harmonics", harmonics, "-periodic_max_pattern", 28, "-time_dt", 0.05)
-
-    def first_order(self):
-        """Amplitude of the tooth force at the order of the pinion, over the static force."""
-        rows = table_in(self.folder / "periodic", "history/steps")
-        time, force = rows["T"] / (rows["T"].max() - rows["T"].min()), rows["force_total"]
-        turning = force * numpy.exp(-2j * numpy.pi * time)
-        value = (numpy.diff(time) * (turning[1:] + turning[:-1])).sum()
-        return abs(value) / summary_in(self.folder / "periodic")["static_force"]
-
-    def test_a_tenth_of_torque_is_a_tooth_force_of_the_reference(self):
-        expected = REFERENCE["torque_harmonic"]
-        orbit = self.periodic("1 0.1 0")
-        self.assertAlmostEqual(orbit["total_force_ratio_max"] / expected["total_max"], 1, delta=expected["tol"])
-        self.assertAlmostEqual(orbit["total_force_ratio_min"] / expected["total_min"], 1, delta=expected["tol"])
-        self.assertAlmostEqual(
-            self.first_order() / expected["mesh_force_amplitude_order1_over_static"]["orbit"], 1, delta=expected["tol"])
-        found = sorted(abs(complex(*mu)) for mu in orbit["floquet"])
-        for modulus, one in zip(sorted(expected["multipliers_abs"]), found):
-            self.assertAlmostEqual(modulus, one, delta=expected["tol"])
-
-    def test_wrong_harmonics(self):
-        for harmonics, words in (("1 0.1", ["motor.torque_harmonics", "has the part '1 0.1'"]),
-                                 ("0 0.1 0", ["no order > 0"]),
-                                 ("3.14159 0.1 0", ["never repeats together with the mesh"]),
-                                 ("1 0.1 0", ["repeat together after 28 mesh periods", "raise that to 28"]),
-                                 ("0.5 0.1 0", ["repeat together after 56 mesh periods"]),
-                                 ("1 1e5 0", ["swings the whole train by", "of the base pitch"])):
-            with self.subTest(harmonics=harmonics):
-                self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
-                                  "-motor_torque_harmonics", harmonics)
-        self.assert_wrong(["the motor turns at an imposed speed"], "info", self.write_case(RELIEF), *SHAFTS,
-                          "-motor_fixed", "yes", "-motor_torque_harmonics", "1 0.1 0")
-
-
 class Figures(TrainTest):
     def plot(self, kind, *options):
         return plot(kind, self.folder / "info", *options)
@@ -268,7 +116,17 @@ class Figures(TrainTest):
             self.assertEqual((run.returncode, run.stderr), (0, ""), run)
             self.assertTrue((self.folder / f"info/{kind}.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_loads_of_a_train_over_time_and_by_orders(self):
+        self.summary("periodic", "-model", "dry", "-dry_damping_ratio", 0.05, *SHAFTS, *bearings(1e9))
+        run = plot("train", self.folder / "periodic", "--format", "png")
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+        self.assertTrue((self.folder / "periodic/train.png").read_bytes().startswith(b"\x89PNG"))
+
     def test_a_pair_alone_has_no_such_figures(self):
+        self.summary("transient", "-model", "dry", "-mesh_periods", 1)
+        run = plot("train", self.folder / "transient")
+        self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)
+        self.assertIn("has no drive train; give one", run.stderr)
         self.summary("info")
         for kind in ("campbell", "modes"):
             run = self.plot(kind)
@@ -296,6 +154,32 @@ class WrongTrains(TrainTest):
                 ([*SHAFTS, "-gear_equivalent_mass", 1], ["gear.equivalent_mass", "delete one"])):
             with self.subTest(options=options):
                 self.refused(words, *options)
+
+    def test_torques_that_do_not_balance(self):
+        file = self.folder / "line.train"
+        for text, words in (("torque motor 400", ["line.train:1", "makes 400 N m", "give 470 N m here"]),
+                            ("torque load 722", ["which do not balance pinion.torque", "give -721.785714285714"]),
+                            ("torque motor", ["needs the form: torque NODE mean"]),
+                            ("torque motor 470 1 0.1", ["needs the form: torque NODE mean"]),
+                            ("torque motor 470 0 0.1 0", ["'0 0.1 0' is no order > 0 or frequency"])):
+            with self.subTest(text=text):
+                file.write_text(text + "\n", encoding="utf-8")
+                self.refused(words, *SHAFTS, "-train_file", file)
+        file.write_text("torque motor 470\n", encoding="utf-8")
+        self.refused(["motor.torque_harmonics", "beside 'torque' lines"], *SHAFTS, "-train_file", file,
+                     "-motor_torque_harmonics", "1 0.1 0")
+        file.write_text("torque motor 100\n", encoding="utf-8")  # what holds the motor takes the rest
+        self.summary("info", *SHAFTS, "-motor_fixed", "yes", "-train_file", file)
+
+    def test_what_run_ups_and_sweeps_ask_for(self):
+        dry = ["-model", "dry", *SHAFTS]
+        self.refused(["ramp.inertia_torque", "give ramp.to_rpm"], *dry, "-ramp_inertia_torque", "yes",
+                     command="transient")
+        self.refused(["ramp.inertia_torque", "does not turn freely"], *dry, "-motor_fixed", "yes", "-ramp_to_rpm", 15300,
+                     "-ramp_inertia_torque", "yes", command="transient")
+        for over in ("motor.torque_harmonics", "motr.inertia", "grid.nx"):
+            self.refused([f"sweep.over' is {over}; give speed, torque", "key of the drive train"], *dry, "-sweep_over",
+                         over, "-sweep_values", 1, command="sweep")
 
     def test_commands_that_move_the_pair_alone(self):
         for command in ("transient", "periodic", "sweep", "continuation"):
