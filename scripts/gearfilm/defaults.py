@@ -124,6 +124,7 @@ model = dynamic
 motion = dynamic
 geometry = moving
 mesh_periods = 2
+ramp.inertia_torque = no
 restart = no
 keep_checkpoint = no
 load_sharing.kind = step

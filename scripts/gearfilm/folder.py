@@ -207,6 +207,10 @@ class RunFolder:
         with self._open() as results:
             return "flank" in results or "contact0/section" in results
 
+    def moves_train(self):
+        """Whether there are loads of a drive train in motion."""
+        return "history/train" in self.tables()
+
     def film(self, xi=0.0):
         """The stored film nearest to a place on the line of action [mm]; the others are not read."""
         with self._open() as results:

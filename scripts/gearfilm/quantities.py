@@ -246,6 +246,21 @@ to | | value of the parameter where it ends
 distance_end | m | way along the line of action where contact is found again
 largest_h_central | m | largest central film in between
 frequency | Hz | frequency
+torque_mean | N m | torque, mean in time
+torque_max | N m | largest torque
+torque_min | N m | smallest torque
+force_mean | N | size of the force, mean in time
+force_max | N | largest size
+force_x_mean | N | its part along the line of centres, to the wheel, mean in time
+force_y_mean | N | its part across, mean in time
+rotation_acceleration_rms | rad/s^2 | root mean square of its angular acceleration
+x_acceleration_rms | m/s^2 | of that along the line of centres
+y_acceleration_rms | m/s^2 | of that across it
+work_of_torques | J | work of the torques on the motion beside the mean rotation
+work_of_teeth | J | work of the forces between flanks on it
+dissipated_energy | J | what dampers take
+stored_energy_change | J | change of the energy of motion, shafts and bearings
+energy_balance_residual | - | what is left of both works less both energies, over the dissipated and the largest kinetic energy
 """
 # What tells of the solver and its grid, not of the gears.
 INTERNAL = {"steps", "contact_steps", "newton_iterations", "krylov_iterations", "wall_time", "H0", "V0", "nx", "ny",

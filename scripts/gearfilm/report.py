@@ -24,7 +24,9 @@ DIGITS = 5
 TITLES = {"points": "Points", "periods": "Mesh periods", "events": "Contacts that enter and leave",
           "contact_losses": "Losses of contact", "spectrum_peaks": "Largest lines of the spectrum of H_0",
           "loads": "Under every load", "bifurcations": "Bifurcations", "branches": "Branches",
-          "stretches": "Stretches of one stability", "attractors": "Motions that starts lead to"}
+          "stretches": "Stretches of one stability", "attractors": "Motions that starts lead to",
+          "modes": "Modes", "shaft_torques": "Torques of the drive train", "bearing_forces": "Forces on bearings",
+          "gear_accelerations": "Accelerations of the gears"}
 CAPTIONS = {"film": "Film: thickness over the contact, pressure and film along y = 0",
             "march": "March: motion, forces, pressure and films",
             "orbit": "Orbit: phase portrait, force over the line of action, spectrum",
@@ -32,6 +34,7 @@ CAPTIONS = {"film": "Film: thickness over the contact, pressure and film along y
             "branch": "Branches: stable ones full, unstable ones dashed",
             "static": "Turned slowly: transmission error and its swing, load shares, mesh stiffness",
             "damage": "Stresses below the films, fatigue of the flanks",
+            "train": "Drive train: tooth force, torques and forces on bearings, over time and by orders",
             "friction": "Friction: coefficient, losses and temperatures"}
 NO_NUMBER = {True: "yes", False: "no", None: "none"}
 
@@ -155,6 +158,8 @@ def kinds(run):
     usual = [kind for kind in usual_kinds(run.command) if kind != "film"]
     if run.stores_stresses():
         usual.append("damage")
+    if run.moves_train():
+        usual.append("train")
     return [*usual, "film"] if run.stores_films() else usual
 
 

@@ -23,6 +23,7 @@
 #include "results/static_summary.hpp"
 #include "results/steady_result.hpp"
 #include "results/sweep_tables.hpp"
+#include "results/train_motion.hpp"
 #include "results/wear_result.hpp"
 
 namespace gearfilm {
@@ -49,7 +50,7 @@ std::string all_quantities() {
   return quantities_markdown() + steady_markdown() + run_markdown() + poincare_markdown() + spectrum_markdown() +
          orbit_markdown() + contact_map_markdown() + flank_markdown() + rating_markdown() + conditions_markdown() +
          basins_markdown() + continuation_markdown() + StaticLoad::markdown() + wear_markdown() + modes_markdown() +
-         train_markdown() + derived_markdown() + bench_markdown();
+         train_markdown() + train_motion_markdown() + derived_markdown() + bench_markdown();
 }
 
 constexpr std::array<Command, 10> case_commands = {{

@@ -21,6 +21,11 @@ double snapshot_interval(const CaseInput& problem, MarchPurpose purpose) {
   return problem.march.snapshot_interval.value_or(purpose == MarchPurpose::search ? search_snapshot_interval : 0.0);
 }
 
+/// Marches have no damper beside dry contacts unless one is given, searches that of a film.
+double dry_damping_ratio(const CaseInput& problem, MarchPurpose purpose) {
+  return problem.march.dry_damping_ratio.value_or(purpose == MarchPurpose::search ? typical_film_damping : 0.0);
+}
+
 }  // namespace
 
 MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid& grid, const MeshModel& mesh,
@@ -42,6 +47,8 @@ MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid
     checkpoint_.carry(*maps_);
   }
   write_identity(file_, problem, purpose == MarchPurpose::march ? "transient" : "periodic");
+  if (mesh.train)
+    train_.emplace(file_, mesh, lubricated_ ? 0.0 : dry_damping(mesh, dry_damping_ratio(problem, purpose)));
   if (lubricated_ && snapshot_interval(problem, purpose) > 0.0) {
     snapshots_.emplace(file_, problem.scales, run.directory() / "results.xmf");
   }
@@ -49,11 +56,13 @@ MarchOutput::MarchOutput(ResumableRun& run, const CaseInput& problem, const Grid
 
 void MarchOutput::step(const StepRecord& record, const std::vector<ActiveContact>& contacts) {
   history_->append(record);
+  if (train_) train_->add(record);
   statistics_.add(record, available_models(mesh_, lubricated_));
   signal_.add(record);
   section_.add(record);
   ratings_.add(record);
   if (maps_) maps_->maps.add(record, contacts);
+  last_time_ = record.T;
   const double period = mesh_.path.mesh_periods(record.T);
   if (snapshots_ && period >= next_snapshot_ - 1e-9) {
     take_snapshot(record, contacts);
@@ -96,7 +105,7 @@ void MarchOutput::end_search_period(const SearchPeriod& period) {
 // Whole up to here: whatever ends the program next, there are no fewer rows than before it began.
 void MarchOutput::publish() {
   if (file_.published()) return;
-  history_->write();
+  write_history();
   file_.publish();
 }
 
@@ -109,12 +118,19 @@ void MarchOutput::write_flanks(const std::optional<FlankResults>& fatigue) {
 }
 
 void MarchOutput::finish() {
-  history_->write();
+  write_history();
   history_.reset();
+  train_.reset();
   file_.finish();
 }
 
+void MarchOutput::write_history() {
+  history_->write();
+  if (train_) train_->write();
+}
+
 Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow window) {
+  if (train_) train_->write_orders(file_, T_begin, T_end, window);
   return gearfilm::write_spectrum(file_, problem_.scales, signal_.spectrum(T_begin, T_end, window), window);
 }
 

@@ -18,6 +18,7 @@
 #include "output/summary.hpp"
 #include "results/flank_result.hpp"
 #include "results/rating_result.hpp"
+#include "results/train_motion.hpp"
 
 namespace gearfilm {
 
@@ -50,7 +51,7 @@ public:
   void end_search_period(const SearchPeriod& period);
   /// A line on the screen.
   void note(const std::string& text) { progress_.note(text); }
-  /// Adds the table /spectrum over [T_begin, T_end], and returns its peaks for the summary.
+  /// Adds the tables /spectrum, of a drive train /orders, over [T_begin, T_end]; returns the peaks for the summary.
   Summary write_spectrum(double T_begin, double T_end, SpectralWindow window);
 
   /// Least safeties over [T_begin, T_end], of a pair that is rated.
@@ -60,17 +61,25 @@ public:
   /// fatigue where it is judged.
   void write_flanks(const std::optional<FlankResults>& fatigue);
 
+  /// Adds what a drive train does over [T_begin, T_end] to the summary.
+  void add_train_motion(double T_begin, double T_end, Summary& summary) const {
+    if (train_) train_->add_to(summary, T_begin, T_end);
+  }
+
   /// Writes and closes results.h5.
   void finish();
 
   /// Adds the table /history/poincare, and says in the summary how the march repeats and settles.
   void describe_recurrence(Summary& summary);
 
+  /// Of the last step.
+  double last_time() const { return last_time_; }
   const MarchStatistics& statistics() const { return statistics_; }
   ResultsFile& file() { return file_; }
 
 private:
   void take_snapshot(const StepRecord& record, const std::vector<ActiveContact>& contacts);
+  void write_history();
   void publish();
   void report(const StepRecord& record, double period);
 
@@ -82,6 +91,7 @@ private:
   double expected_periods_;
   ResultsFile file_;
   std::optional<History> history_;
+  std::optional<TrainHistory> train_;
   std::optional<Snapshots> snapshots_;
   std::vector<FilmSnapshot> held_;  ///< of a search's present period: only at its end is known whether they are wanted
   MarchStatistics statistics_;
@@ -92,6 +102,7 @@ private:
   std::optional<ContactMapPair> found_maps_;  ///< of the period that a search found
   Progress progress_;
   double next_snapshot_ = 0.0;
+  double last_time_ = 0.0;
 };
 
 /// How far a period of a search was from repeating, in a line.

@@ -109,6 +109,7 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   Summary summary = periodic_summary(problem, mesh, found, errors);
   summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
   summary["dry"] = dry_summary(mesh);
+  output.add_train_motion(begin, end, summary);
   if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(begin, end);
   if (mesh.fatigue) add_flanks(mesh, flanks, summary);
   output.write_flanks(flanks);

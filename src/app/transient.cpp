@@ -90,6 +90,7 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
     summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::hann);
   }
   output.describe_recurrence(summary);
+  output.add_train_motion(0.0, output.last_time(), summary);
   output.finish();
   write_summary(output.file().comm(), run.directory().path(), summary);
   return summary;

@@ -17,7 +17,8 @@ namespace {
 // Absolute and relative. Where a gap closes, the force has a kink and steps are cut elsewhere for every start: the map
 // jumps by some ten times its tolerance, which must lie below what Newton's methods on it ask for.
 constexpr double integration_tolerance = 1e-10;  // of the motion
-constexpr double map_tolerance = 1e-12;          // of the motion with its derivatives
+constexpr double map_tolerance = 1e-12;          // of the motion with its derivatives; of a drive train's
+constexpr double derivative_tolerance = 1e-8;    // of the derivatives of a drive train's motion
 
 /// q, v; then Phi row by row, and w.
 std::vector<double> beginning(const Motion& start, bool derivatives) {
@@ -70,10 +71,12 @@ public:
     petsc_check(TSCreate(PETSC_COMM_SELF, ts_.put()));
     petsc_check(TSSetOptionsPrefix(ts_, "dry_"));
     petsc_check(TSSetType(ts_, TSRK));
-    petsc_check(TSRKSetType(ts_, kind == Kind::step ? TSRK5DP : TSRK8VR));
+    const bool train = flow.here_.mesh.train != nullptr, map = kind == Kind::map, step = kind == Kind::step;
+    petsc_check(TSRKSetType(ts_, step && !train ? TSRK5DP : TSRK8VR));
     petsc_check(TSSetRHSFunction(ts_, nullptr, Callback<&DryFlowRun::rates>::call, this));
-    const double tolerance = kind == Kind::map ? map_tolerance : integration_tolerance;
+    const double tolerance = map || (step && train) ? map_tolerance : integration_tolerance;
     petsc_check(TSSetTolerances(ts_, tolerance, nullptr, tolerance, nullptr));
+    if (train && map) set_tolerances(tolerance);
     petsc_check(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_MATCHSTEP));
     petsc_check(TSSetMaxSteps(ts_, 1000000));
     if (kind != Kind::step) petsc_check(TSMonitorSet(ts_, Callback<&DryFlowRun::step_done>::call, this, nullptr));
@@ -112,6 +115,18 @@ public:
   }
 
 private:
+  /// Derivatives say how fast Newton's method converges, and the multipliers: they need not be as accurate as the
+  /// motion itself. Their kinks where gaps close are sharper than its own, and would cost most of the steps.
+  void set_tolerances(double of_motion) {
+    petsc_check(VecDuplicate(state_, tolerances_.put()));
+    {
+      const VecWriting tolerances(tolerances_);
+      std::ranges::fill(tolerances.values(), derivative_tolerance);
+      std::ranges::fill(tolerances.values().first(static_cast<std::size_t>(size_)), of_motion);
+    }
+    petsc_check(TSSetTolerances(ts_, PETSC_DEFAULT, tolerances_, PETSC_DEFAULT, tolerances_));
+  }
+
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   Motion motion_in(const double* x) const { return motion_from({x, static_cast<std::size_t>(size_)}); }
@@ -128,7 +143,7 @@ private:
   }
 
   void rates(TS, PetscReal s, Vec in, Vec out) {
-    const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
+    const DryFlow::Pair& here = flow_.here_;
     const VecReading x(in);
     const VecWriting rate(out);
     if (here.mesh.train) {
@@ -145,19 +160,21 @@ private:
       rate[first] = here.period * x[second];
       rate[second] = slope * x[first] - here.period * here.damping * x[second];
     }
-    rate[6] += (beside.period - here.period) * V0 / flow_.part_;
-    rate[7] += (acceleration(beside, s, H0, V0, nullptr) - rate[1]) / flow_.part_;
+    if (!flow_.beside_) return;
+    rate[6] += (flow_.beside_->period - here.period) * V0 / flow_.part_;
+    rate[7] += (acceleration(*flow_.beside_, s, H0, V0, nullptr) - rate[1]) / flow_.part_;
   }
 
-  TrainAcceleration acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, bool derivatives) const {
+  TrainAcceleration acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, bool derivatives) {
     const double T = s * pair.period;
     const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
-    return train_acceleration(pair.mesh, contacts, T, motion, pair.damping, derivatives);
+    forces_ = contacts.forces_near(motion.H0(), forces_);
+    return train_acceleration(pair.mesh, {contacts, forces_}, T, motion, pair.damping, derivatives);
   }
 
   /// x' of a pair in a drive train, and below it the rates of Phi and w, as of a pair alone.
-  void train_rates(double s, const double* x, double* rate) const {
-    const DryFlow::Pair &here = flow_.here_, &beside = flow_.beside_;
+  void train_rates(double s, const double* x, double* rate) {
+    const DryFlow::Pair& here = flow_.here_;
     const Motion motion = motion_in(x);
     const Eigen::Index n = motion.freedoms();
     const bool map = kind_ == Kind::map;
@@ -173,6 +190,8 @@ private:
     const Eigen::Index w = size_ * (size_ + 1);
     Eigen::Map<Eigen::VectorXd> of_parameter(rate + w, size_);
     of_parameter = slope * Eigen::Map<const Eigen::VectorXd>(x + w, size_);
+    if (!flow_.beside_) return;
+    const DryFlow::Pair& beside = *flow_.beside_;
     of_parameter.head(n) += (beside.period - here.period) / flow_.part_ * motion.v;
     of_parameter.tail(n) +=
         (beside.period * acceleration(beside, s, motion, false).value - here.period * forced.value) / flow_.part_;
@@ -208,9 +227,10 @@ private:
   std::vector<double> values_;
   Eigen::Index size_;  ///< of q and v
   Kind kind_;
-  OwnedVec state_;
+  OwnedVec state_, tolerances_;
   PetscHandle<TS, TSDestroy> ts_;
   std::vector<int> contacts_;
+  std::vector<double> forces_;  ///< where they were computed last
   double s_;
   double step_ = 0.0;  ///< the last one: a good beginning behind an event
   bool begins_ = true;
@@ -221,10 +241,13 @@ private:
 
 DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
     : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()),
-      beside_(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period()),
+      beside_(Pair(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period())),
       part_(part) {}
 
-DryFlow::DryFlow(const MeshModel& mesh, double damping) : here_(mesh, damping, 1.0), beside_(here_), part_(1.0) {}
+DryFlow::DryFlow(const MeshModel& mesh, double damping_ratio)
+    : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()), part_(1.0) {}
+
+DryFlow DryFlow::in_time(const MeshModel& mesh, double damping) { return {Pair(mesh, damping, 1.0), {}, 1.0}; }
 
 Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const {
   DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin);
@@ -234,7 +257,7 @@ Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const
 
 void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
                     const std::function<void(const DryPeriod&)>& observer) {
-  const DryFlow flow(mesh, mesh, 1.0, damping_ratio);
+  const DryFlow flow(mesh, damping_ratio);
   DryFlowRun run(flow, start, DryFlowRun::Kind::march);
   for (int n = 1; n <= mesh_periods; ++n) {
     run.run(n);

@@ -12,6 +12,8 @@
 #include <Eigen/Core>
 #include <functional>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "dynamics/step_record.hpp"
@@ -50,8 +52,10 @@ public:
   /// is c.
   DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio);
 
+  /// A pair without a parameter, by which the derivative is zero.
+  DryFlow(const MeshModel& mesh, double damping_ratio);
   /// A pair for between() alone, in time itself; damping: c.
-  DryFlow(const MeshModel& mesh, double damping);
+  static DryFlow in_time(const MeshModel& mesh, double damping);
   /// The motion at a time from that at another. Nothing is kept from call to call. Throws SolveError where it is not
   /// finite, as do the others.
   Motion between(const Motion& start, double T_begin, double T_end) const;
@@ -74,7 +78,11 @@ private:
     double period;   ///< T_m, or 1 for a motion that knows no periods
   };
 
-  Pair here_, beside_;
+  DryFlow(Pair here, std::optional<Pair> beside, double part)
+      : here_(std::move(here)), beside_(std::move(beside)), part_(part) {}
+
+  Pair here_;
+  std::optional<Pair> beside_;
   double part_;
 };
 

@@ -10,12 +10,12 @@ namespace gearfilm {
 DryMarch::DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping, RunStore* store)
     : mesh_(std::move(mesh)),
       force_(mesh_),
-      flow_(mesh_, damping),
+      flow_(DryFlow::in_time(mesh_, damping)),
       dT_(dT),
       observer_(std::move(observer)),
       store_(store) {}
 
-void DryMarch::observe(double dT, double wall_seconds) const {
+void DryMarch::observe(double dT, double wall_seconds, const std::vector<int>& numbers) const {
   StepRecord record;
   record.T = T_;
   record.dT = dT;
@@ -23,7 +23,6 @@ void DryMarch::observe(double dT, double wall_seconds) const {
   record.back_force = reverse_flank_force(mesh_, motion_, T_).value;
   record.wall_seconds = wall_seconds;
   std::vector<ActiveContact> live;
-  const std::vector<int> numbers = mesh_.path.contacts_after(T_);
   const std::vector<double> forces = DryContacts(force_, mesh_, numbers, T_).forces(motion_.H0());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const int contact = numbers[k];
@@ -45,7 +44,7 @@ void DryMarch::observe(double dT, double wall_seconds) const {
 void DryMarch::start(const std::optional<Motion>& motion) {
   T_ = 0.0;
   motion_ = motion ? mesh_.in_train(*motion) : balance(mesh_, force_, T_);
-  observe(0.0, 0.0);
+  observe(0.0, 0.0, mesh_.path.contacts_after(T_));
 }
 
 Motion DryMarch::balance(const MeshModel& mesh, const DryForce& force, double T) {
@@ -60,13 +59,17 @@ void DryMarch::run(double T_end) {
   }
   while (T_ < T_end - 1e-9) {
     const double begin = T_, segment_end = std::min(T_end, mesh_.path.next_event(T_));
+    const std::vector<int> present = mesh_.path.contacts_after(begin);
     const int steps = std::max(1, static_cast<int>(std::ceil((segment_end - begin) / dT_ - 1e-6)));
     for (int step = 1; step <= steps; ++step) {
       const double wall_start = MPI_Wtime(), before = T_;
       T_ = step == steps ? segment_end : begin + (segment_end - begin) * step / steps;
       motion_ = flow_.between(motion_, before, T_);
-      observe(T_ - before, MPI_Wtime() - wall_start);
+      observe(T_ - before, MPI_Wtime() - wall_start, mesh_.train ? present : mesh_.path.contacts_after(T_));
     }
+    // The energy of a drive train is summed from event to event: a record before each, and one behind it.
+    const std::vector<int> next = mesh_.path.contacts_after(T_);
+    if (mesh_.train && next != present) observe(0.0, 0.0, next);
     if (store_) store_->keep(T_, {motion_, {}}, {});
   }
 }

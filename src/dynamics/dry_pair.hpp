@@ -32,7 +32,8 @@ public:
   const Motion& motion() const { return motion_; }
 
 private:
-  void observe(double dT, double wall_seconds) const;
+  /// With these contacts.
+  void observe(double dT, double wall_seconds, const std::vector<int>& numbers) const;
 
   MeshModel mesh_;
   DryForce force_;

@@ -184,7 +184,8 @@ void LubricatedPair::place(double T) {
 BodyEquations LubricatedPair::bodies_at(double T) const {
   const double force = mesh_.scales.static_force;
   if (mesh_.train) {
-    return equation_of_motion(*mesh_.train, {force, share_at(T), friction_.at(T), mesh_.path.mesh_periods(T)},
+    return equation_of_motion(*mesh_.train,
+                              {force, share_at(T), friction_.at(T), mesh_.train->torque_acceleration(mesh_.path, T)},
                               films_.size());
   }
   return equation_of_motion({mesh_.inertia, force, share_at(T), friction_.at(T)[0] - left_over(T)}, films_.size());

@@ -13,7 +13,7 @@ BodyEquations equation_of_motion(const MeshTrain& train, const TrainLoad& load, 
   const MatrixXd none = MatrixXd::Zero(n, n), one = MatrixXd::Identity(n, n);
   VectorXd pressing = load.pressing;
   pressing[0] += load.static_force;
-  if (!train.harmonics.empty()) pressing -= train.mass * train.by_ripple * train.ripple(load.mesh_periods);
+  pressing -= train.mass * load.torques;
   BodyEquations bodies{.mass = MatrixXd(2 * n, 2 * n),
                        .stiffness = MatrixXd(2 * n, 2 * n),
                        .constant = VectorXd(2 * n),

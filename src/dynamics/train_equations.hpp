@@ -2,7 +2,7 @@
 // (body_equations.hpp), and its free oscillations.
 //
 //   s = (y, v) :   dy/dT - v = 0 ,
-//   (M dv/dT + K y + C v - e_1 (sum_k F_k/f - F*) + A - t sum_j A_j cos(..))/F* = 0 ,    H_k = y_1
+//   (M dv/dT + K y + C v - e_1 (sum_k F_k/f - F*) + A - sum_i t_i a_i)/F* = 0 ,    H_k = y_1
 // f and A as in the equation of motion of a pair alone. F_b, at the approach b y, enters the rows of v by b^T/F*.
 #pragma once
 
@@ -15,7 +15,7 @@ struct TrainLoad {
   double static_force = 1.0;  ///< F*
   double share = 1.0;         ///< f of F* that the films carry in the place of all contacts
   Eigen::VectorXd pressing;   ///< A, for each degree of freedom
-  double mesh_periods = 0.0;  ///< marched, for the torque's fluctuations
+  Eigen::VectorXd torques;    ///< M^-1 sum_i t_i a_i
 };
 
 BodyEquations equation_of_motion(const MeshTrain& train, const TrainLoad& load, std::size_t films);

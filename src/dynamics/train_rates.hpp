@@ -11,8 +11,14 @@ struct TrainAcceleration {
   Eigen::MatrixXd by_displacement, by_velocity;  ///< empty unless asked for
 };
 
+/// Dry contacts, and their forces in the motion.
+struct LoadedContacts {
+  const DryContacts& contacts;
+  const std::vector<double>& forces;
+};
+
 /// Of a mesh with a train, whose contacts are these at T.
-TrainAcceleration train_acceleration(const MeshModel& mesh, const DryContacts& contacts, double T, const Motion& motion,
-                                     double damping, bool derivatives);
+TrainAcceleration train_acceleration(const MeshModel& mesh, const LoadedContacts& loaded, double T,
+                                     const Motion& motion, double damping, bool derivatives);
 
 }  // namespace gearfilm

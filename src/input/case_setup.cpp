@@ -1,6 +1,7 @@
 #include "input/case_setup.hpp"
 
 #include <cmath>
+#include <iomanip>
 
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
@@ -63,16 +64,36 @@ void require_standing_heights(const CaseInput& problem, const std::string& comma
                                                    "or periodic, or roughness.model stochastic");
 }
 
+namespace {
+
+void require_repeating_torques(const CaseInput& problem, const std::string& command) {
+  const TorquePattern& torques = problem.pair.train->pattern;
+  const double mesh = mesh_frequency(*problem.pair.gears, problem.pair.pinion_speed);
+  const std::string mesh_words = worded(std::setprecision(10), "the mesh, ", mesh, " Hz");
+  const std::string fixed = torques.fixed ? worded(std::setprecision(10), "has ", *torques.fixed, " Hz") : "";
+  if (torques.fixed && command != "periodic") {
+    throw InputError(torques.given_by + fixed + ", which is no order of a shaft, and " + command +
+                     " changes how it repeats with the mesh; give an order");
+  }
+  if (!torques.periods) {
+    throw InputError(torques.given_by + fixed + ", which never repeats together with " + mesh_words + ", while " +
+                     command + " looks for states that do; give an order, or march (transient)");
+  }
+  const long pattern = whole_pattern(problem), most = problem.search.max_pattern;
+  if (pattern <= most || problem.pair.teeth.pattern() == pattern) return;
+  throw InputError(torques.given_by + (torques.fixed ? fixed + "; this " : "") + "and " + mesh_words +
+                   ", repeat together after " + std::to_string(pattern) + " mesh periods, and " + command +
+                   " looks for states that repeat after at most periodic.max_pattern = " + std::to_string(most) +
+                   "; raise that to " + std::to_string(pattern) + (torques.fixed ? ", give an order" : "") +
+                   ", or march that long (transient)");
+}
+
+}  // namespace
+
 void require_one_pattern(const CaseInput& problem, const std::string& command) {
   const long pattern = whole_pattern(problem);
+  if (problem.pair.train && problem.dry()) require_repeating_torques(problem, command);
   if (pattern <= problem.search.max_pattern) return;
-  if (problem.pair.teeth.pattern() < pattern) {
-    problem.parameters.refuse("motor.torque_harmonics",
-                              "and the mesh repeat together after " + std::to_string(pattern) + " mesh periods, and " +
-                                  command + " looks for states that repeat after at most periodic.max_pattern = " +
-                                  std::to_string(problem.search.max_pattern) + "; raise that to " +
-                                  std::to_string(pattern) + ", or march that long (transient)");
-  }
   std::string name;
   for (const char* key :
        {"wheel.pitch_errors_file", "wheel.pitch_errors", "pinion.pitch_errors_file", "pinion.pitch_errors"}) {

@@ -6,20 +6,15 @@
 
 #include "input/case.hpp"
 #include "input/case_setup.hpp"
-#include "input/train_parts.hpp"
+#include "input/train_torques.hpp"
 #include "train/spur_row.hpp"
 
 namespace gearfilm {
 namespace {
 
-std::string key_in_quotes(const std::string& key) { return "'" + key + "'"; }
+const std::string run_up_key = "ramp.inertia_torque";
 
-bool is_train_key(const std::string& key) {
-  const std::size_t dot = key.find('.');
-  const std::string section = key.substr(0, dot);
-  if (section == "motor" || section == "load" || section == "train") return true;
-  return key.find(".bearing_") != std::string::npos || (dot != std::string::npos && key.substr(dot) == ".mass");
-}
+std::string key_in_quotes(const std::string& key) { return "'" + key + "'"; }
 
 void require_inertias(const ParameterValues& values, const std::string& key) {
   const std::string mass = "gear.equivalent_mass";
@@ -130,11 +125,20 @@ TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double
 
 }  // namespace
 
+bool is_train_key(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  const std::string section = key.substr(0, dot);
+  if (section == "motor" || section == "load" || section == "train") return true;
+  return key == run_up_key || key.find(".bearing_") != std::string::npos ||
+         (dot != std::string::npos && key.substr(dot) == ".mass");
+}
+
 std::string given_train_key(const ParameterValues& values) {
   for (const Parameter& parameter : parameter_table()) {
     if (!is_train_key(parameter.name) || !values.given(parameter.name)) continue;
-    // That a machine is not held makes no train.
-    if (parameter.name.ends_with(".fixed") && !values.yes(parameter.name)) continue;
+    // That a machine is not held, or that a run-up loads no tooth, makes no train.
+    const bool asks = parameter.name.ends_with(".fixed") || parameter.name == run_up_key;
+    if (asks && !values.yes(parameter.name)) continue;
     return parameter.name;
   }
   return {};
@@ -150,13 +154,14 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
   add_machine(values, "load", TrainParts::wheel, parts);
   if (values.has("train.file")) add_train_file(values, parts);
   set_masses(values, parts);
+  complete_torques(values, line, parts);
   if (!parts.bearings.empty() && values.real(compliance) > 0.0) {
     values.refuse(compliance, "is " + format_value(values.real(compliance)) +
                                   " m/N beside bearings of a drive train, which would be counted twice; delete it");
   }
   TrainCase found = put_together(parts, line, values.real_if_given("train.damping_ratio").value_or(0.0));
   in_file_of(values, [&] { return relative_motion(found.train); });
-  read_torque_harmonics(values, line, found);
+  set_torques(values, line, parts, found);
   return found;
 }
 
@@ -209,13 +214,15 @@ std::shared_ptr<const MeshTrain> mesh_train_of(const CaseInput& problem) {
   FlankRows rows;
   if (problem.pair.teeth.backlash()) rows.back = given.back;
   if (problem.parameters.yes("friction.in_motion")) rows.friction = given.friction;
-  const DampedTrain train = damped_train(given.train, {.stiffness = mesh_stiffness(problem)}, given.damping_ratio);
-  return std::make_shared<const MeshTrain>(mesh_train(given.train, train.damping, rows, given.ripple, problem.scales));
+  const auto damped = std::make_shared<const DampedTrain>(
+      damped_train(given.train, {.stiffness = mesh_stiffness(problem)}, given.damping_ratio));
+  return std::make_shared<const MeshTrain>(
+      mesh_train(damped, rows, given.torques, problem.scales, problem.pair.pinion_speed));
 }
 
 long whole_pattern(const CaseInput& problem) {
   const long teeth = problem.pair.teeth.pattern();
-  return problem.pair.train ? std::lcm(teeth, problem.pair.train->pattern) : teeth;
+  return problem.pair.train ? std::lcm(teeth, problem.pair.train->pattern.periods.value_or(1)) : teeth;
 }
 
 double centre_distance_growth(const CaseInput& problem) {

@@ -13,15 +13,24 @@ namespace gearfilm {
 
 struct CaseInput;
 
+/// How torques that fluctuate repeat together with the mesh.
+struct TorquePattern {
+  std::optional<long> periods = 1;  ///< mesh periods; absent: never
+  std::string given_by{};           ///< what fluctuates, for messages
+  std::optional<double> fixed{};    ///< a frequency that is no order of a shaft [Hz]
+};
+
 struct TrainCase {
-  Train train;                 ///< with the row of the contact
-  Eigen::RowVectorXd back;     ///< the row of the reverse flanks' approach
-  Eigen::MatrixXd friction;    ///< FlankRows::friction
-  TorqueRipple ripple{};       ///< of the torque that drives
-  long pattern = 1;            ///< mesh periods after which its harmonics repeat together
+  Train train;                        ///< with the row of the contact
+  Eigen::RowVectorXd back;            ///< the row of the reverse flanks' approach
+  Eigen::MatrixXd friction;           ///< FlankRows::friction
+  std::vector<NodeTorque> torques{};  ///< in balance with the static force
+  TorquePattern pattern{};
   double damping_ratio = 0.0;  ///< of every mode
 };
 
+/// Whether a key is one of a drive train.
+bool is_train_key(const std::string& key);
 /// A key of the drive train that is given; empty where none is.
 std::string given_train_key(const ParameterValues& values);
 
@@ -29,11 +38,8 @@ std::string given_train_key(const ParameterValues& values);
 /// InputError where it does not fit together.
 std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfAction& line);
 
-/// Harmonics of the torque in a train that is put together. Throws InputError, also where they swing the whole by more
-/// than the teeth let pass.
-void read_torque_harmonics(const ParameterValues& values, const LineOfAction& line, TrainCase& train);
-
-/// Mesh periods after which teeth with errors and fluctuations of the torque repeat together.
+/// Mesh periods after which teeth with errors and fluctuations of the torque repeat together; those of the teeth where
+/// the others never do.
 long whole_pattern(const CaseInput& problem);
 
 /// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train.

@@ -1,5 +1,10 @@
 #include "input/case_with_parameter.hpp"
 
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <utility>
+
 #include "input/case_setup.hpp"
 
 namespace gearfilm {
@@ -28,7 +33,16 @@ CaseInput case_of_sweep(const CaseInput& problem, double value) {
 }
 
 ProblemAt problems_of_sweep(const CaseInput& problem) {
-  return [&problem](double value) { return orbit_problem(case_of_sweep(problem, value)); };
+  // Those of a point and its neighbour are asked for again and again.
+  constexpr std::size_t most = 8;
+  auto kept = std::make_shared<std::deque<std::pair<double, OrbitProblem>>>();
+  return [&problem, kept](double value) {
+    const auto known = std::ranges::find(*kept, value, &std::pair<double, OrbitProblem>::first);
+    if (known != kept->end()) return known->second;
+    if (kept->size() == most) kept->pop_front();
+    kept->emplace_back(value, orbit_problem(case_of_sweep(problem, value)));
+    return kept->back().second;
+  };
 }
 
 }  // namespace gearfilm

@@ -145,7 +145,10 @@ Records ramp_records() {
                                                     "transient: speed of the pinion that pinion.speed_rpm goes to, "
                                                     "evenly in time")),
                   optional("mesh_periods", number("periods", "", "-", closed(1e-3, 1e6),
-                                                  "mesh periods from the start in which it does"))});
+                                                  "mesh periods from the start in which it does")),
+                  flag("inertia_torque",
+                       "the load gives way to what the inertias take, and teeth carry their part of it, of dry pairs; "
+                       "else the acceleration loads no tooth")});
 }
 
 Records run_records() {
@@ -266,8 +269,10 @@ Records sweep_records() {
   };
   return section(
       "sweep", Scope::gear_pair,
-      {choice("over", {"speed", "torque", "equivalent_mass"},
-              "what is varied: pinion.speed_rpm [rpm], pinion.torque [N m] or gear.equivalent_mass [kg]"),
+      {preset(std::string("speed"),
+              word("over",
+                   "what is varied: speed (pinion.speed_rpm) [rpm], torque (pinion.torque) [N m], equivalent_mass "
+                   "(gear.equivalent_mass) [kg], or a number of the drive train by its key, as motor.inertia")),
        optional(of_list, number("from", "", "", {}, "smallest value, in the unit of what is varied")),
        optional(of_list, number("to", "", "", {}, "largest value")),
        preset(31, whole("points", "", closed(2, 100000),

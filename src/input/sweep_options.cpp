@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gearfilm/error.hpp"
+#include "input/case_train.hpp"
 
 namespace gearfilm {
 namespace {
@@ -13,6 +14,19 @@ const std::map<std::string, std::string>& sweep_keys() {
   static const std::map<std::string, std::string> by_choice = {
       {"speed", "pinion.speed_rpm"}, {"torque", "pinion.torque"}, {"equivalent_mass", "gear.equivalent_mass"}};
   return by_choice;
+}
+
+/// The key that is varied.
+std::string read_key(const ParameterValues& values) {
+  const std::string& over = values.text("sweep.over");
+  if (const auto known = sweep_keys().find(over); known != sweep_keys().end()) return known->second;
+  const Parameter* parameter = find_parameter(over);
+  if (parameter && parameter->type == ParameterType::real && (is_train_key(over) || over.ends_with(".inertia")))
+    return over;
+  values.refuse("sweep.over",
+                "is " + over +
+                    "; give speed, torque, equivalent_mass, or a key of the drive train that has a number, "
+                    "as motor.inertia or pinion.bearing_stiffness");
 }
 
 /// Numbers between commas or spaces.
@@ -92,7 +106,7 @@ SweepOptions read_sweep(const ParameterValues& values) {
     return sweep;
   }
   if (kind == "marches") sweep.kind = SweepKind::marches;
-  sweep.parameter = sweep_keys().at(values.text("sweep.over"));
+  sweep.parameter = read_key(values);
   const Parameter& varied = *find_parameter(sweep.parameter);
   sweep.unit = varied.unit;
   values.require_both("sweep.from", "sweep.to", "give both ends");

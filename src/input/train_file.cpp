@@ -5,6 +5,7 @@
 #include "gearfilm/error.hpp"
 #include "input/parameter.hpp"
 #include "input/train_parts.hpp"
+#include "input/train_torques.hpp"
 
 namespace gearfilm {
 namespace {
@@ -18,6 +19,8 @@ public:
   }
 
   bool empty() const { return words_.empty(); }
+  std::size_t size() const { return words_.size(); }
+  const std::string& place() const { return place_; }
   const std::string& kind() const { return words_.front(); }
   const std::string& word(std::size_t n) const { return words_[n]; }
 
@@ -45,7 +48,6 @@ public:
     refuse("the " + what + " is " + format_value(value) + "; give a number >= 0");
   }
 
-private:
   double number(const std::string& word) const {
     std::istringstream stream(word);
     double value = 0.0;
@@ -54,6 +56,7 @@ private:
     return value;
   }
 
+private:
   std::string place_;
   std::vector<std::string> words_;
 };
@@ -118,6 +121,23 @@ void add_ground(const TrainLine& line, TrainParts& parts) {
                            line.not_negative(entry(numbers, 1), "damping")});
 }
 
+void add_torque(const TrainLine& line, TrainParts& parts) {
+  const std::string form = "torque NODE mean [order amplitude phase]...";
+  if (line.size() < 3 || line.size() % 3 != 0) line.refuse("'torque' needs the form: " + form);
+  TorquePart torque{.node = node_named(parts, line, line.word(1)),
+                    .mean = line.number(line.word(2)),
+                    .origin = line.place() + ": the torque "};
+  for (std::size_t n = 3; n < line.size(); n += 3) {
+    const std::string words = line.word(n) + " " + line.word(n + 1) + " " + line.word(n + 2);
+    const auto harmonic = read_harmonic(words);
+    if (!harmonic) {
+      line.refuse("'" + words + "' is no order > 0 or frequency as 300Hz, amplitude and phase in degrees");
+    }
+    torque.harmonics.push_back(*harmonic);
+  }
+  parts.torques.push_back(std::move(torque));
+}
+
 void fix(const TrainLine& line, TrainParts& parts) {
   line.numbers(2, {0}, "fixed NODE");
   parts.nodes[node_named(parts, line, line.word(1))].fixed = true;
@@ -128,8 +148,9 @@ void add_line(const TrainLine& line, TrainParts& parts) {
   if (line.kind() == "shaft") return add_shaft(line, parts);
   if (line.kind() == "bearing") return add_bearing(line, parts);
   if (line.kind() == "ground") return add_ground(line, parts);
+  if (line.kind() == "torque") return add_torque(line, parts);
   if (line.kind() == "fixed") return fix(line, parts);
-  line.refuse("'" + line.kind() + "' is no element; give node, shaft, bearing, ground or fixed");
+  line.refuse("'" + line.kind() + "' is no element; give node, shaft, bearing, ground, torque or fixed");
 }
 
 }  // namespace

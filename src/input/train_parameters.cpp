@@ -12,7 +12,13 @@ Records machine_records(const std::string& gear, const std::string& subscript) {
   return {optional("nothing on that side", number("inertia", "I_" + subscript, "kg m^2", inertia, "moment of inertia")),
           optional("needed with an inertia", number("shaft_stiffness", "k_" + subscript, "N m/rad", stiffness,
                                                     "torsional stiffness of the shaft to the " + gear)),
-          optional("none", number("shaft_damping", "c_" + subscript, "N m s/rad", damping, "damping of that shaft"))};
+          optional("none", number("shaft_damping", "c_" + subscript, "N m s/rad", damping, "damping of that shaft")),
+          optional("constant torque",
+                   word("torque_harmonics",
+                        "fluctuations of the torque, of dry pairs: order of the " + gear +
+                            "'s shaft (or frequency, 300Hz), amplitude over the mean, phase in degrees: 1 0.1 0, 6 "
+                            "0.02 30; without an inertia on the " +
+                            gear))};
 }
 
 }  // namespace
@@ -33,12 +39,6 @@ std::vector<Parameter> supports_of_gear_records(const std::string& subscript) {
 
 std::vector<Parameter> train_records() {
   Records motor = machine_records("pinion", "mot");
-  motor.push_back(
-      optional("constant torque",
-               word("torque_harmonics",
-                    "fluctuations of the torque, each with its order of the pinion's shaft, amplitude over the "
-                    "mean and phase in degrees: 1 0.1 0, 6 0.02 30; of the motor, or without one of the torque "
-                    "on the pinion; in the motion of dry pairs")));
   motor.push_back(flag("fixed", "the motor turns at an imposed speed; its inertia then has no part"));
   return joined(section("motor", Scope::gear_pair, std::move(motor)),
                 section("load", Scope::gear_pair, machine_records("wheel", "load")),

@@ -11,6 +11,20 @@ namespace gearfilm {
 
 enum class TrainSide : std::uint8_t { pinion, wheel };
 
+/// A part of a torque that fluctuates, as it is written.
+struct WrittenHarmonic {
+  double order = 0.0;  ///< of the shaft of its side, or a frequency [Hz]
+  double amplitude = 0.0, degrees = 0.0;
+  bool fixed = false;  ///< it is a frequency
+};
+
+struct TorquePart {
+  std::size_t node = 0;
+  double mean = 0.0;  ///< in the sense in which its side turns [N m]
+  std::vector<WrittenHarmonic> harmonics{};
+  std::string origin{};  ///< what messages begin with
+};
+
 struct TrainParts {
   struct ShaftPart {
     std::size_t a = 0, b = 0;
@@ -30,13 +44,14 @@ struct TrainParts {
   std::vector<ShaftPart> shafts{};
   std::vector<BearingPart> bearings{};
   std::vector<GroundPart> grounds{};
+  std::vector<TorquePart> torques{};
 
   static constexpr std::size_t pinion = 0, wheel = 1;
 };
 
 /// Adds what the file train.file has, one element a line; # begins a remark:
 ///   node NAME pinion|wheel inertia [mass]      shaft A B k [c [I]]      bearing NODE kx ky [kxy kyx [cx cy]]
-///   ground NODE k [c]                          fixed NODE
+///   ground NODE k [c]                          fixed NODE       torque NODE mean [order amplitude phase]...
 /// Throws InputError with the line that is wrong.
 void add_train_file(const ParameterValues& values, TrainParts& parts);
 

@@ -63,6 +63,39 @@ std::vector<double> DryContacts::forces(double H0) const {
   return forces;
 }
 
+// By Newton's method: F_k = f_k(approach_k) with approach_k less what the others' forces take of it, (I + S C') dF = f
+// - F, C' without its diagonal. Where gaps close it may jump to and fro; then as without a guess.
+std::vector<double> DryContacts::forces_near(double H0, const std::vector<double>& guess) const {
+  constexpr int most_iterations = 12, most_contacts = 4;
+  constexpr double tolerance = 1e-11;  // before the last step, which squares it
+  const auto count = static_cast<Eigen::Index>(contacts_.size());
+  if (!coupled_ || count > most_contacts || guess.size() != contacts_.size()) return forces(H0);
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_contacts, 1>;
+  Vector found = Eigen::Map<const Eigen::VectorXd>(guess.data(), count), defect(count);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_contacts, most_contacts> slope(count, count);
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Contact& contact = contacts_[static_cast<std::size_t>(k)];
+      double approach = -(H0 + contact.gap);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        if (j != k) approach -= compliance_(k, j) * found[j];
+      }
+      const double force = contact.law.force(approach, compliance_(k, k));
+      const double stiffness = force > 0.0 ? 1.0 / (1.0 / contact.law.stiffness(force) + compliance_(k, k)) : 0.0;
+      for (Eigen::Index j = 0; j < count; ++j) slope(k, j) = j == k ? 1.0 : stiffness * compliance_(k, j);
+      defect[k] = force - found[k];
+    }
+    const double change = defect.lpNorm<Eigen::Infinity>();
+    found += slope.partialPivLu().solve(defect);
+    if (change <= tolerance * found.lpNorm<Eigen::Infinity>()) {
+      std::vector<double> all(found.begin(), found.end());
+      for (double& force : all) force = std::max(force, 0.0);
+      return all;
+    }
+  }
+  return forces(H0);
+}
+
 double DryContacts::total_force(double H0) const {
   const std::vector<double> all = forces(H0);
   return std::accumulate(all.begin(), all.end(), 0.0);

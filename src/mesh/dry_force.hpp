@@ -34,6 +34,8 @@ public:
   void stand_for(const std::vector<double>& forces, const std::vector<double>& displacements);
   /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
   std::vector<double> forces(double H0) const;
+  /// The same where forces nearby are known.
+  std::vector<double> forces_near(double H0, const std::vector<double>& guess) const;
   double total_force(double H0) const;
   /// Approach of the contact that a rigid pair would press most; negative where all are apart [-].
   double largest_approach(double H0) const;

@@ -32,7 +32,7 @@ Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vec
 
 }  // namespace
 
-double MeshTrain::ripple(double mesh_periods) const {
+double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_periods) {
   double sum = 0.0;
   for (const TorqueHarmonic& one : harmonics) {
     sum += one.amplitude * std::cos(2.0 * std::numbers::pi * one.cycles * mesh_periods + one.phase);
@@ -46,16 +46,38 @@ bool torque_determines_force(const Train& train) {
   return K.row(0).cwiseAbs().maxCoeff() <= round_off * K.cwiseAbs().maxCoeff();
 }
 
-MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const FlankRows& rows,
-                     const TorqueRipple& ripple, const Scales& scales) {
-  const RelativeMotion relative = relative_motion(train);
+double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
+  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
+  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
+}
+
+Eigen::VectorXd MeshTrain::torque_acceleration(const ContactPath& path, double T) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(freedoms());
+  if (!ripples.empty()) {
+    const double passed = path.mesh_periods(T);
+    for (const Ripple& ripple : ripples) sum += fluctuation(ripple.harmonics, passed) * ripple.by_torque;
+  }
+  if (by_run_up.size() > 0) sum += path.course().acceleration(T) * by_run_up;
+  return sum;
+}
+
+Eigen::VectorXd MeshTrain::acceleration(const Motion& motion, double pull, double back_force, const ContactPath& path,
+                                        double T) const {
+  return by_force * pull + by_back_force * back_force + by_displacement * motion.q + by_velocity * motion.v +
+         torque_acceleration(path, T);
+}
+
+MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const FlankRows& rows,
+                     const std::vector<NodeTorque>& torques, const Scales& scales, double pinion_speed) {
+  const Train& train = damped->train;
+  const RelativeMotion& relative = damped->relative;
   const Eigen::MatrixXd K = relative.projected(train.stiffness());
   // Both sides of the equation over p_h R_x*, so that a mass is as in Scales::inertia.
   const double force = scales.pressure * scales.solids.radius_x;
   const Eigen::MatrixXd mass = relative.projected(train.mass()) / (force * scales.time * scales.time);
   const Eigen::MatrixXd inverse = mass.inverse();
   const Eigen::MatrixXd by_displacement = -inverse * K / force;
-  const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damping) / (force * scales.time);
+  const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damped->damping) / (force * scales.time);
   std::vector<Eigen::VectorXd> forces = {inverse.col(0)};
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(K.cols());
   if (rows.back.size() > 0) {
@@ -64,11 +86,21 @@ MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const F
   }
   const Eigen::MatrixXd friction = rows.friction * relative.motions;
   for (const auto& row : friction.rowwise()) forces.emplace_back(inverse * row.transpose());
-  if (!ripple.harmonics.empty()) {
-    const double torque = ripple.mean / scales.force(1.0);
-    forces.emplace_back(torque * inverse * (ripple.node * relative.motions).transpose());
+  std::vector<MeshTrain::Ripple> ripples;
+  for (const NodeTorque& torque : torques) {
+    if (torque.harmonics.empty()) continue;
+    forces.emplace_back(torque.mean / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+    ripples.push_back({forces.back(), torque.harmonics});
+  }
+  Eigen::VectorXd by_run_up;
+  for (const NodeTorque& torque : torques) {
+    if (!torque.accelerates) continue;
+    const double moment = torque_of_run_up(*damped, torque) * pinion_speed / scales.time;
+    forces.emplace_back(moment / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+    by_run_up = forces.back();
   }
   const Eigen::MatrixXd V = reached(forces, {by_displacement, by_velocity});
+  for (MeshTrain::Ripple& ripple : ripples) ripple.by_torque = V.transpose() * ripple.by_torque;
   return {.mass = V.transpose() * mass * V,
           .by_force = V.transpose() * inverse.col(0),
           .by_back_force = -V.transpose() * inverse * b.transpose(),
@@ -76,8 +108,9 @@ MeshTrain mesh_train(const Train& train, const Eigen::MatrixXd& damping, const F
           .by_velocity = V.transpose() * by_velocity * V,
           .back = b * V,
           .friction = friction * V,
-          .by_ripple = ripple.harmonics.empty() ? Eigen::VectorXd() : Eigen::VectorXd(V.transpose() * forces.back()),
-          .harmonics = ripple.harmonics};
+          .ripples = std::move(ripples),
+          .by_run_up = by_run_up.size() > 0 ? Eigen::VectorXd(V.transpose() * by_run_up) : by_run_up,
+          .whole = {.damped = damped, .torques = torques, .motions = relative.motions * V}};
 }
 
 }  // namespace gearfilm

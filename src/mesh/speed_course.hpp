@@ -21,6 +21,9 @@ struct SpeedCourse {
     return T < duration ? 1.0 + (ratio - 1.0) * T / duration : ratio;
   }
 
+  /// dr/dT.
+  double acceleration(double T) const { return T >= 0.0 && T < duration ? (ratio - 1.0) / duration : 0.0; }
+
   double phase(double T) const {
     if (duration == 0.0 || T <= 0.0) return T;
     if (T < duration) return T + 0.5 * (ratio - 1.0) * T * T / duration;

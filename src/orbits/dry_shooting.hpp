@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "dynamics/dry_flow.hpp"
 #include "mesh/mesh_model.hpp"
@@ -30,13 +31,14 @@ public:
   /// Free oscillations in a period, but no less than one.
   double oscillations() const;
 
-  /// Throws SolveError where the motion is not finite.
-  DryFlowEnd operator()(const Motion& start) const;
+  /// That of the last start is kept. Throws SolveError where the motion is not finite.
+  const DryFlowEnd& operator()(const Motion& start) const;
 
 private:
   const MeshModel& mesh_;
   double damping_ratio_;
   const DryWatch& watch_;
+  mutable std::optional<std::pair<Motion, DryFlowEnd>> last_{};
 };
 
 /// The periodic motion to which Newton's method comes from a guess; nothing where it does not converge.

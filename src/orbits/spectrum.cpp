@@ -10,24 +10,24 @@
 
 namespace gearfilm {
 
-// States at an entering or a leaving repeat the time of the step before; of two motions at one time the later counts.
-void MotionSignal::add(const StepRecord& record) {
-  if (!samples_.empty() && record.T <= samples_.back().T) samples_.pop_back();
-  samples_.push_back({record.T, record.motion});
+// States at an entering or a leaving repeat the time of the step before.
+void Signal::sample(double T, double value, double rate) {
+  if (!samples_.empty() && T <= samples_.back().T) samples_.pop_back();
+  samples_.push_back({T, value, rate});
 }
 
-double MotionSignal::value(double T) const {
+double Signal::value(double T) const {
   const auto after = std::lower_bound(samples_.begin(), samples_.end(), T,
                                       [](const Sample& sample, double time) { return sample.T < time; });
-  if (after == samples_.begin()) return after->motion.H0();
-  if (after == samples_.end()) return samples_.back().motion.H0();
+  if (after == samples_.begin()) return after->value;
+  if (after == samples_.end()) return samples_.back().value;
   const Sample &a = *(after - 1), &b = *after;
   const double step = b.T - a.T, s = (T - a.T) / step, r = 1.0 - s;
-  return r * r * (1.0 + 2.0 * s) * a.motion.H0() + s * s * (1.0 + 2.0 * r) * b.motion.H0() +
-         step * s * r * (r * a.motion.V0() - s * b.motion.V0());
+  return r * r * (1.0 + 2.0 * s) * a.value + s * s * (1.0 + 2.0 * r) * b.value +
+         step * s * r * (r * a.rate - s * b.rate);
 }
 
-std::vector<double> MotionSignal::uniform(double T_begin, double T_end) const {
+std::vector<double> Signal::uniform(double T_begin, double T_end) const {
   const auto steps = std::count_if(samples_.begin(), samples_.end(),
                                    [&](const Sample& sample) { return sample.T > T_begin && sample.T <= T_end; });
   std::vector<double> values(std::max<std::size_t>(2, static_cast<std::size_t>(steps) / 2 * 2));
@@ -36,7 +36,7 @@ std::vector<double> MotionSignal::uniform(double T_begin, double T_end) const {
   return values;
 }
 
-SignalDeviation MotionSignal::deviation(double T_begin, double T_end) const {
+SignalDeviation Signal::deviation(double T_begin, double T_end) const {
   const std::vector<double> values = uniform(T_begin, T_end);
   const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());
@@ -46,7 +46,7 @@ SignalDeviation MotionSignal::deviation(double T_begin, double T_end) const {
   return {*largest - *smallest, std::sqrt(squares / count)};
 }
 
-std::vector<SpectralLine> MotionSignal::spectrum(double T_begin, double T_end, SpectralWindow window) const {
+std::vector<SpectralLine> Signal::spectrum(double T_begin, double T_end, SpectralWindow window) const {
   const std::vector<double> values = uniform(T_begin, T_end);
   const int count = static_cast<int>(values.size());
   const auto weight = [&](int n) {

@@ -38,7 +38,10 @@ void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summ
 
 ChainLink read_link(const Summary& point) {
   ChainLink link{point["value"].get<double>(), {}, {}};
-  link.guess.motion = {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+  // Of a march (H0, V0) alone are known.
+  link.guess.motion = point.contains("states_after_leaving")
+                          ? point["states_after_leaving"][0].get<Motion>()
+                          : Motion(point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>());
   if (!point.contains("monodromy")) return link;  // of a march
   link.guess.monodromy = read_monodromy(point["monodromy"]);
   if (point.contains("dry_motion")) link.dry.emplace().start = point["dry_motion"].get<Motion>();

@@ -212,7 +212,7 @@ class Figures(ProgramTest):
             self.assertRegex(plot("--help").stdout, rf"(?m)^  {name} +[a-z]")
 
     def test_scripts_of_earlier_versions_say_the_new_command(self):
-        for name in set(KINDS) - {"face", "mixed", "wear", "damage", "campbell", "modes"}:  # which no earlier version had
+        for name in set(KINDS) - {"face", "mixed", "wear", "damage", "campbell", "modes", "train"}:  # new ones
             old = {"compare": "compare_runs", "animation": "animate_march"}.get(name, f"plot_{name}")
             run = run_script(SOURCE / f"scripts/{old}.py", "output/a b", "--name", "c")
             self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)

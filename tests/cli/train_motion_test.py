@@ -66,6 +66,51 @@ class DryMotion(TrainTest):
                 self.assertAlmostEqual(point["total_force_ratio_max"] / expected[point["value"]], 1, delta=tolerance)
             shutil.rmtree(self.folder / "sweep")
 
+    def test_loads_of_the_bearings_and_the_balance_of_energy(self):
+        orbit = self.periodic(*self.damped_bearings(1e9))
+        for gear, loads, mass in zip(("pinion", "wheel"), orbit["bearing_forces"], CASE_STUDY["m"]):
+            self.assertEqual(loads["bearing"], f"bearing_{gear}")
+            self.assertAlmostEqual(loads["force_mean"] / orbit["static_force"], 1, delta=1e-6)
+            self.assertAlmostEqual(numpy.hypot(loads["force_x_mean"], loads["force_y_mean"]) / loads["force_mean"], 1,
+                                   delta=1e-6)  # all along the line of action
+            rows, damper = table_in(self.folder / "periodic", "history/train"), 0.04 * (1e9 * mass) ** 0.5
+            force = 1e9 * rows[f"x_{gear}"] + damper * rows[f"x_velocity_{gear}"]
+            self.assertLess(abs(force - rows[f"bearing_{gear}_x"]).max(), 1e-9 * abs(force).max())
+        moved = numpy.flatnonzero(numpy.diff(rows["t"]) > 0)
+        way = numpy.diff(rows["x_pinion"])[moved]
+        mean = (0.5 * (rows["x_velocity_pinion"][1:] + rows["x_velocity_pinion"][:-1]) * numpy.diff(rows["t"]))[moved]
+        self.assertLess(abs(way - mean).max(), 1e-3 * abs(way).max())
+        self.assertLess(orbit["energy_balance_residual"], 1e-4)
+        self.assertAlmostEqual(orbit["work_of_teeth"] / orbit["dissipated_energy"], 1, delta=1e-3)
+        self.assertLess(abs(orbit["stored_energy_change"]), 1e-6 * orbit["dissipated_energy"])
+        orders = table_in(self.folder / "periodic", "orders")
+        numpy.testing.assert_allclose(orders["order"], 28 * numpy.arange(1, len(orders) + 1), rtol=1e-9)
+        swing = numpy.ptp(rows["bearing_pinion_x"]) / 2
+        self.assertTrue(0.8 < orders["bearing_pinion_x"][0] / swing < 1.2)
+
+    def test_a_run_up_loads_the_teeth_where_it_is_asked_for(self):
+        end = 15300
+        for asked in ("yes", "no"):
+            march = self.summary("transient", "-model", "dry", "-dry_damping_ratio", 0.05, "-mesh_periods", 100,
+                                 "-ramp_to_rpm", end, "-ramp_inertia_torque", asked, *Ripple.LINE)
+            rows = table_in(self.folder / "transient", "history/steps")
+            late = rows[rows["T"] > 0.5 * rows["T"].max()]
+            force = (numpy.diff(late["t"]) * (late["force_total"][1:] + late["force_total"][:-1]) / 2).sum()
+            acceleration = (end - 15000) * 2 * numpy.pi / 60 / rows["t"].max()
+            taken = (0.02 + CASE_STUDY["I"][0]) * acceleration / 470 if asked == "yes" else 0
+            self.assertAlmostEqual(force / numpy.ptp(late["t"]) / march["static_force"], 1 - taken, delta=1e-3)
+            self.assertLess(march["energy_balance_residual"], 1e-4)
+            shutil.rmtree(self.folder / "transient")
+
+    def test_a_sweep_over_a_number_of_the_train(self):
+        sweep = self.summary("sweep", "-model", "dry", "-dry_damping_ratio", 0.05, "-sweep_direction", "up",
+                             "-sweep_over", "motor.shaft_stiffness", "-sweep_values", "1e4, 2e4", *Ripple.LINE)
+        orbit = self.periodic(*Ripple.LINE)
+        soft, stiff = sweep["points"]
+        self.assertEqual((sweep["over"], soft["value"]), ("motor.shaft_stiffness", 1e4))
+        self.assertAlmostEqual(stiff["floquet_modulus"] / orbit["floquet_modulus"], 1, delta=1e-7)
+        self.assertGreater(abs(soft["floquet_modulus"] - stiff["floquet_modulus"]), 1e-4)
+
     def test_a_march_settles_on_the_periodic_motion(self):
         bearings_at = self.damped_bearings(1e9)
         orbit = self.periodic(*bearings_at)
@@ -212,6 +257,42 @@ class Ripple(TrainTest):
         found = sorted(abs(complex(*mu)) for mu in orbit["floquet"])
         for modulus, one in zip(sorted(expected["multipliers_abs"]), found):
             self.assertAlmostEqual(modulus, one, delta=expected["tol"])
+        motor, load = orbit["shaft_torques"]
+        self.assertAlmostEqual(motor["torque_mean"] / 470, 1, delta=1e-6)
+        self.assertAlmostEqual(load["torque_mean"] / (-470 * 43 / 28), 1, delta=1e-6)
+        self.assertLess(orbit["energy_balance_residual"], 1e-4)
+        orders = table_in(self.folder / "periodic", "orders")
+        self.assertAlmostEqual(orders["order"][0], 1, delta=1e-9)
+        for shaft, amplitude in zip(("shaft_motor_pinion", "shaft_load_wheel"), self.torques_by_receptance()):
+            self.assertAlmostEqual(orders[shaft][0] / amplitude, 1, delta=0.01)
+
+    @staticmethod
+    def torques_by_receptance():
+        """Amplitudes at 250 Hz of both shafts of four inertias, the teeth a spring with a damper."""
+        inertias = numpy.diag([0.02, *CASE_STUDY["I"], 0.15])
+        motor, load = numpy.array([1, -1, 0, 0]), numpy.array([0, 0, -1, 1])
+        teeth = numpy.array([0, -CASE_STUDY["rb"][0], CASE_STUDY["rb"][1], 0])
+        k, omega = CASE_STUDY["k_mesh_weber_bores"], 2 * numpy.pi * 250
+        springs = [(2e4, 1.0, motor), (8e4, 4.0, load), (k, 0.04 * (k * CASE_STUDY["m_ge"]) ** 0.5, teeth)]
+        dynamic = sum((spring + 1j * omega * damper) * numpy.outer(row, row) for spring, damper, row in springs)
+        swing = numpy.linalg.solve(dynamic - omega**2 * inertias, [47, 0, 0, 0])
+        return [abs((spring + 1j * omega * damper) * row @ swing) for spring, damper, row in springs[:2]]
+
+    def test_torques_by_keys_in_a_file_and_by_their_frequency_are_the_same(self):
+        file = self.folder / "torques.train"
+        whole = 470 * 43 / 28
+        for keys, line in ((["-motor_torque_harmonics", "1 0.1 0"], "torque motor 470 250Hz 0.1 0"),
+                           (["-load_torque_harmonics", "2 0.1 30"], f"torque load {-whole!r} 2 0.1 30"),
+                           ([], f"torque motor 300\ntorque motor 170\ntorque load {-whole!r}")):
+            motions = []
+            file.write_text(line + "\n", encoding="utf-8")
+            for options in (keys, ["-train_file", file]):
+                self.summary("transient", "-model", "dry", "-mesh_periods", 1, *self.LINE, *options)
+                motions.append(table_in(self.folder / "transient", "history/train"))
+                shutil.rmtree(self.folder / "transient")
+            for name in ("rotation_pinion", "rotation_load", "shaft_load_wheel"):
+                one, other = motions[0][name], motions[1][name]
+                self.assertLess(abs(one - other).max(), 1e-9 * abs(one).max(), name)
 
     def test_wrong_harmonics(self):
         for harmonics, words in (("1 0.1", ["motor.torque_harmonics", "has the part '1 0.1'"]),
@@ -219,10 +300,16 @@ class Ripple(TrainTest):
                                  ("3.14159 0.1 0", ["never repeats together with the mesh"]),
                                  ("1 0.1 0", ["repeat together after 28 mesh periods", "raise that to 28"]),
                                  ("0.5 0.1 0", ["repeat together after 56 mesh periods"]),
-                                 ("1 1e5 0", ["swings the whole train by", "of the base pitch"])):
+                                 ("1 1e5 0", ["swings the whole train by", "of the base pitch"]),
+                                 ("0Hz 0.1 0", ["no order > 0 or frequency"]),
+                                 ("300Hz 0.1 0", ["has 300 Hz; this and the mesh, 7000 Hz", "after 70 mesh periods",
+                                                  "raise that to 70, give an order"])):
             with self.subTest(harmonics=harmonics):
                 self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
                                   "-motor_torque_harmonics", harmonics)
+        self.assert_wrong(["motor.torque_harmonics", "has 300 Hz, which is no order of a shaft"], "sweep",
+                          self.write_case(RELIEF), "-model", "dry", *SHAFTS, "-motor_torque_harmonics", "300Hz 0.1 0",
+                          "-sweep_values", 15000)
         self.assert_wrong(["the motor turns at an imposed speed"], "info", self.write_case(RELIEF), *SHAFTS,
                           "-motor_fixed", "yes", "-motor_torque_harmonics", "1 0.1 0")
 

@@ -113,7 +113,17 @@ class Figures(TrainTest):
             self.assertEqual((run.returncode, run.stderr), (0, ""), run)
             self.assertTrue((self.folder / f"info/{kind}.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_loads_of_a_train_over_time_and_by_orders(self):
+        self.summary("periodic", "-model", "dry", "-dry_damping_ratio", 0.05, *SHAFTS, *bearings(1e9))
+        run = plot("train", self.folder / "periodic", "--format", "png")
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run)
+        self.assertTrue((self.folder / "periodic/train.png").read_bytes().startswith(b"\x89PNG"))
+
     def test_a_pair_alone_has_no_such_figures(self):
+        self.summary("transient", "-model", "dry", "-mesh_periods", 1)
+        run = plot("train", self.folder / "transient")
+        self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (1, "", 1), run)
+        self.assertIn("has no drive train; give one", run.stderr)
         self.summary("info")
         for kind in ("campbell", "modes"):
             run = self.plot(kind)
@@ -141,6 +151,32 @@ class WrongTrains(TrainTest):
                 ([*SHAFTS, "-gear_equivalent_mass", 1], ["gear.equivalent_mass", "delete one"])):
             with self.subTest(options=options):
                 self.refused(words, *options)
+
+    def test_torques_that_do_not_balance(self):
+        file = self.folder / "line.train"
+        for text, words in (("torque motor 400", ["line.train:1", "makes 400 N m", "give 470 N m here"]),
+                            ("torque load 722", ["which do not balance pinion.torque", "give -721.785714285714"]),
+                            ("torque motor", ["needs the form: torque NODE mean"]),
+                            ("torque motor 470 1 0.1", ["needs the form: torque NODE mean"]),
+                            ("torque motor 470 0 0.1 0", ["'0 0.1 0' is no order > 0 or frequency"])):
+            with self.subTest(text=text):
+                file.write_text(text + "\n", encoding="utf-8")
+                self.refused(words, *SHAFTS, "-train_file", file)
+        file.write_text("torque motor 470\n", encoding="utf-8")
+        self.refused(["motor.torque_harmonics", "beside 'torque' lines"], *SHAFTS, "-train_file", file,
+                     "-motor_torque_harmonics", "1 0.1 0")
+        file.write_text("torque motor 100\n", encoding="utf-8")  # what holds the motor takes the rest
+        self.summary("info", *SHAFTS, "-motor_fixed", "yes", "-train_file", file)
+
+    def test_what_run_ups_and_sweeps_ask_for(self):
+        dry = ["-model", "dry", *SHAFTS]
+        self.refused(["ramp.inertia_torque", "give ramp.to_rpm"], *dry, "-ramp_inertia_torque", "yes",
+                     command="transient")
+        self.refused(["ramp.inertia_torque", "does not turn freely"], *dry, "-motor_fixed", "yes", "-ramp_to_rpm", 15300,
+                     "-ramp_inertia_torque", "yes", command="transient")
+        for over in ("motor.torque_harmonics", "motr.inertia", "grid.nx"):
+            self.refused([f"sweep.over' is {over}; give speed, torque", "key of the drive train"], *dry, "-sweep_over",
+                         over, "-sweep_values", 1, command="sweep")
 
     def test_commands_that_move_the_pair_alone(self):
         self.refused(["motor.inertia", "bench moves the pair alone", "info or eigen"], *SHAFTS, command="bench")

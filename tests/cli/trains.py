@@ -1,5 +1,5 @@
-"""The pair of the tests of drive trains: the case study with tip relief, of given inertias, with the numbers of
-tests/reference/drivetrain.json. Its grid on films is that of the reference.
+"""What tests of drive trains share: the case study with tip relief, of given inertias, on bearings or with shafts, with
+the numbers of tests/reference/drivetrain.json. Its grid on films is that of the reference.
 """
 import json
 import re

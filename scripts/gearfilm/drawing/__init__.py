@@ -34,6 +34,7 @@ KINDS = {
     "wear": Kind("wear", "depth that the flanks have lost, over roll angle and face"),
     "damage": Kind("periodic, transient or steady", "stresses below films, fatigue of flanks, ratings"),
     "campbell": Kind("info or eigen, of a drive train", "natural frequencies over the speed, met by the mesh"),
+    "train": Kind("periodic or transient, of a drive train", "tooth force, torques, forces on bearings, their orders"),
     "modes": Kind("info or eigen, of a drive train", "shapes of the modes"),
     "compare": Kind("sweep or periodic", "up to four runs side by side, each given as LABEL=FOLDER"),
     "animation": Kind("periodic, or a transient with films", "film, pressure, force and motion over a mesh cycle"),
