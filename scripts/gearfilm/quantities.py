@@ -41,6 +41,9 @@ h_central | m | film thickness at x = y = 0
 p_hertz | Pa | Hertz pressure under the present force, zero without force
 sliding_velocity | m/s | surface velocity of the pinion less that of the wheel
 lambda | - | smallest film over the roughness of both flanks together
+lambda_central | - | film at x = y = 0 over the roughness of both flanks together
+lambda_smooth | - | central film of smooth flanks by formula over the roughness of both flanks together; zero without force
+real_area_ratio | - | part of the surface on which asperities touch at x = y = 0
 friction_force | N | force of sliding friction, with the sign of the sliding velocity
 rolling_force | N | force of rolling friction on either flank
 friction_coefficient | - | friction_force over the force on the contact

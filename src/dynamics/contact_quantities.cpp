@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/line_contact.hpp"
+
 namespace gearfilm {
 
 double hertz_pressure_of(const QuantityInputs& at) {
@@ -19,6 +21,7 @@ AvailableModels available_models(bool lubricated, const std::optional<TractionMo
           .heat = traction && traction->heat,
           .roughness = roughness.has_value(),
           .asperities = solids.rough != nullptr,
+          .asperity_area = solids.rough && solids.rough->asperities().knows_real_area(),
           .wear = wear.has_value(),
           .stress = stress.has_value(),
           .rating = rating != nullptr,
@@ -90,6 +93,23 @@ double rated_temperature(const QuantityInputs& at) {
 
 double film_ratio(const QuantityInputs& at) {
   return at.roughness ? at.scales.thickness * at.film.smallest_film / *at.roughness : 0.0;
+}
+
+double central_film_ratio(const QuantityInputs& at) {
+  return at.roughness ? at.scales.thickness * at.film.central_film / *at.roughness : 0.0;
+}
+
+double smooth_film_ratio(const QuantityInputs& at) {
+  if (!at.roughness || !(at.film.pressure_integral > 0.0)) return 0.0;
+  const ContactOperation operation{at.scales.force(at.film.pressure_integral),
+                                   velocities_of(at.scales, at.contact).mean};
+  return expected_central_film(solids_of(at.scales, at.contact.conditions), at.scales.oil, operation) / *at.roughness;
+}
+
+double real_area_ratio(const QuantityInputs& at) {
+  const RoughSurfaces* rough = at.scales.solids.rough.get();
+  if (!rough) return 0.0;
+  return rough->asperities().real_area(at.scales.thickness * at.film.central_film / rough->sigma()).value_or(0.0);
 }
 
 ContactQuantities quantities_of(const QuantityInputs& at) {

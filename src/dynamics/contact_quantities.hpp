@@ -35,6 +35,12 @@ inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) 
 
 /// h_min/Rq; zero without roughness.
 double film_ratio(const QuantityInputs& at);
+/// The central film over Rq, and that of the smooth film formula under the present force; zero without roughness, the
+/// latter without force too.
+double central_film_ratio(const QuantityInputs& at);
+double smooth_film_ratio(const QuantityInputs& at);
+/// Part of the surface on which asperities touch in the middle of the contact; zero where the law says nothing of it.
+double real_area_ratio(const QuantityInputs& at);
 /// Part of the force that asperities carry.
 double asperity_load_share(const QuantityInputs& at);
 /// Depth that a flank loses by one passage of the contact, in the row where asperities carry most [m] (archard.hpp).
@@ -122,6 +128,16 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                                   "smallest film over the roughness of both flanks together", RequiredModel::roughness,
                                   Reduced{"lambda_min", Reduction::smallest, units::number,
                                           "smallest film over the roughness", ShownIn::everywhere}),
+     quantity::of<QuantityInputs>(central_film_ratio, "lambda_central", "h_c/Rq", units::number,
+                                  "film at x = y = 0 over the roughness of both flanks together",
+                                  RequiredModel::roughness),
+     quantity::of<QuantityInputs>(smooth_film_ratio, "lambda_smooth", "", units::number,
+                                  "central film of smooth flanks by formula over the roughness of both flanks "
+                                  "together; zero without force",
+                                  RequiredModel::roughness),
+     quantity::of<QuantityInputs>(real_area_ratio, "real_area_ratio", "A_c/A", units::number,
+                                  "part of the surface on which asperities touch at x = y = 0",
+                                  RequiredModel::asperity_area),
      quantity::of<QuantityInputs>(
          asperity_load_share, "asperity_load_share", "L_a", units::number, "part of the force that asperities carry",
          RequiredModel::asperities,

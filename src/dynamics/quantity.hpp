@@ -70,6 +70,7 @@ enum class RequiredModel {
   heat,
   roughness,
   asperities,
+  asperity_area,
   boundary_friction,
   wear,
   stress,
@@ -87,6 +88,7 @@ struct AvailableModels {
   bool heat = false;
   bool roughness = false;
   bool asperities = false;
+  bool asperity_area = false;
   bool wear = false;
   bool stress = false;
   bool rating = false;
@@ -100,6 +102,7 @@ struct AvailableModels {
                           heat,
                           roughness,
                           asperities,
+                          asperity_area,
                           asperities && friction,
                           asperities && wear,
                           stress,

@@ -51,6 +51,14 @@ struct StepOptions {
   void lengthen(double ratio);
 };
 
+/// Newton's method for steps between rough surfaces, where many nodes fill and dry.
+inline NewtonOptions rough_step_newton() {
+  NewtonOptions options = StepOptions().newton;
+  options.krylov_tolerance = 0.01;
+  options.late_krylov_tolerance = 1e-5;
+  return options;
+}
+
 class SegmentStepper {
 public:
   /// on_step is called after every accepted step. Pair and memory must outlive the stepper.

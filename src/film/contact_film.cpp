@@ -65,12 +65,16 @@ void ContactFilm::set_flow_factors(FlowFactors factors) {
 }
 
 void ContactFilm::set_heights() {
-  state_.heights.reset();
-  if (surfaces_.heights.empty()) return;
-  std::vector<double> carried = surfaces_.heights.mass;
-  const std::size_t rows = surfaces_.entrainment.size();
-  for (std::size_t n = 0; n < carried.size(); ++n) carried[n] *= surfaces_.entrainment[n % rows];
-  state_.heights.emplace(grid_).load(carried);
+  if (surfaces_.heights.empty()) {
+    state_.heights.reset();
+    return;
+  }
+  if (!state_.heights) state_.heights.emplace(grid_);
+  for (int i = 0; i < grid_.nx(); ++i) {
+    double* carried = state_.heights->row(i);
+    const double* mass = surfaces_.heights.mass.data() + static_cast<std::size_t>(i) * grid_.y_count();
+    for (int j = 0; j < grid_.y_count(); ++j) carried[j] = mass[j] * surfaces_.entrainment[j];
+  }
 }
 
 void ContactFilm::set_entrained() {

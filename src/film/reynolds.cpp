@@ -1,6 +1,7 @@
 #include "film/reynolds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -60,19 +61,23 @@ private:
 };
 
 /// Where oil is pushed over the front of a full region, it goes as far as what it meets has room for: nodes there, full
-/// or not by themselves, are full. By itself the front would come forward by one node an iteration.
+/// or not by themselves, are full. By itself the front would come forward by one node an iteration. A node is at the
+/// front where no pressure in it drives oil away; between rough surfaces, where P_f = P - P_a is never zero to the last
+/// bit, where less is driven away than comes in.
 void advance_fronts(const Grid& grid, FilmState& state, std::span<double> residual) {
   const RowRange rows = grid.inner_rows();
+  const double driven = state.rough ? 1.0 : 0.0;  // of what comes in
   const auto sweep = [&](int first, int last, int way) {
     std::vector<double> pushed(grid.y_count(), 0.0);
     for (int i = first; i != last; i += way) {
       const double *pressure = state.film_pressure().row(i), *behind = state.film_pressure().row(i - way);
+      const double* scale = state.row_scale.row(i);
       double* full_film = state.full_film.row(i);
       const double* line = residual.data() + static_cast<std::ptrdiff_t>(i) * grid.y_count();
       double* over = pushed.data();
       GEARFILM_INDEPENDENT_ITERATIONS
       for (int j = rows.begin; j < rows.end; ++j) {
-        const bool empty = pressure[j] <= 0.0;
+        const bool empty = scale[j] * pressure[j] <= driven * std::abs(line[j]);
         const bool front = empty & (line[j] < 0.0) & (behind[j] > 0.0);
         const bool filled = empty & (line[j] >= 0.0) & (line[j] <= over[j]);
         const double left = filled ? over[j] - line[j] : 0.0;

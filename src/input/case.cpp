@@ -22,6 +22,7 @@
 #include "input/case_teeth.hpp"
 #include "input/case_topography.hpp"
 #include "input/case_traction.hpp"
+#include "input/plain_text.hpp"
 #include "input/point_table.hpp"
 #include "mesh/static_mesh.hpp"
 
@@ -29,8 +30,6 @@ namespace gearfilm {
 namespace {
 
 using std::numbers::pi;
-
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 SpurGear read_gear(const ParameterValues& values, const std::string& gear) {
   return {.teeth = values.integer(gear + ".teeth"),
@@ -60,7 +59,7 @@ std::optional<double> read_equivalent_mass(const ParameterValues& values, const 
   for (const std::string& inertia : {pinion, wheel}) {
     values.require_not_both(inertia, mass, ", and each says how heavy the gears are; delete one");
   }
-  values.require_both(pinion, wheel, "give both inertias, " + quoted(mass) + ", or neither");
+  values.require_both(pinion, wheel, "give both inertias, " + in_quotes(mass) + ", or neither");
   if (values.has(mass)) return values.real(mass);
   if (values.has(pinion)) return equivalent_mass(line, values.real(pinion), values.real(wheel));
   return {};
@@ -125,7 +124,7 @@ double read_reduced_modulus(const ParameterValues& values) {
   for (const std::string& body : bodies) {
     values.require_not_both(body, reduced, "; delete one");
     if (!values.has(reduced) && !values.has(body))
-      throw InputError(values.file() + ": " + quoted(body) + " is missing; give " + quoted(reduced) +
+      throw InputError(values.file() + ": " + in_quotes(body) + " is missing; give " + in_quotes(reduced) +
                        ", or Young's modulus and Poisson's ratio of both bodies");
   }
   if (values.has(reduced)) return values.real(reduced);
@@ -137,7 +136,7 @@ ReferenceContact read_bare_contact(const ParameterValues& values) {
   const bool line = values.text("case.kind") == "line";
   const std::string radius_y = "contact.radius_y", width = "contact.face_width";
   if (!line && !values.has(radius_y) && !values.has(width)) {
-    throw InputError(values.file() + ": " + quoted(radius_y) + " is missing; give it, or " + quoted(width) +
+    throw InputError(values.file() + ": " + in_quotes(radius_y) + " is missing; give it, or " + in_quotes(width) +
                      " of a contact without crowning");
   }
   ContactSolids solids{.radius_x = values.real("contact.radius_x"),
@@ -162,7 +161,7 @@ std::string read_name(const ParameterValues& values) {
 double read_position(const CaseInput& result, const std::string& name) {
   const double position = result.parameters.real(name);
   const std::string given =
-      result.parameters.origin(name) + ": " + quoted(name) + " is " + format_value(position) + " m";
+      result.parameters.origin(name) + ": " + in_quotes(name) + " is " + format_value(position) + " m";
   if (!result.pair.line) {
     if (position != 0.0) throw InputError(given + ", but a bare contact has no line of action; delete the key");
     return position;
@@ -281,7 +280,7 @@ SpeedCourse read_speed_course(const CaseInput& result) {
   const std::string end = "ramp.to_rpm", length = "ramp.periods";
   if (!values.has(end)) {
     if (!values.has(length)) return {};
-    values.refuse(length, "is given, but not " + quoted(end) + "; give the speed at the end of the ramp");
+    values.refuse(length, "is given, but not " + in_quotes(end) + "; give the speed at the end of the ramp");
   }
   if (result.march.geometry != MeshGeometry::moving) {
     values.refuse(end, "is given, but the contacts do not go round: 'geometry' is " + values.text("geometry") +
@@ -295,7 +294,7 @@ std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values)
   const std::string motion = "time.tolerance", films = "time.film_tolerance";
   if (values.has(motion)) return ErrorTolerance{values.real(motion), values.real_if_given(films).value_or(HUGE_VAL)};
   if (!values.has(films)) return {};
-  values.refuse(films, "is given, but not " + quoted(motion) + "; give the tolerance on the motion too");
+  values.refuse(films, "is given, but not " + in_quotes(motion) + "; give the tolerance on the motion too");
 }
 
 void set_march(CaseInput& result) {

@@ -105,10 +105,11 @@ MarginRule margin_rule(const CaseInput& result) {
   return rule;
 }
 
-NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, double tolerance) {
+NewtonOptions read_newton_options(const ParameterValues& values, const std::string& section, double tolerance,
+                                  double krylov_tolerance) {
   return {.tolerance = tolerance,
           .max_iterations = values.integer(section + ".newton_max_iterations"),
-          .krylov_tolerance = values.real(section + ".krylov_tolerance"),
+          .krylov_tolerance = krylov_tolerance,
           .krylov_max_iterations = values.integer(section + ".krylov_max_iterations")};
 }
 
@@ -119,10 +120,15 @@ double step_tolerance(const Scales& scales) {
   return std::clamp(of_the_film * ExpectedFilm(scales).film, NewtonOptions().tolerance, StepOptions().newton.tolerance);
 }
 
+// Between rough surfaces a linear solve that leaves much has nodes dry that oil fills, and others full that are dry,
+// and the next iteration only puts that right.
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
+  const NewtonOptions usual = scales.solids.rough ? rough_step_newton() : StepOptions().newton;
   NewtonOptions options = read_newton_options(
-      values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)));
-  options.late_krylov_tolerance = values.real("time.late_krylov_tolerance");
+      values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)),
+      values.real_if_given("time.krylov_tolerance").value_or(usual.krylov_tolerance));
+  options.late_krylov_tolerance =
+      values.real_if_given("time.late_krylov_tolerance").value_or(usual.late_krylov_tolerance);
   options.unsolved = StepOptions().newton.unsolved;
   options.limit_changes = true;
   return options;
@@ -213,7 +219,8 @@ void set_film_numerics(CaseInput& result) {
       values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;
   if (result.scales.solids.face) result.numerics.face_rows = read_row_grading(values, *result.scales.solids.face);
   set_nodes(result);
-  result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance")),
+  result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance"),
+                                                values.real("solver.krylov_tolerance")),
                             read_multigrid_options(values)};
 }
 

@@ -7,6 +7,7 @@
 
 #include "gear/tooth_profile.hpp"
 #include "gearfilm/error.hpp"
+#include "input/case_roughness.hpp"
 
 namespace gearfilm {
 namespace {
@@ -14,10 +15,10 @@ namespace {
 /// Ra of both flanks, their mean [m]; nothing unless both are known. Of Gaussian heights Ra = (2/pi)^(1/2) Rq.
 std::optional<double> read_mean_roughness(const ParameterValues& values) {
   double sum = 0.0;
-  for (const std::string gear : {"pinion", "wheel"}) {
-    const std::optional<double> mean = values.real_if_given(gear + ".roughness_ra"),
-                                square = values.real_if_given(gear + ".roughness");
-    if (!mean && !square) return {};
+  for (std::size_t body : {0, 1}) {
+    const std::optional<double> mean = values.real_if_given(values.body_keys("roughness_ra")[body]),
+                                square = given_roughness(values, body);
+    if (!square) return {};
     sum += mean ? *mean : *square * std::sqrt(2.0 / std::numbers::pi);
   }
   return sum > 0.0 ? std::optional(0.5 * sum) : std::nullopt;

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
 
 #include "gearfilm/error.hpp"
+#include "input/plain_text.hpp"
 #include "input/point_table.hpp"
 
 namespace gearfilm {
@@ -12,20 +14,31 @@ namespace {
 
 bool bare(const ParameterValues& values) { return values.text("case.kind") != "gear_pair"; }
 
+/// Rz over Ra: 4 to 7 by a rule of thumb, here their geometric mean (an assumption).
+constexpr double smallest_depth = 4.0, largest_depth = 7.0, usual_depth = 5.3;
+
+/// Rq over Ra of Gaussian heights.
+const double square_by_mean = std::sqrt(0.5 * std::numbers::pi);
+
+std::array<std::string, 3> roughness_keys(const ParameterValues& values, std::size_t body) {
+  return {values.body_keys("roughness")[body], values.body_keys("roughness_ra")[body],
+          values.body_keys("roughness_rz")[body]};
+}
+
 /// Rq of both bodies [m]; absent where it is not known.
 std::array<std::optional<double>, 2> read_root_mean_squares(const ParameterValues& values,
                                                             const FlankTopography& topography) {
-  const std::array<std::string, 2> squares = values.body_keys("roughness"), means = values.body_keys("roughness_ra");
   std::array<std::optional<double>, 2> result = topography.shorter;
   for (std::size_t k = 0; k < result.size(); ++k) {
-    values.require_not_both(squares[k], means[k], "; delete one");
-    for (const std::string& key : {squares[k], means[k]}) {
+    const auto keys = roughness_keys(values, k);
+    values.require_not_both(keys[0], keys[1], "; delete one");
+    values.require_not_both(keys[0], keys[2], "; delete one");
+    values.require_not_both(keys[1], keys[2], "; delete one");
+    for (const std::string& key : keys) {
       if (result[k] && values.has(key))
         values.refuse(key, "is given, but the flank's surface is measured and says how rough it is; delete one");
     }
-    if (values.has(squares[k])) result[k] = values.real(squares[k]);
-    // Rq = (pi/2)^(1/2) Ra holds for Gaussian heights.
-    if (values.has(means[k])) result[k] = std::sqrt(0.5 * std::numbers::pi) * values.real(means[k]);
+    if (const auto given = given_roughness(values, k)) result[k] = given;
     if (result[k]) *result[k] *= topography.roughness_ratio;
   }
   return result;
@@ -75,6 +88,30 @@ AsperityOptions read_asperities(const ParameterValues& values) {
 }
 
 }  // namespace
+
+std::optional<double> given_roughness(const ParameterValues& values, std::size_t body) {
+  const auto [square, mean, depth] = roughness_keys(values, body);
+  if (values.has(square)) return values.real(square);
+  if (values.has(mean)) return square_by_mean * values.real(mean);
+  if (values.has(depth)) return square_by_mean * values.real(depth) / usual_depth;
+  return {};
+}
+
+std::vector<std::string> roughness_warnings(const ParameterValues& values) {
+  std::vector<std::string> warnings;
+  const auto in_um = [](double value) { return worded(std::setprecision(2), 1e6 * value); };
+  for (std::size_t body : {0, 1}) {
+    const std::string depth = roughness_keys(values, body)[2];
+    if (!values.has(depth) || values.real(depth) == 0.0) continue;
+    const double Rz = values.real(depth);
+    warnings.push_back(in_quotes(depth) + " is " + in_um(Rz) +
+                       " um, taken for Rq = " + in_um(square_by_mean * Rz / usual_depth) +
+                       " um: Rz is from 4 to 7 times Ra, and Rq from " + in_um(square_by_mean * Rz / largest_depth) +
+                       " to " + in_um(square_by_mean * Rz / smallest_depth) + " um; give " +
+                       in_quotes(values.body_keys("roughness")[body]) + " or its Ra if they are known");
+  }
+  return warnings;
+}
 
 std::optional<double> read_roughness(const ParameterValues& values, const FlankTopography& topography) {
   const auto [first, second] = read_root_mean_squares(values, topography);

@@ -1,8 +1,11 @@
 // Roughness of the surfaces of a case.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "input/case.hpp"
 #include "input/case_topography.hpp"
@@ -11,6 +14,12 @@
 #include "roughness/rough_surfaces.hpp"
 
 namespace gearfilm {
+
+/// Rq of a body from Rq, Ra or Rz, whichever is given [m].
+std::optional<double> given_roughness(const ParameterValues& values, std::size_t body);
+
+/// How uncertain Rq is where Rz stands for it.
+std::vector<std::string> roughness_warnings(const ParameterValues& values);
 
 /// sqrt(Rq_1^2 + Rq_2^2) [m], of measured flanks what is shorter than the cutoff; absent where neither surface has a
 /// roughness.

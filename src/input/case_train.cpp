@@ -6,6 +6,7 @@
 
 #include "input/case.hpp"
 #include "input/case_setup.hpp"
+#include "input/plain_text.hpp"
 #include "input/train_torques.hpp"
 #include "train/spur_row.hpp"
 
@@ -14,19 +15,17 @@ namespace {
 
 const std::string run_up_key = "ramp.inertia_torque";
 
-std::string key_in_quotes(const std::string& key) { return "'" + key + "'"; }
-
 void require_inertias(const ParameterValues& values, const std::string& key) {
   const std::string mass = "gear.equivalent_mass";
   if (values.has(mass)) {
-    values.refuse(mass, "is given beside " + key_in_quotes(key) +
+    values.refuse(mass, "is given beside " + in_quotes(key) +
                             " of a drive train, which needs more than one mass; give pinion.inertia and "
                             "wheel.inertia in its place");
   }
   for (const std::string inertia : {"pinion.inertia", "wheel.inertia"}) {
     if (values.has(inertia)) continue;
-    values.refuse(
-        key, "is given, but " + key_in_quotes(inertia) + " is not; a drive train needs the inertias of both gears");
+    values.refuse(key,
+                  "is given, but " + in_quotes(inertia) + " is not; a drive train needs the inertias of both gears");
   }
 }
 
@@ -35,10 +34,10 @@ std::optional<Bearing> read_bearing(const ParameterValues& values, const std::st
   const std::string all = gear + ".bearing_stiffness", x = all + "_x", y = all + "_y", xy = all + "_xy";
   const std::string ratio = gear + ".bearing_damping_ratio";
   for (const std::string& part : {x, y, xy}) values.require_not_both(all, part, "; delete one");
-  values.require_both(x, y, "give both, or " + key_in_quotes(all));
+  values.require_both(x, y, "give both, or " + in_quotes(all));
   if (!values.has(all) && !values.has(x)) {
     for (const std::string& key : {xy, ratio}) {
-      if (values.has(key)) values.refuse(key, "is given without a stiffness; give " + key_in_quotes(all));
+      if (values.has(key)) values.refuse(key, "is given without a stiffness; give " + in_quotes(all));
     }
     return {};
   }
@@ -72,13 +71,13 @@ void add_machine(const ParameterValues& values, const std::string& machine, std:
   const bool held = values.has(fixed) && values.yes(fixed);
   if (!values.has(inertia) && !held) {
     for (const std::string& key : {stiffness, damping}) {
-      if (values.has(key)) values.refuse(key, "is given, but nothing is on the shaft; give " + key_in_quotes(inertia));
+      if (values.has(key)) values.refuse(key, "is given, but nothing is on the shaft; give " + in_quotes(inertia));
     }
     return;
   }
   if (!values.has(stiffness)) {
-    values.refuse(values.has(inertia) ? inertia : fixed, "is given, but not " + key_in_quotes(stiffness) +
-                                                             "; give the shaft to the " + parts.nodes[gear].name);
+    values.refuse(values.has(inertia) ? inertia : fixed,
+                  "is given, but not " + in_quotes(stiffness) + "; give the shaft to the " + parts.nodes[gear].name);
   }
   parts.nodes.push_back({.name = machine,
                          .inertia = values.real_if_given(inertia).value_or(0.0),

@@ -192,6 +192,10 @@ Records start_records() {
        optional("0", number("V0", "dH_0/dT", "-", closed(-1e3, 1e3), "velocity at the start, with start.H0"))});
 }
 
+std::string between_rough(double smooth, double rough) {
+  return format_value(smooth) + ", between rough surfaces " + format_value(rough);
+}
+
 Records time_records() {
   const StepOptions standard;
   return section(
@@ -214,13 +218,13 @@ Records time_records() {
                        "of about as much over H")),
        preset(standard.newton.max_iterations, whole("newton_max_iterations", "", at_least(1),
                                                     "Newton steps before a time step is tried again, and halved")),
-       preset(
-           standard.newton.krylov_tolerance,
+       optional(
+           between_rough(standard.newton.krylov_tolerance, rough_step_newton().krylov_tolerance),
            number("krylov_tolerance", "", "-", right_open(1e-15, 1),
                   "relative, of each linear solve in a time step; no more than to three tenths of Newton's tolerance")),
-       preset(standard.newton.late_krylov_tolerance,
-              number("late_krylov_tolerance", "", "-", right_open(1e-15, 1),
-                     "the same from the third solve of a step on, where smaller")),
+       optional(between_rough(standard.newton.late_krylov_tolerance, rough_step_newton().late_krylov_tolerance),
+                number("late_krylov_tolerance", "", "-", right_open(1e-15, 1),
+                       "the same from the third solve of a step on, where smaller")),
        preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
        preset(0, whole("levels", "", closed(0, 20),

@@ -14,4 +14,7 @@ std::size_t first_unreadable(std::string_view text, std::string_view allowed = {
 /// The text for one line of a terminal: what is unreadable becomes '?', and a very long text loses its middle.
 std::string one_line(std::string_view text);
 
+/// A key in a message.
+inline std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
+
 }  // namespace gearfilm

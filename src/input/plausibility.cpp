@@ -9,6 +9,7 @@
 #include "gear/tooth_space.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
+#include "input/case_roughness.hpp"
 
 namespace gearfilm {
 namespace {
@@ -217,7 +218,7 @@ void compare_grid(const CaseInput& problem, Oddities& found) {
 }  // namespace
 
 std::vector<std::string> plausibility_warnings(const CaseInput& problem) {
-  Oddities found;
+  Oddities found = roughness_warnings(problem.parameters);
   compare_parameters(problem.parameters, found);
   compare_contact(problem.scales, found);
   if (problem.kind == CaseKind::gear_pair) {

@@ -9,7 +9,11 @@ std::vector<Parameter> roughness_of_body_records(const std::string& subscript, c
                                     "roughness of the surface, root mean square")),
           optional("from the root mean square",
                    number("roughness_ra" + ending, "Ra_" + subscript, "m", closed(0, 1e-4),
-                          "roughness of the surface, arithmetic mean, in the place of Rq = (pi/2)^(1/2) Ra"))};
+                          "roughness of the surface, arithmetic mean, in the place of Rq = (pi/2)^(1/2) Ra")),
+          optional("from the root mean square",
+                   number("roughness_rz" + ending, "Rz_" + subscript, "m", closed(0, 1e-3),
+                          "roughness of the surface, mean peak to valley, in the place of Rq, of which it says little: "
+                          "Ra = Rz/5.3 (an assumption)"))};
 }
 
 std::vector<Parameter> lay_records() {

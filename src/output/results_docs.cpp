@@ -23,6 +23,7 @@ std::string condition(RequiredModel needs) {
                                      "; with `thermal.model`",
                                      "; with `pinion.roughness` or `wheel.roughness`",
                                      "; with `roughness.model`",
+                                     "; with `roughness.model` and a law of summits",
                                      "; with `roughness.model` and `friction.law`",
                                      "; with `roughness.model` and a coefficient of wear",
                                      "; with `stress.model`",

@@ -41,11 +41,13 @@ public:
 
   double operator()(double d) const {
     if (d <= elastic_) return 4.0 / 3.0 * modulus_ * d * std::sqrt(d);
-    if (d >= plastic_) return 2.0 * pi * d * hardness_;
-    const double t = (d - elastic_) / (plastic_ - elastic_);
-    const double pressure =
-        hardness_ * (1.0 - (1.0 - first_yield) * std::log(plastic_ / d) / std::log(plastic_ / elastic_));
-    return pi * d * (1.0 - 2.0 * t * t * t + 3.0 * t * t) * pressure;
+    if (d >= plastic_) return area(d) * hardness_;
+    return area(d) * hardness_ * (1.0 - (1.0 - first_yield) * std::log(plastic_ / d) / std::log(plastic_ / elastic_));
+  }
+  /// On which it rests, over the radius squared.
+  double area(double d) const {
+    const double t = std::clamp((d - elastic_) / (plastic_ - elastic_), 0.0, 1.0);
+    return pi * d * (1.0 - 2.0 * t * t * t + 3.0 * t * t);
   }
   double elastic() const { return elastic_; }
   double plastic() const { return plastic_; }
@@ -68,19 +70,25 @@ double integral_from(double from, double to, const std::function<double(double)>
   return sum * step / 3.0;
 }
 
-double zhao_maietta_chang(const AsperityOptions& options, double modulus, double z) {
+/// n beta^2 Int f(d/beta) over the summits' heights, f a value of one asperity by how far it is pressed in.
+template <class OfAsperity>
+double over_summits(const AsperityOptions& options, const AsperityLoad& load, double z, OfAsperity of) {
   const Summits summits(options);
-  const AsperityLoad load(options.hardness, modulus);
   const double depth_unit = options.slope * summits.deviation;  // of d/beta, by s
   const double u = summits.at(z);
   const double last = std::max(u, 0.0) + 9.0 + std::max(0.0, -u);
-  const auto part = [&](double s) { return load(depth_unit * (s - u)) * std::exp(-0.5 * s * s) / std::sqrt(2.0 * pi); };
+  const auto part = [&](double s) { return of(depth_unit * (s - u)) * std::exp(-0.5 * s * s) / std::sqrt(2.0 * pi); };
   const double first_yield = std::min(u + load.elastic() / depth_unit, last),
                full_yield = std::min(u + load.plastic() / depth_unit, last);
   const double sum = integral_from(u, first_yield, part) + integral_from(first_yield, full_yield, part) +
                      integral_from(full_yield, last, part);
   // n beta^2 = (n beta sigma)/(sigma/beta)
   return options.density_product / options.slope * sum;
+}
+
+double zhao_maietta_chang(const AsperityOptions& options, double modulus, double z) {
+  const AsperityLoad load(options.hardness, modulus);
+  return over_summits(options, load, z, load);
 }
 
 double greenwood(const AsperityOptions& options, double modulus, double z) {
@@ -149,10 +157,9 @@ double log_of_law(const AsperityOptions& options, double modulus, double z) {
 
 }  // namespace
 
-AsperityLaw::AsperityLaw(const AsperityOptions& options, double reduced_modulus) {
-  for (int k = 0; k < table_points; ++k) {
-    value_.push_back(log_of_law(options, 0.5 * reduced_modulus, first_z + k * step_z));
-  }
+AsperityLaw::AsperityLaw(const AsperityOptions& options, double reduced_modulus)
+    : options_(options), modulus_(0.5 * reduced_modulus) {
+  for (int k = 0; k < table_points; ++k) value_.push_back(log_of_law(options, modulus_, first_z + k * step_z));
   slope_ = spline_slopes(value_, step_z);
 }
 
@@ -174,6 +181,26 @@ AsperityLaw::Value AsperityLaw::operator()(double z) const {
   double slope = 0.0;
   const double pressure = std::exp(std::min(log_pressure(z, slope), largest_exponent));
   return {pressure, pressure * slope};
+}
+
+bool AsperityLaw::knows_real_area() const {
+  return options_.kind != AsperityLawKind::exponential && options_.kind != AsperityLawKind::table;
+}
+
+std::optional<double> AsperityLaw::real_area(double z) const {
+  if (!knows_real_area()) return {};
+  const Summits summits(options_);
+  const double product = pi * options_.density_product * summits.deviation;
+  double part = 0.0;
+  if (options_.kind == AsperityLawKind::greenwood_tripp) {
+    part = product * product * height_integral(2.0, summits.at(z));
+  } else if (options_.kind == AsperityLawKind::greenwood_williamson) {
+    part = product * height_integral(1.0, summits.at(z));
+  } else {
+    const AsperityLoad load(options_.hardness, modulus_);
+    part = over_summits(options_, load, z, [&](double d) { return load.area(d); });
+  }
+  return std::min(part, 1.0);
 }
 
 double AsperityLaw::gap_under(double pressure) const {

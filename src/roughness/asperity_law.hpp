@@ -14,9 +14,14 @@
 // (sigma_s/sigma)^2 = 1 - 3.717e-4/(n beta sigma)^2; without the shift y_s = 0, sigma_s = sigma.
 // Assumption: the constants of the third law and of the shift are from memory (Zhao, Maietta and Chang 2000, McCool);
 // the load is continuous at d_1 and the two constants of the shift agree with each other.
+// Part of the surface on which summits touch (none is known of the last law and of tables), by the areas of summits:
+//   Greenwood, Tripp         (pi n beta sigma_s)^2 F_2(u)
+//   Greenwood, Williamson    pi n beta sigma_s F_1(u)
+//   Zhao, Maietta, Chang     n Int A(s - u) exp(-s^2/2)/sqrt(2 pi) ds, A = w over its mean pressure: pi beta d, elastic
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gearfilm {
@@ -52,12 +57,17 @@ public:
     double slope;     ///< dp_a/dz [Pa], < 0
   };
   Value operator()(double z) const;
+  /// The part of the surface on which summits touch at z, at most 1; nothing where the law says nothing of it.
+  std::optional<double> real_area(double z) const;
+  bool knows_real_area() const;
   /// The z at which asperities press so much, > 0 [Pa].
   double gap_under(double pressure) const;
 
 private:
   double log_pressure(double z, double& slope) const;
 
+  AsperityOptions options_;
+  double modulus_;                     ///< E* [Pa]
   std::vector<double> value_, slope_;  ///< of ln p_a at equal distances
 };
 

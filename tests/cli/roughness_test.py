@@ -58,6 +58,9 @@ class Lines(RoughnessTest):
                 self.assertAlmostEqual(film["h_central"] / 0.5e-6, row["h_c_over_sigma"], delta=0.01)
                 self.assertAlmostEqual(film["mean_gap_central"] / 0.5e-6, row["hT_c_over_sigma"], delta=0.01)
                 self.assertAlmostEqual(film["friction_coefficient"], row["mu"], delta=5e-4)
+                self.assertAlmostEqual(film["lambda_central"], film["h_central"] / 0.5e-6, delta=1e-9)
+                self.assertAlmostEqual(film["lambda_smooth"], film["predictions"]["moes_line_h_central"] / 0.5e-6,
+                                       delta=1e-6)
 
     def test_slow_contacts_are_dry_but_for_a_share_that_speed_gives(self):
         """The reference continues the law of flow as this program does."""
@@ -99,6 +102,15 @@ class Lines(RoughnessTest):
         expected = 1e-16 * 0.2 / 1.1 * film["asperity_load_share"] * 277558
         self.assertAlmostEqual(film["wear_depth_pinion"] / expected, 1, delta=1e-6)
 
+    def test_peak_to_valley_heights_are_taken_with_a_warning(self):
+        case = self.write_case(LINE.replace("roughness_1: 0.353553390593e-6", "roughness_rz_1: 2e-6"))
+        outcome = self.run_program("steady", case, "-output_dir", "film")
+        self.assertEqual(outcome.status, 0, outcome)
+        self.assertIn("taken for Rq = 0.47 um", outcome.stderr)
+        film = summary_in(self.folder / "film")
+        sigma = math.hypot(math.sqrt(math.pi / 2) * 2e-6 / 5.3, 0.353553390593e-6)
+        self.assertAlmostEqual(film["lambda"], film["h_min"] / sigma, delta=1e-9)
+
     def test_flanks_may_change_places(self):
         there = self.film(300, "-contact_roughness_1", "0.6e-6", "-contact_roughness_2", "0.2e-6")
         turned = self.film(300, "-contact_roughness_1", "0.2e-6", "-contact_roughness_2", "0.6e-6", slip=-0.2)
@@ -134,6 +146,7 @@ class Gears(RoughnessTest):
         loaded = contacts[contacts["force"] > 0.2 * contacts["force"].max()]
         split = loaded["friction_coefficient_fluid"] + loaded["friction_coefficient_boundary"]
         self.assertLess(numpy.abs(split - loaded["friction_coefficient"]).max(), 1e-12)
+        self.assertLess(table_in(self.folder / "slow", "history/steps")["newton"].mean(), 5)
         # Flanks wear where they slide: least at the pitch point.
         at_pitch = numpy.argmin(numpy.abs(loaded["xi"]))
         self.assertLess(loaded["wear_depth_pinion"][at_pitch], 0.2 * slow["wear_depth_pinion_max"])

@@ -125,6 +125,20 @@ TEST(AsperityLaw, of_hard_summits_is_the_elastic_one) {
   for (double z = -3.0; z < 4.0; z += 0.5) expect_near(hard(z).pressure, elastic(z).pressure, 1e-5);
 }
 
+// Elastic summits of equal radii touch on pi beta d, plastic ones on twice that; F_2(0) = 1/2.
+TEST(AsperityLaw, says_on_what_part_of_the_surface_summits_touch) {
+  const AsperityLaw hard({.hardness = 1e15, .summit_shift = false}, modulus),
+      soft({.hardness = 1e3, .summit_shift = false}, modulus),
+      elastic({.kind = AsperityLawKind::greenwood_williamson, .summit_shift = false}, modulus);
+  for (double z = -3.0; z < 4.0; z += 0.5) {
+    expect_near(*hard.real_area(z), *elastic.real_area(z), 1e-5);
+    expect_near(*soft.real_area(z), std::min(1.0, 2.0 * *elastic.real_area(z)), 1e-5);
+  }
+  const double product = std::numbers::pi * AsperityOptions().density_product;
+  expect_near(*law_named("greenwood_tripp").real_area(0.0), 0.5 * product * product, 1e-9);
+  EXPECT_FALSE(AsperityLaw({.kind = AsperityLawKind::exponential}, modulus).real_area(0.0));
+}
+
 TEST(AsperityLaw, falls_everywhere_and_has_its_slope) {
   AsperityOptions of_table{.kind = AsperityLawKind::table, .table_z = {-2, 0, 1, 3}, .table_p = {2e9, 3e8, 5e7, 1e4}};
   for (const AsperityOptions& options :
