@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <vector>
 
+#include "numerics/sampled_integral.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -48,6 +50,18 @@ double potential(const DryContacts& contacts, double static_force, double H0) {
     sum += weight * (contacts.total_force(H0 * n / panels) - static_force);
   }
   return -sum * H0 / panels / 3.0;
+}
+
+TEST(SampledIntegral, is_exact_for_polynomials_at_any_places) {
+  for (const int count : {1, 2, 3, 4, 7}) {
+    const int degree = std::min(3, count - 1);
+    std::vector<double> places, values;
+    for (int n = 0; n < count; ++n) places.push_back(1.0 + n + 0.2 * std::sin(3.0 * n));
+    for (const double x : places) values.push_back(std::pow(x, degree) - 2.0);
+    const double b = places.back(), a = places.front();
+    const double exact = (std::pow(b, degree + 1) - std::pow(a, degree + 1)) / (degree + 1) - 2.0 * (b - a);
+    EXPECT_NEAR(sampled_integral(places, values), exact, 1e-11 * (1.0 + std::abs(exact))) << count;
+  }
 }
 
 TEST(DryTrain, keeps_its_energy_where_nothing_damps) {
