@@ -38,7 +38,7 @@ std::vector<Parameter> train_records() {
                word("torque_harmonics",
                     "fluctuations of the torque, each with its order of the pinion's shaft, amplitude over the "
                     "mean and phase in degrees: 1 0.1 0, 6 0.02 30; of the motor, or without one of the torque "
-                    "on the pinion; in the motion of dry pairs")));
+                    "on the pinion")));
   motor.push_back(flag("fixed", "the motor turns at an imposed speed; its inertia then has no part"));
   return joined(section("motor", Scope::gear_pair, std::move(motor)),
                 section("load", Scope::gear_pair, machine_records("wheel", "load")),
