@@ -15,7 +15,7 @@ Records machine_records(const std::string& gear, const std::string& subscript) {
           optional("none", number("shaft_damping", "c_" + subscript, "N m s/rad", damping, "damping of that shaft")),
           optional("constant torque",
                    word("torque_harmonics",
-                        "fluctuations of the torque, of dry pairs: order of the " + gear +
+                        "fluctuations of the torque: order of the " + gear +
                             "'s shaft (or frequency, 300Hz), amplitude over the mean, phase in degrees: 1 0.1 0, 6 "
                             "0.02 30; without an inertia on the " +
                             gear))};
