@@ -147,7 +147,7 @@ Records ramp_records() {
                   optional("mesh_periods", number("periods", "", "-", closed(1e-3, 1e6),
                                                   "mesh periods from the start in which it does")),
                   flag("inertia_torque",
-                       "the load gives way to what the inertias take, and teeth carry their part of it, of dry pairs; "
+                       "the load gives way to what the inertias take, and teeth carry their part of it; "
                        "else the acceleration loads no tooth")});
 }
 
