@@ -41,6 +41,14 @@ void DryContacts::stand_for(const std::vector<double>& forces, const std::vector
   }
 }
 
+double DryContacts::approach(std::size_t contact, double H0, const std::vector<double>& forces) const {
+  double left = -(H0 + contacts_[contact].gap);
+  for (std::size_t j = 0; j < contacts_.size(); ++j) {
+    if (j != contact) left -= compliance_(contact, j) * forces[j];
+  }
+  return left;
+}
+
 // Gauss and Seidel: a contraction, since a neighbour's force bends a tooth less than its own.
 std::vector<double> DryContacts::forces(double H0) const {
   constexpr double tolerance = 1e-14;
@@ -49,11 +57,7 @@ std::vector<double> DryContacts::forces(double H0) const {
   for (int sweep = 0; sweep < most; ++sweep) {
     double change = 0.0, largest = 0.0;
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      double approach = -(H0 + contacts_[k].gap);
-      for (std::size_t j = 0; j < contacts_.size(); ++j) {
-        if (j != k) approach -= compliance_(k, j) * forces[j];
-      }
-      const double force = contacts_[k].law.force(approach, compliance_(k, k));
+      const double force = contacts_[k].law.force(approach(k, H0, forces), compliance_(k, k));
       change = std::max(change, std::abs(force - forces[k]));
       largest = std::max(largest, force);
       forces[k] = force;
@@ -71,26 +75,23 @@ std::vector<double> DryContacts::forces_near(double H0, const std::vector<double
   const auto count = static_cast<Eigen::Index>(contacts_.size());
   if (!coupled_ || count > most_contacts || guess.size() != contacts_.size()) return forces(H0);
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_contacts, 1>;
-  Vector found = Eigen::Map<const Eigen::VectorXd>(guess.data(), count), defect(count);
+  std::vector<double> found = guess;
+  Eigen::Map<Vector> all(found.data(), count);
+  Vector defect(count);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_contacts, most_contacts> slope(count, count);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     for (Eigen::Index k = 0; k < count; ++k) {
-      const Contact& contact = contacts_[static_cast<std::size_t>(k)];
-      double approach = -(H0 + contact.gap);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        if (j != k) approach -= compliance_(k, j) * found[j];
-      }
-      const double force = contact.law.force(approach, compliance_(k, k));
-      const double stiffness = force > 0.0 ? 1.0 / (1.0 / contact.law.stiffness(force) + compliance_(k, k)) : 0.0;
+      const ContactLaw& law = contacts_[static_cast<std::size_t>(k)].law;
+      const double force = law.force(approach(static_cast<std::size_t>(k), H0, found), compliance_(k, k));
+      const double stiffness = force > 0.0 ? 1.0 / (1.0 / law.stiffness(force) + compliance_(k, k)) : 0.0;
       for (Eigen::Index j = 0; j < count; ++j) slope(k, j) = j == k ? 1.0 : stiffness * compliance_(k, j);
-      defect[k] = force - found[k];
+      defect[k] = force - all[k];
     }
     const double change = defect.lpNorm<Eigen::Infinity>();
-    found += slope.partialPivLu().solve(defect);
-    if (change <= tolerance * found.lpNorm<Eigen::Infinity>()) {
-      std::vector<double> all(found.begin(), found.end());
-      for (double& force : all) force = std::max(force, 0.0);
-      return all;
+    all += slope.partialPivLu().solve(defect);
+    if (change <= tolerance * all.lpNorm<Eigen::Infinity>()) {
+      all = all.cwiseMax(0.0);
+      return found;
     }
   }
   return forces(H0);

@@ -50,6 +50,9 @@ private:
     ContactLaw law;
   };
 
+  /// Of a contact at H_0, less what the others' forces take of it.
+  double approach(std::size_t contact, double H0, const std::vector<double>& forces) const;
+
   std::vector<Contact> contacts_;
   Compliance compliance_;
   bool coupled_;

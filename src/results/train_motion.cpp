@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "dynamics/friction_force.hpp"
 #include "numerics/sampled_integral.hpp"
@@ -242,6 +243,7 @@ void TrainHistory::write_orders(ResultsFile& file, double T_begin, double T_end,
   std::vector<TableColumn> columns = {{"order", "-"}, {"frequency", "Hz"}, {"transmission_error", "m"}};
   for (std::size_t n = first; n < list.size(); ++n) columns.push_back({list[n].name, list[n].unit});
   std::vector<std::vector<SpectralLine>> spectra;
+  spectra.reserve(signals.size());
   for (const Signal& signal : signals) spectra.push_back(signal.spectrum(T_begin, T_end, window));
   // Orders are of the pinion's shaft: its speed at the end, where that changes.
   const double turns = mesh_.path.rpm(T_end) / 60.0;
@@ -249,7 +251,8 @@ void TrainHistory::write_orders(ResultsFile& file, double T_begin, double T_end,
   for (std::size_t line = 1; line < spectra[0].size(); ++line) {
     const double frequency = spectra[0][line].frequency / mesh_.scales.time;
     rows.insert(rows.end(), {frequency / turns, frequency});
-    for (const std::vector<SpectralLine>& spectrum : spectra) rows.push_back(spectrum[line].amplitude);
+    std::ranges::transform(spectra, std::back_inserter(rows),
+                           [line](const std::vector<SpectralLine>& spectrum) { return spectrum[line].amplitude; });
   }
   write_table(file, "/orders", columns, rows);
 }

@@ -8,7 +8,8 @@ from program import ProgramTest
 # Case, options, words of each warning in turn.
 ODD = [
     (BARBIERI, ["-pinion_torque", 20000],
-     [["Hertz pressure is 8.922 GPa", "hardened steel"]]),  # along the whole face, which the contact reaches
+     [["Hertz pressure is 8.922 GPa", "hardened steel"],  # along the whole face, which the contact reaches
+      ["'grid.ny' is given", "grid.first_row"]]),
     (BARBIERI, ["-pinion_torque", 0.002], [["Hertz pressure is 0.04639 GPa"], ["central film", "um", "thicker"]]),
     (CIRCULAR, ["-contact_radius_x", 12.5, "-contact_radius_y", 12.5],
      [["Hertz pressure is 0.004496 GPa", "below 0.05 GPa"], ["central film", "thicker"]]),
