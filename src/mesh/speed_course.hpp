@@ -22,7 +22,9 @@ struct SpeedCourse {
   }
 
   /// dr/dT.
-  double acceleration(double T) const { return T >= 0.0 && T < duration ? (ratio - 1.0) / duration : 0.0; }
+  double acceleration(double T) const {
+    return duration > 0.0 && T >= 0.0 && T <= duration ? (ratio - 1.0) / duration : 0.0;
+  }
 
   double phase(double T) const {
     if (duration == 0.0 || T <= 0.0) return T;
