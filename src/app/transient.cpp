@@ -68,7 +68,7 @@ void print_extremes(MPI_Comm comm, const std::filesystem::path& folder, const Su
 
 std::optional<FlankResults> add_fatigue(const CaseInput& problem, const MeshModel& mesh, const Grid& grid,
                                         const FlankMarch& flanks, Summary& summary) {
-  const std::optional<FlankResults> results = flanks.results(grid, mesh_after_leaving(problem));
+  std::optional<FlankResults> results = flanks.results(grid, mesh_after_leaving(problem));
   add_flanks(mesh, results, summary);
   return results;
 }

@@ -188,46 +188,55 @@ void ContactMaps::add(const StepRecord& record, const std::vector<ActiveContact>
   last_ = record.T;
 }
 
-std::optional<ContactMapPair> ContactMaps::maps() const {
-  const double periods = mesh_.load ? 1.0 : mesh_.path.mesh_periods(last_) - mesh_.path.mesh_periods(begin_);
-  if (!grid_ || !(last_ > begin_)) return {};
+ContactMap ContactMaps::map_of(std::size_t body, double periods) const {
   const RowAxis& axis = grid_->row_axis();
-  const auto rows = static_cast<std::size_t>(axis.count());
   const Scales& scales = mesh_.scales;
+  const FlankPath& path = paths_[body];
+  const Own& own = own_[body];
+  ContactMap map;
+  map.s = flank_points(path, points_);
+  for (const double s : map.s) {
+    map.xi.push_back(path.position_of(s));
+    map.radius.push_back(path.curvature_radius(map.xi.back()));
+  }
+  for (int row = 0; row < axis.whole_count(); ++row) map.y.push_back(scales.length * axis.whole_y(row));
+  const auto rows = static_cast<std::size_t>(axis.count());
   const double step = grid_->h_x() * scales.length;
-  ContactMapPair pair;
-  for (std::size_t body = 0; body < pair.size(); ++body) {
-    ContactMap& map = pair[body];
-    const Own& own = own_[body];
-    map.s = flank_points(paths_[body], points_);
-    for (const double s : map.s) {
-      map.xi.push_back(paths_[body].position_of(s));
-      map.radius.push_back(paths_[body].curvature_radius(map.xi.back()));
-    }
-    for (int row = 0; row < axis.whole_count(); ++row) map.y.push_back(scales.length * axis.whole_y(row));
-    const std::vector<double> pressure = whole(own.pressure), film = whole(own.film), energy = whole(own.energy),
-                              sliding = whole(own.sliding), temperature = whole(own.temperature);
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    const bool heated = mesh_.traction && mesh_.traction->heat;
+  const std::vector<double> film = whole(own.film);
+  const auto all_rows = [&](const std::vector<double>& stored, const auto& scale) {
+    std::vector<double> values;
+    values.reserve(map.s.size() * map.y.size());
     for (std::size_t k = 0; k < map.s.size(); ++k) {
-      const double length = spacing(paths_[body], points_) * (k == 0 || k + 1 == map.s.size() ? 0.5 : 1.0);
       for (int row = 0; row < axis.whole_count(); ++row) {
         const std::size_t n = k * rows + static_cast<std::size_t>(axis.stored_row(row));
-        const bool been = std::isfinite(film[n]);
-        const double of_passage = step / length / periods;
-        map.pressure.push_back(been ? scales.pressure * pressure[n] : unknown);
-        map.film.push_back(been ? scales.thickness * film[n] : unknown);
-        map.sliding.push_back(been ? of_passage * sliding[n] : unknown);
-        if (mesh_.traction) map.energy.push_back(been ? of_passage * energy[n] : unknown);
-        if (heated) map.temperature.push_back(been ? temperature[n] : unknown);
+        // Where no contact has been nothing is known.
+        values.push_back(std::isfinite(film[n]) ? scale(k) * stored[n] : std::numeric_limits<double>::quiet_NaN());
       }
     }
-    const double width = axis.single() ? 1.0 : scales.length;
-    for (std::size_t j = 0; j < rows; ++j) {
-      map.energy_beyond += step / periods * width * axis.weight(static_cast<int>(j)) * energy[map.s.size() * rows + j];
-    }
+    return values;
+  };
+  const auto by = [](double factor) { return [factor](std::size_t) { return factor; }; };
+  const auto of_passage = [&](std::size_t k) {
+    const double length = spacing(path, points_) * (k == 0 || k + 1 == map.s.size() ? 0.5 : 1.0);
+    return step / length / periods;
+  };
+  const std::vector<double> energy = whole(own.energy);
+  map.pressure = all_rows(whole(own.pressure), by(scales.pressure));
+  map.film = all_rows(film, by(scales.thickness));
+  map.sliding = all_rows(whole(own.sliding), of_passage);
+  if (mesh_.traction) map.energy = all_rows(energy, of_passage);
+  if (mesh_.traction && mesh_.traction->heat) map.temperature = all_rows(whole(own.temperature), by(1.0));
+  const double width = axis.single() ? 1.0 : scales.length;
+  for (std::size_t j = 0; j < rows; ++j) {
+    map.energy_beyond += step / periods * width * axis.weight(static_cast<int>(j)) * energy[map.s.size() * rows + j];
   }
-  return pair;
+  return map;
+}
+
+std::optional<ContactMapPair> ContactMaps::maps() const {
+  if (!grid_ || !(last_ > begin_)) return {};
+  const double periods = mesh_.load ? 1.0 : mesh_.path.mesh_periods(last_) - mesh_.path.mesh_periods(begin_);
+  return ContactMapPair{map_of(0, periods), map_of(1, periods)};
 }
 
 }  // namespace gearfilm

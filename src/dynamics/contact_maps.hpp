@@ -73,6 +73,7 @@ private:
   void add_contact(const ActiveContact& contact, double T);
   Along along(std::size_t body, double s) const;
   std::vector<double> whole(const std::vector<double>& own) const;
+  ContactMap map_of(std::size_t body, double periods) const;
 
   const MeshModel& mesh_;
   int points_;

@@ -31,7 +31,7 @@ const Tuned<double> forgetful("dry_orbit_forgetful", 0.1,
                               "free oscillations in a mesh period times damping above which the pair forgets");
 
 DryOrbit describe(const DryMap& map, const Motion& start) {
-  const DryFlowEnd end = map(start);
+  const DryFlowEnd& end = map(start);
   return {start, end.by_start, end.extremes.largest_force};
 }
 
