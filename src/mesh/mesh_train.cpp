@@ -84,7 +84,8 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
     b = rows.back * relative.motions;
     forces.emplace_back(inverse * b.transpose());
   }
-  const Eigen::MatrixXd friction = rows.friction * relative.motions;
+  Eigen::MatrixXd friction(0, K.cols());
+  if (rows.friction.size() > 0) friction = rows.friction * relative.motions;
   for (const auto& row : friction.rowwise()) forces.emplace_back(inverse * row.transpose());
   std::vector<MeshTrain::Ripple> ripples;
   for (const NodeTorque& torque : torques) {
