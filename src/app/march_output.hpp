@@ -72,7 +72,7 @@ public:
   /// Adds the table /history/poincare, and says in the summary how the march repeats and settles.
   void describe_recurrence(Summary& summary);
 
-  /// Of the last step.
+  /// Time T at the end of the last step.
   double last_time() const { return last_time_; }
   const MarchStatistics& statistics() const { return statistics_; }
   ResultsFile& file() { return file_; }

@@ -43,7 +43,7 @@ void save_processes(ActiveContact& contact);
 /// alone. Collective.
 std::shared_ptr<const Traction> traction_of(const TractionModel& model, const ActiveContact& contact);
 
-/// The same at T, of the film that was recorded then (contact_records). Collective.
+/// Friction and heat of a contact's film as contact_records left them at time T. Collective.
 std::shared_ptr<const Traction> friction_of_step(const TractionModel& model, const ActiveContact& contact, double T);
 
 std::vector<int> numbers_of(const std::vector<ActiveContact>& contacts);

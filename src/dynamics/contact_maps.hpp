@@ -18,7 +18,7 @@
 
 namespace gearfilm {
 
-/// Of one flank, alike on all processes: [point][row of the whole domain], not a number where no contact has been.
+/// Fields over one flank, alike on all processes: [point][row of the whole domain], not a number where no contact was.
 struct ContactMap {
   std::vector<double> s, xi, radius;  ///< points: from the base circle, of the contact there, of curvature [m]
   std::vector<double> y;              ///< rows [m]
@@ -47,11 +47,11 @@ public:
   /// All that is known, alike on all processes, and on which rows. Collective.
   std::vector<double> values() const;
   const std::optional<Grid>& grid() const { return grid_; }
-  /// The same back, of films on this grid.
+  /// Takes what values() gave, of films on this grid.
   void take(const std::vector<double>& values, const Grid& grid);
 
 private:
-  /// Of one flank and the own rows, [place][row]; the place behind the points is beyond both ends.
+  /// Fields over one flank on the rows of this process, [place][row]; the place behind the points is beyond both ends.
   struct Own {
     std::vector<double> pressure, film, temperature;                 ///< extremes [-], [-], [K]
     std::vector<double> energy, sliding, energy_rate, sliding_rate;  ///< sums, and as the last step ended

@@ -2,7 +2,7 @@
 //
 //   x = (H_0, V_0) ,   x' = f(x, s; lambda) = T_m (V_0, (F(H_0, s T_m) - F*)/I_n - c V_0) ,   s = T/T_m
 //   Phi' = (df/dx) Phi , Phi(0) = 1 ;   w' = (df/dx) w + df/dlambda , w(0) = 0
-// Of a pair in a drive train x = (y, dy/dT), the relative displacements of all its parts, dimensionless, and their
+// A pair in a drive train has x = (y, dy/dT), the relative displacements of all its parts, dimensionless, and their
 // velocities; accelerations are those of train_rates.hpp.
 // T_m: mesh period. Events are at the same s whatever the parameter, and leave the motion as it is, so that Phi and w
 // need no jumps there. df/dlambda is a difference of f alone: without the noise that one between two motions would

@@ -29,7 +29,7 @@ public:
   virtual ~CarriedSums() = default;
   /// Alike on all processes. Collective.
   virtual std::vector<double> sums() const = 0;
-  /// The same back, of films on this grid. Collective.
+  /// Takes what sums() gave, of films on this grid. Collective.
   virtual void take(const std::vector<double>& sums, const Grid& grid) = 0;
 };
 
