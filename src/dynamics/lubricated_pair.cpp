@@ -33,7 +33,7 @@ std::vector<ActiveContact> without_fields(const std::vector<ActiveContact>& cont
   std::vector<ActiveContact> bare;
   bare.reserve(contacts.size());
   for (const ActiveContact& contact : contacts)
-    bare.push_back({contact.number, contact.film, {}, contact.processes, contact.stress});
+    bare.push_back({contact.number, contact.film, {}, contact.processes, contact.stress, contact.friction});
   return bare;
 }
 
