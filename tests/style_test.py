@@ -103,6 +103,10 @@ class Files(unittest.TestCase):
                 continue
             self.assertEqual(len(re.findall(r"^#pragma once$", read(path), re.MULTILINE)), 1, relative(path))
 
+    def test_no_words_of_old_cpp(self):
+        for path in sources(".hpp", ".cpp"):
+            self.assertNotRegex(read(path), r"\btypedef\b|\bNULL\b", relative(path))
+
     def test_text_is_clean(self):
         for path in [*sources(".hpp", ".cpp", ".py", ".sh", ".txt", ".in"), *DOCUMENTS]:
             content = read(path)
