@@ -128,9 +128,11 @@ void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real*
 
 template <class Real>
 void DenseYConvolution<Real>::combine(int k, const Real* sums, XSpectra<Real>& spectra) {
-  for (int j = 0; j < static_cast<int>(result_.size()); ++j) {
-    const Real* block = sums + j / width_ * 2 * width_;
-    result_[j] = {block[j % width_], block[width_ + j % width_]};
+  Complex* result = result_.data();
+  for (int left = static_cast<int>(result_.size()); left > 0; left -= width_, sums += 2 * width_) {
+    const int count = std::min(left, width_);
+    for (int j = 0; j < count; ++j) result[j] = {sums[j], sums[width_ + j]};
+    result += count;
   }
   spectra.combine(k, result_.data());
 }
