@@ -9,7 +9,8 @@ namespace gearfilm {
 void run_bench(MPI_Comm comm, const CaseInput& problem) {
   constexpr GridSize standard_grids[] = {{129, 65}, {129, 129}, {257, 257}, {513, 513}};
   require_moving_contacts(problem, "bench", false);
-  require_rigid_supports(problem, "bench");
+  require_moving_train(problem, "bench");
+  if (problem.pair.line && problem.pair.equivalent_mass) require_one_pattern(problem, "bench");
   const OutputDirectory directory(comm, problem.run.directory);
   Summary summary;
   summary["case"] = problem.name;

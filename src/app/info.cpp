@@ -4,6 +4,7 @@
 #include "output/output_directory.hpp"
 #include "output/screen.hpp"
 #include "results/derived.hpp"
+#include "results/tilt_summary.hpp"
 #include "results/train_summary.hpp"
 
 namespace gearfilm {
@@ -15,6 +16,7 @@ void run_info(MPI_Comm comm, const CaseInput& problem) {
     const DampedTrain train = damped_train_of(problem);
     add_train(problem, train, {}, summary);
     warnings = train_warnings(problem, train);
+    if (problem.pair.tilt) lines.push_back(tilt_line(problem));
     for (const auto& more : {mode_lines(summary), damping_lines(summary)}) {
       lines.insert(lines.end(), more.begin(), more.end());
     }

@@ -134,6 +134,17 @@ Summary MarchOutput::write_spectrum(double T_begin, double T_end, SpectralWindow
   return gearfilm::write_spectrum(file_, problem_.scales, signal_.spectrum(T_begin, T_end, window), window);
 }
 
+// Bodies in balance move no train: its loads are those at rest.
+void MarchOutput::add_train_motion(double T_begin, double T_end, Summary& summary) const {
+  if (train_) {
+    train_->add_to(summary, T_begin, T_end);
+  } else if (problem_.pair.train) {
+    MeshModel at_rest = mesh_;
+    at_rest.train = mesh_train_of(problem_);
+    add_train_at_rest(at_rest, summary);
+  }
+}
+
 void MarchOutput::describe_recurrence(Summary& summary) {
   write_poincare(file_, mesh_, lubricated_, section_.points());
   if (mesh_.path.course().duration == 0.0) add_recurrence(section_.points(), summary);

@@ -62,9 +62,7 @@ public:
   void write_flanks(const std::optional<FlankResults>& fatigue);
 
   /// Adds what a drive train does over [T_begin, T_end] to the summary.
-  void add_train_motion(double T_begin, double T_end, Summary& summary) const {
-    if (train_) train_->add_to(summary, T_begin, T_end);
-  }
+  void add_train_motion(double T_begin, double T_end, Summary& summary) const;
 
   /// Writes and closes results.h5.
   void finish();

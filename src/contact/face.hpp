@@ -14,6 +14,9 @@
 
 namespace gearfilm {
 
+/// Flanks that part by more than a fiftieth of the face touch at one end alone.
+constexpr double largest_face_slope = 0.02;
+
 struct EndRelief {
   double amount = 0.0;  ///< c at the end of the face [m]
   double length = 0.0;  ///< d [m]

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "gearfilm/error.hpp"
-#include "grid/graded_rows.hpp"
 
 namespace gearfilm {
 namespace {
@@ -215,15 +213,13 @@ FaceContact RowContact::solve(double force, double relative_radius) {
   throw SolveError("the dry contact along the face is not found");
 }
 
-namespace {
-
-/// Contacts of the scales' face whose dry films are found on these rows.
-RowContact contact_on(const Scales& scales, const RowAxis& rows, const std::optional<EndFaceCompliance>& ends,
-                      double h_x) {
-  RowContact contact(scales, rows);
-  if (ends) contact.add_ends(*ends, h_x);
-  return contact;
+double RowContact::loaded_width() const {
+  double sum = 0.0;
+  for (std::size_t row = 0; row < loads_.size(); ++row) sum += loads_[row] > 0.0 ? weights_[row] : 0.0;
+  return sum;
 }
+
+namespace {
 
 /// Where pressures at the ends act on the end faces: lines over a little more than the contact.
 GridShape shape_of_ends(const RowAxis& rows) {
@@ -239,28 +235,15 @@ std::optional<EndFaceCompliance> compliance_of_ends(const Face& face, const Grid
 
 }  // namespace
 
-double tilting_stiffness(const Scales& scales, double force, double relative_radius) {
-  constexpr double opened = 0.02;  // at the ends by the tilt, in a^2/R_x
-  const Face& face = *scales.solids.face;
-  const double half_width = 0.5 * face.width / scales.length;
-  const double tilt = opened * scales.thickness / (0.5 * face.width);
-  const auto tilted = [&](double by) {
-    Scales other = scales;
-    Face turned = face;
-    turned.gap.slope += by;
-    other.solids.face = std::make_shared<const Face>(turned);
-    return other;
-  };
-  const std::array<Scales, 2> both = {tilted(-tilt), tilted(tilt)};
-  const RowGrading grading{.first = 0.1, .kink = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width / 12.0)};
-  const RowAxis rows = rows_over_face(*both[1].solids.face, grading, scales.length);
-  const GridShape shape = shape_of_ends(rows);
-  const std::optional<EndFaceCompliance> ends = compliance_of_ends(face, shape);
-  std::array<double, 2> arms{};
-  for (std::size_t n = 0; n < 2; ++n) {
-    arms[n] = contact_on(both[n], rows, ends, shape.h_x()).solve(force, relative_radius).arm;
-  }
-  return scales.force(force) * scales.length * (arms[0] - arms[1]) / (2.0 * tilt);
+FaceRows::FaceRows(const Face& face, const RowGrading& grading, double a)
+    : rows_(rows_over_face(face, grading, a)),
+      ends_(compliance_of_ends(face, shape_of_ends(rows_))),
+      h_x_(shape_of_ends(rows_).h_x()) {}
+
+RowContact FaceRows::contact(const Scales& scales) const {
+  RowContact contact(scales, rows_);
+  if (ends_) contact.add_ends(*ends_, h_x_);
+  return contact;
 }
 
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
@@ -269,9 +252,7 @@ FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
   const Face& face = *scales.solids.face;
   const double half_width = 0.5 * face.width / scales.length;
   const RowGrading grading{.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width / 32.0)};
-  const RowAxis rows = rows_over_face(face, grading, scales.length);
-  const GridShape shape = shape_of_ends(rows);
-  RowContact contact = contact_on(scales, rows, compliance_of_ends(face, shape), shape.h_x());
+  RowContact contact = FaceRows(face, grading, scales.length).contact(scales);
   std::array<std::vector<FaceContact>, 2> contacts;
   for (std::size_t radius = 0; radius < 2; ++radius) {
     for (int n = points; n-- > 0;) {

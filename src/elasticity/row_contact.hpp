@@ -10,11 +10,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "contact/face_law.hpp"
 #include "contact/scales.hpp"
 #include "elasticity/end_faces.hpp"
+#include "grid/graded_rows.hpp"
 
 namespace gearfilm {
 
@@ -33,6 +35,8 @@ public:
   const std::vector<double>& loads() const { return loads_; }
   /// Their half-widths.
   const std::vector<double>& half_widths() const { return half_widths_; }
+  /// How much of the face they are together.
+  double loaded_width() const;
 
 private:
   struct Place {
@@ -59,9 +63,19 @@ private:
   std::vector<double> middle_, edge_;  ///< u of unit loads in the middle and at the edge of a row, [target][source]
 };
 
-/// -dM/dtheta [N m/rad] of the moment about the middle of the scales' face, under a force [-] at a radius: by contacts
-/// that are tilted a little either way. Throws SolveError.
-double tilting_stiffness(const Scales& scales, double force, double relative_radius);
+/// Rows for the dry contacts of a face, and what its ends give way beneath them.
+class FaceRows {
+public:
+  FaceRows(const Face& face, const RowGrading& grading, double a);
+
+  /// Of a face with the same ends and kinks.
+  RowContact contact(const Scales& scales) const;
+
+private:
+  RowAxis rows_;
+  std::optional<EndFaceCompliance> ends_;
+  double h_x_;
+};
 
 /// The law of the scales' face for forces around the static one, at radii between two.
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii);

@@ -20,6 +20,7 @@
 #include "input/case_setup.hpp"
 #include "input/case_stress.hpp"
 #include "input/case_teeth.hpp"
+#include "input/case_tilt.hpp"
 #include "input/case_topography.hpp"
 #include "input/case_traction.hpp"
 #include "input/plain_text.hpp"
@@ -87,7 +88,7 @@ struct ReferenceContact {
   ContactOperation operation;
 };
 
-ReferenceContact set_gear_pair(CaseInput& result, const WornFlanks& worn) {
+ReferenceContact set_gear_pair(CaseInput& result, const Lubricant& oil, const WornFlanks& worn) {
   const ParameterValues& values = result.parameters;
   result.pair.gears = read_gear_pair(values);
   result.pair.line = in_file_of(values, [&] { return LineOfAction(*result.pair.gears); });
@@ -103,7 +104,7 @@ ReferenceContact set_gear_pair(CaseInput& result, const WornFlanks& worn) {
   }
   result.pair.train = read_train(values, *result.pair.line);
   ContactSolids solids = solids_at_pitch(values, *result.pair.line);
-  set_face(values, read_face_of_pair(values), result.pair.tooth_force, solids);
+  set_face(values, face_under_load(values, result.pair, solids, oil), result.pair.tooth_force, solids);
   const std::string load_model = "gear.load_model";
   if (solids.face && values.text(load_model) != "point") {
     values.refuse(load_model, "is " + values.text(load_model) +
@@ -346,7 +347,7 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
   ReferenceContact reference =
-      result.kind == CaseKind::gear_pair ? set_gear_pair(result, worn) : read_bare_contact(values);
+      result.kind == CaseKind::gear_pair ? set_gear_pair(result, oil, worn) : read_bare_contact(values);
   FlankTopography topography = in_file_of(
       values, [&] { return read_topography(values, result.pair.line, reference.solids, oil, reference.operation); });
   result.pair.topography = topography.flanks;

@@ -23,6 +23,7 @@
 #include "input/sweep_options.hpp"
 #include "input/worn_flanks.hpp"
 #include "mesh/prescribed_load.hpp"
+#include "mesh/shaft_tilt.hpp"
 #include "orbits/dry_modes.hpp"
 #include "orbits/orbit_search.hpp"
 #include "rating/rating_model.hpp"
@@ -51,6 +52,7 @@ struct PairCase {
   std::optional<double> equivalent_mass;  ///< m_ge [kg]; absent for a pair without vibration
   std::optional<GearInertias> inertias;   ///< absent where the mass itself is given
   std::optional<TrainCase> train;         ///< absent: on rigid supports, and joined to nothing
+  std::optional<ShaftTilt> tilt;          ///< absent: no gear is on two bearings at a distance
 };
 
 /// A stationary contact.

@@ -56,16 +56,14 @@ void read_end_relief(const ParameterValues& values, const std::string& section, 
                          .power = values.text(section + ".end_relief_shape") == "linear" ? 1 : 2});
 }
 
-/// Flanks that part by more than a fiftieth of the face touch at one end alone.
 void require_small_slope(const ParameterValues& values, const Face& face, const std::vector<std::string>& names) {
-  constexpr double largest = 0.02;
-  if (std::abs(face.gap.slope) <= largest) return;
+  if (std::abs(face.gap.slope) <= largest_face_slope) return;
   const std::string& name =
       *std::ranges::max_element(names, {}, [&](const std::string& of) { return std::abs(values.real(of)); });
   values.refuse(name, "is " + format_value(values.real(name)) + " m, and the flanks part by " +
                           format_value(std::abs(face.gap.slope) * face.width) + " m over a face of " +
                           format_value(face.width) + " m, which lifts them off each other; give at most " +
-                          format_value(largest * face.width) + ", for both gears and their shafts together");
+                          format_value(largest_face_slope * face.width) + ", for both gears and their shafts together");
 }
 
 /// The points (y, material removed) of a measured lead, if any.

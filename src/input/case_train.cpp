@@ -29,30 +29,6 @@ void require_inertias(const ParameterValues& values, const std::string& key) {
   }
 }
 
-/// Of the keys of a gear.
-std::optional<Bearing> read_bearing(const ParameterValues& values, const std::string& gear) {
-  const std::string all = gear + ".bearing_stiffness", x = all + "_x", y = all + "_y", xy = all + "_xy";
-  const std::string ratio = gear + ".bearing_damping_ratio";
-  for (const std::string& part : {x, y, xy}) values.require_not_both(all, part, "; delete one");
-  values.require_both(x, y, "give both, or " + in_quotes(all));
-  if (!values.has(all) && !values.has(x)) {
-    for (const std::string& key : {xy, ratio}) {
-      if (values.has(key)) values.refuse(key, "is given without a stiffness; give " + in_quotes(all));
-    }
-    return {};
-  }
-  Bearing bearing{.damping_ratio = values.real_if_given(ratio)};
-  const double coupling = values.real_if_given(xy).value_or(0.0);
-  bearing.stiffness = Eigen::Matrix2d{{values.real(values.has(all) ? all : x), coupling},
-                                      {coupling, values.real(values.has(all) ? all : y)}};
-  if (!is_positive(bearing.stiffness)) {
-    values.refuse(xy, "is " + format_value(coupling) +
-                          " N/m, with which the bearings do not hold the gear in every direction; its square must be "
-                          "below the product of the other two");
-  }
-  return bearing;
-}
-
 void add_gears(const ParameterValues& values, const LineOfAction& line, TrainParts& parts) {
   const auto node = [&](const std::string& gear, double radius) {
     return TrainNode{.name = gear, .inertia = values.real(gear + ".inertia"), .radius = radius};
@@ -60,7 +36,7 @@ void add_gears(const ParameterValues& values, const LineOfAction& line, TrainPar
   parts.nodes = {node("pinion", line.base_radius_pinion()), node("wheel", line.base_radius_wheel())};
   parts.sides = {TrainSide::pinion, TrainSide::wheel};
   for (const std::size_t gear : {TrainParts::pinion, TrainParts::wheel}) {
-    if (const auto bearing = read_bearing(values, parts.nodes[gear].name)) parts.bearings.push_back({gear, *bearing});
+    add_gear_bearings(values, gear, parts);
   }
 }
 
@@ -119,7 +95,8 @@ TrainCase put_together(const TrainParts& parts, const LineOfAction& line, double
   return {.train = std::move(train),
           .back = std::move(back),
           .friction = std::move(friction),
-          .damping_ratio = damping_ratio};
+          .damping_ratio = damping_ratio,
+          .two_bearings = parts.two_bearings};
 }
 
 }  // namespace
@@ -164,22 +141,29 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
   return found;
 }
 
-void require_rigid_supports(const CaseInput& problem, const std::string& command) {
-  if (!problem.pair.train) return;
-  problem.parameters.refuse(given_train_key(problem.parameters),
-                            "is given, but " + command +
-                                " moves the pair alone, on rigid supports; delete the keys of the drive train, or use "
-                                "info or eigen for its modes");
+namespace {
+
+/// Bodies in balance have no inertia that would take a part of a torque.
+void require_constant_torques(const CaseInput& problem, const std::string& command) {
+  const ParameterValues& values = problem.parameters;
+  const std::string how = problem.march.motion == PairMotion::quasi_static ? "motion" : "model";
+  const std::string in_balance = "with '" + how + ": " + values.text(how) + "' bodies are in balance at every moment";
+  if (!problem.pair.train->pattern.given_by.empty()) {
+    throw InputError(problem.pair.train->pattern.given_by + "fluctuates, but " + in_balance + " in " + command +
+                     ", and none takes its part of it; set " + how + " to dynamic, or give a constant torque");
+  }
+  if (values.yes(run_up_key)) {
+    values.refuse(run_up_key, "is yes, but " + in_balance + " without inertia; set " + how + " to dynamic");
+  }
 }
+
+}  // namespace
 
 void require_moving_train(const CaseInput& problem, const std::string& command) {
   if (!problem.pair.train) return;
   const ParameterValues& values = problem.parameters;
-  const std::string key = given_train_key(values);
   if (problem.march.model == MarchModel::quasistatic || problem.march.motion == PairMotion::quasi_static) {
-    const std::string how = problem.march.motion == PairMotion::quasi_static ? "motion" : "model";
-    values.refuse(key, "is given, but with '" + how + ": " + values.text(how) + "' " + command +
-                           " moves no drive train; set that to dynamic, or delete the keys of the drive train");
+    require_constant_torques(problem, command);
   }
   if (torque_determines_force(problem.pair.train->train)) return;
   in_file_of(values, []() {

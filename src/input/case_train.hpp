@@ -1,6 +1,7 @@
 // The drive train of a case.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "input/parameter_values.hpp"
 #include "mesh/mesh_train.hpp"
 #include "train/train_damping.hpp"
+#include "train/two_bearings.hpp"
 
 namespace gearfilm {
 
@@ -26,7 +28,8 @@ struct TrainCase {
   Eigen::MatrixXd friction;           ///< FlankRows::friction
   std::vector<NodeTorque> torques{};  ///< in balance with the static force
   TorquePattern pattern{};
-  double damping_ratio = 0.0;  ///< of every mode
+  double damping_ratio = 0.0;                                ///< of every mode
+  std::array<std::optional<TwoBearings>, 2> two_bearings{};  ///< of gears on bearings at a distance
 };
 
 /// Whether a key is one of a drive train.
@@ -42,11 +45,8 @@ std::optional<TrainCase> read_train(const ParameterValues& values, const LineOfA
 /// the others never do.
 long whole_pattern(const CaseInput& problem);
 
-/// Throws InputError where a command moves the pair on rigid supports, and the case has a drive train.
-void require_rigid_supports(const CaseInput& problem, const std::string& command);
-
-/// Throws InputError where a command moves the pair with its drive train, which does not move: bodies are in balance,
-/// or the torque does not determine the tooth force.
+/// Throws InputError where a command moves the pair with its drive train, and cannot: the torque does not
+/// determine the tooth force, or it changes while bodies are in balance.
 void require_moving_train(const CaseInput& problem, const std::string& command);
 
 /// What the motion of the pair feels of it; null without one, and where the torque does not determine the tooth force.

@@ -169,6 +169,16 @@ void say_undercut(const CaseInput& problem, Oddities& found) {
   }
 }
 
+void say_tilt(const CaseInput& problem, Oddities& found) {
+  constexpr double tolerable = 0.05;  // of the face width, that rows of a dry contact may have lost without a tilt too
+  if (!problem.pair.tilt) return;
+  const ShaftTilt& tilt = *problem.pair.tilt;
+  if (tilt.loaded_without_tilt - tilt.loaded_width < tolerable * problem.pair.gears->face_width) return;
+  found.push_back("the static force tilts the shafts until the flanks touch over " +
+                  in_words(1e3 * tilt.loaded_width, "mm") + " of the face in the place of " +
+                  in_words(1e3 * tilt.loaded_without_tilt, "mm") + ": one end carries nothing");
+}
+
 void say_load_model(const CaseInput& problem, Oddities& found) {
   if (problem.parameters.text("gear.load_model") == "point") return;
   found.push_back("'gear.load_model' is line_equivalent: the contact carries " +
@@ -223,6 +233,7 @@ std::vector<std::string> plausibility_warnings(const CaseInput& problem) {
   compare_contact(problem.scales, found);
   if (problem.kind == CaseKind::gear_pair) {
     say_load_model(problem, found);
+    say_tilt(problem, found);
     compare_gears(problem, found);
     compare_teeth(problem, found);
     say_undercut(problem, found);

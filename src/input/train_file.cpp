@@ -112,6 +112,10 @@ void add_bearing(const TrainLine& line, TrainParts& parts) {
   if (node > TrainParts::wheel && !parts.nodes[node].mass) {
     line.refuse("'" + line.word(1) + "' has a bearing, but no mass; give it behind the inertia of its node");
   }
+  if (node <= TrainParts::wheel && parts.two_bearings[node]) {
+    line.refuse("'" + line.word(1) + "' is on two bearings already, by '" + line.word(1) +
+                ".bearing_span'; delete one of both");
+  }
   parts.bearings.push_back({node, bearing});
 }
 

@@ -33,6 +33,14 @@ std::vector<Parameter> supports_of_gear_records(const std::string& subscript) {
                                  "the same along the line of centres, from the pinion to the wheel")),
           optional(rigid, number("bearing_stiffness_y", "", "N/m", stiffness, "the same across the line of centres")),
           optional("0", number("bearing_stiffness_xy", "", "N/m", closed(-1e18, 1e18), "coupling of these two")),
+          optional("one bearing, or all in the middle of the gear",
+                   number("bearing_span", "L_b" + subscript, "m", closed(1e-4, 20),
+                          "distance of two bearings of its shaft; bearing_stiffness is then that of each")),
+          optional("0", number("bearing_offset", "e_b" + subscript, "m", closed(-20, 20),
+                               "of the gear's middle from that of bearing_span, towards positive y of the face; "
+                               "overhung beyond half of it")),
+          optional("as the other", number("bearing_stiffness_2", "", "N/m", stiffness,
+                                          "of the bearing at positive y, where both differ")),
           optional("0", number("bearing_damping_ratio", "", "-", ratio,
                                "damping ratio of the bearings, at the mode that strains them most"))};
 }

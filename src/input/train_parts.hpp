@@ -1,11 +1,14 @@
 // The parts of a drive train as they are read, before they are put together.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/parameter_values.hpp"
 #include "train/train.hpp"
+#include "train/two_bearings.hpp"
 
 namespace gearfilm {
 
@@ -45,6 +48,7 @@ struct TrainParts {
   std::vector<BearingPart> bearings{};
   std::vector<GroundPart> grounds{};
   std::vector<TorquePart> torques{};
+  std::array<std::optional<TwoBearings>, 2> two_bearings{};  ///< of the gears
 
   static constexpr std::size_t pinion = 0, wheel = 1;
 };
@@ -54,6 +58,9 @@ struct TrainParts {
 ///   ground NODE k [c]                          fixed NODE       torque NODE mean [order amplitude phase]...
 /// Throws InputError with the line that is wrong.
 void add_train_file(const ParameterValues& values, TrainParts& parts);
+
+/// Adds the bearings that a gear has by its keys. Throws InputError where they do not fit together.
+void add_gear_bearings(const ParameterValues& values, std::size_t gear, TrainParts& parts);
 
 /// Whether a stiffness stores energy in every direction.
 bool is_positive(const Eigen::Matrix2d& stiffness);

@@ -4,6 +4,7 @@
 
 #include "results/friction_summary.hpp"
 #include "results/members.hpp"
+#include "results/tilt_summary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -113,6 +114,7 @@ constexpr auto run_members = std::to_array<Member<RunOfPair>>({
 
 void add_run(const CaseInput& problem, const MeshModel& mesh, Summary& summary) {
   add_members(run_members, RunOfPair{problem, mesh}, summary);
+  add_tilt(problem, summary);
 }
 
 std::string run_markdown() {
@@ -125,7 +127,7 @@ Summary march_summary(const CaseInput& problem, const MeshModel& mesh, const Mar
   const Scales& scales = mesh.scales;
   Summary summary = {{"case", problem.name}, {"model", problem.parameters.text("model")}};
   if (problem.march.model == MarchModel::dynamic) summary["motion"] = problem.parameters.text("motion");
-  add_members(run_members, RunOfPair{problem, mesh}, summary);
+  add_run(problem, mesh, summary);
   Summary periods = Summary::array();
   for (const PeriodQuantities& period : statistics.periods()) periods.push_back(period_summary(scales, period));
   for (const PeriodQuantity& quantity : period_quantities) {

@@ -1,6 +1,6 @@
 #include "results/steady_result.hpp"
 
-#include "elasticity/row_contact.hpp"
+#include "elasticity/tilted_contact.hpp"
 #include "film/domain_margins.hpp"
 #include "film/face_quantities.hpp"
 #include "gearfilm/error.hpp"
@@ -14,6 +14,7 @@
 #include "results/friction_summary.hpp"
 #include "results/members.hpp"
 #include "results/rating_result.hpp"
+#include "results/tilt_summary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -307,6 +308,7 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
       film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities, stress);
   add_errors(problem.scales, solved.errors, result.summary);
   add_coupling(problem, solved, result.summary);
+  add_tilt(problem, result.summary);
   if (problem.scales.solids.face) {
     add_members(face_members,
                 AlongFace{problem.scales, solved.result, position.contact.conditions.dry_radius(),

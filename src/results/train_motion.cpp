@@ -257,6 +257,13 @@ void TrainHistory::write_orders(ResultsFile& file, double T_begin, double T_end,
   write_table(file, "/orders", columns, rows);
 }
 
+void add_train_at_rest(const MeshModel& mesh, Summary& summary) {
+  const TrainOutputs outputs(mesh);
+  const Motion none = Motion::zero(mesh.train->freedoms());
+  const std::vector<TrainMoment> moments = {{.T = 0.0, .motion = none}, {.T = 1.0, .motion = none}};
+  add_elements({outputs, mesh.scales.time, moments, 0.0, 1.0}, summary);
+}
+
 std::string train_motion_markdown() {
   return "\n## `/history/train` and `/orders`\n\n"
          "Of marches and periodic states with a drive train. `/history/train` has a row for each of `/history/steps`\n"

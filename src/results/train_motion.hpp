@@ -33,6 +33,9 @@ private:
   std::vector<TrainMoment> moments_;
 };
 
+/// Adds torques of shafts and forces on bearings at rest, of a mesh with a train.
+void add_train_at_rest(const MeshModel& mesh, Summary& summary);
+
 /// What is in the tables, in the manual's Markdown.
 std::string train_motion_markdown();
 

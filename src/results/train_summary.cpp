@@ -7,6 +7,7 @@
 #include "input/case_numerics.hpp"
 #include "mesh/static_mesh.hpp"
 #include "results/members.hpp"
+#include "results/tilt_summary.hpp"
 
 namespace gearfilm {
 namespace {
@@ -33,7 +34,7 @@ Summary frequency_on_films(const DescribedMode& of) {
 }
 
 Summary damping_of(const DescribedMode& of) {
-  if (!of.on_films) return of.damped.damping_ratio(of.mode);
+  if (!of.on_films) return 0.0 + of.damped.damping_ratio(of.mode);  // no negative zero
   return *of.on_films ? Summary(0.0 - (*of.on_films)->real() / std::abs(**of.on_films)) : Summary();
 }
 
@@ -151,6 +152,7 @@ void warn_of_growth(const CaseInput& problem, std::vector<std::string>& warnings
 void add_train(const CaseInput& problem, const DampedTrain& train, const std::vector<RateOnFilms>& on_films,
                Summary& summary) {
   add_members(train_members, TrainOfCase{problem, train}, summary);
+  add_tilt(problem, summary);
   summary["modes"] = Summary::array();
   for (std::size_t n = 0; n < train.modes.size(); ++n) {
     const RateOnFilms* rate = on_films.empty() ? nullptr : &on_films[n];
@@ -216,7 +218,8 @@ std::vector<std::string> train_warnings(const CaseInput& problem, const DampedTr
 std::string train_markdown() {
   return members_markdown("A drive train in `info` and `eigen`",
                           "Keys of their summaries where the case has a drive train, beside `modes`.", train_members) +
-         members_markdown("Modes of a drive train", "Keys of each of `modes`, the lowest first.", mode_members);
+         members_markdown("Modes of a drive train", "Keys of each of `modes`, the lowest first.", mode_members) +
+         tilt_markdown();
 }
 
 }  // namespace gearfilm

@@ -100,9 +100,18 @@ void require_one_rotation(const Train& train, const Eigen::MatrixXd& rows, const
                    "; join them to the gears by a shaft, or hold them by a bearing, a ground or fixed");
 }
 
+void require_moving_contacts(const Train& train) {
+  for (const auto& row : train.contacts().rowwise()) {
+    if (row.size() > 0 && row.cwiseAbs().maxCoeff() > 0.0) continue;
+    throw InputError(
+        "the drive train imposes the speeds of both gears, so that their flanks cannot part; free one of them");
+  }
+}
+
 }  // namespace
 
 RelativeMotion relative_motion(const Train& train) {
+  require_moving_contacts(train);
   const Eigen::VectorXd lengths = train.lengths();
   const Eigen::MatrixXd rows = all_rows(train);
   const IndependentRows found = independent(rows, lengths);

@@ -20,7 +20,8 @@ struct RelativeMotion {
   Eigen::MatrixXd projected(const Eigen::MatrixXd& matrix) const { return motions.transpose() * matrix * motions; }
 };
 
-/// Throws InputError where more than one rotation of the whole is free, naming the nodes that hang on nothing.
+/// Throws InputError where more than one rotation of the whole is free, naming the nodes that hang on nothing, and
+/// where a contact cannot part.
 RelativeMotion relative_motion(const Train& train);
 
 }  // namespace gearfilm

@@ -88,6 +88,18 @@ class DryMotion(TrainTest):
         swing = numpy.ptp(rows["bearing_pinion_x"]) / 2
         self.assertTrue(0.8 < orders["bearing_pinion_x"][0] / swing < 1.2)
 
+    def test_an_imposed_speed_is_that_of_a_vast_inertia(self):
+        file = self.folder / "line.train"
+        file.write_text("node motor pinion 0.02\nshaft motor pinion 2e4\nfixed motor\n", encoding="utf-8")
+        shaft = ["-motor_shaft_stiffness", 2e4]
+        by_key, by_file = self.periodic(*shaft, "-motor_fixed", "yes"), self.periodic("-train_file", file)
+        vast = self.periodic(*shaft, "-motor_inertia", 1e6)
+        self.assertEqual(by_key["floquet"], by_file["floquet"])
+        self.assertAlmostEqual(by_key["total_force_ratio_max"], vast["total_force_ratio_max"], delta=1e-8)
+        for ours, theirs in zip(by_key["floquet"], vast["floquet"]):
+            self.assertAlmostEqual(abs(complex(*ours)), abs(complex(*theirs)), delta=1e-5)
+        self.assertLess(by_key["energy_balance_residual"], 1e-4)
+
     def test_a_run_up_loads_the_teeth_where_it_is_asked_for(self):
         end = 15300
         march = self.summary("transient", "-model", "dry", "-dry_damping_ratio", 0.05, "-mesh_periods", 100,
@@ -151,6 +163,24 @@ class MotionOnFilms(TrainTest):
         pair, train = self.steps("pair"), self.steps("train")
         self.assertLess(abs(pair["H0"] - train["H0"]).max(), 1e-8)
         self.assertEqual(pair["newton"].sum(), train["newton"].sum())
+
+    def test_an_imposed_speed_is_that_of_a_vast_inertia(self):
+        for folder, options in (("held", ["-motor_fixed", "yes"]), ("vast", ["-motor_inertia", 1e6])):
+            self.run_well("transient", self.write_case(RELIEF), *GRID, "-mesh_periods", 1, "-motor_shaft_stiffness", 2e4,
+                          "-output_dir", folder, *options)
+        held, vast = self.steps("held"), self.steps("vast")
+        self.assertLess(abs(held["H0"] - vast["H0"]).max(), 1e-7)
+
+    def test_bodies_in_balance_leave_their_train_at_rest(self):
+        march = ["transient", self.write_case(RELIEF), *GRID, "-mesh_periods", 1, "-motion", "quasi_static",
+                 "-output_dir"]
+        self.run_well(*march, "pair")
+        self.run_well(*march, "train", *SHAFTS, *bearings(1e9))
+        self.assertEqual(self.steps("pair")["H0"].tolist(), self.steps("train")["H0"].tolist())
+        summary = summary_in(self.folder / "train")
+        self.assertAlmostEqual(summary["shaft_torques"][0]["torque_max"], 470, delta=1e-9)
+        for load in summary["bearing_forces"]:
+            self.assertAlmostEqual(load["force_mean"] / summary["static_force"], 1, delta=1e-9)
 
     def test_a_ring_down_on_bearings_has_the_modes_of_the_reference(self):
         """Of motions that are sums of damped oscillations, by the linear map from one span of the signal to the next."""

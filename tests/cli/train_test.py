@@ -178,11 +178,14 @@ class WrongTrains(TrainTest):
             self.refused([f"sweep.over' is {over}; give speed, torque", "key of the drive train"], *dry, "-sweep_over",
                          over, "-sweep_values", 1, command="sweep")
 
-    def test_commands_that_move_the_pair_alone(self):
-        self.refused(["motor.inertia", "bench moves the pair alone", "info or eigen"], *SHAFTS, command="bench")
-        for command in ("transient", "periodic", "sweep", "continuation"):
-            self.refused(["motor.inertia", f"with 'motion: quasi_static' {command} moves no drive train"], *SHAFTS,
-                         "-motion", "quasi_static", command=command)
+    def test_bodies_in_balance_have_constant_torques(self):
+        balance = [*SHAFTS, "-motion", "quasi_static"]
+        for command in ("transient", "periodic", "sweep"):
+            self.refused(["motor.torque_harmonics' fluctuates, but with 'motion: quasi_static'", command], *balance,
+                         "-motor_torque_harmonics", "28 0.1 0", command=command)
+        self.refused(["ramp.inertia_torque", "bodies are in balance at every moment"], *balance, "-ramp_to_rpm", 15300,
+                     "-ramp_inertia_torque", "yes", command="transient")
+        self.refused(["is for pairs that swing"], *balance, command="continuation")
 
     def test_a_tooth_force_that_the_torque_does_not_determine(self):
         file = self.folder / "held.train"
@@ -200,6 +203,7 @@ class WrongTrains(TrainTest):
                 ("node motor pinion -1", ["the inertia is -1"]),
                 ("node motor pinion 1x", ["'1x' is no number"]),
                 ("node wheel wheel 1", ["'wheel' is there already"]),
+                ("fixed pinion\nfixed wheel", ["imposes the speeds of both gears", "free one"]),
                 ("shaft motor pinion 1e4", ["no node 'motor' yet"]),
                 ("shaft pinion wheel 1e4", ["turn with different gears"]),
                 ("bearing pinion 1e8", ["needs the form: bearing NODE"]),

@@ -139,6 +139,16 @@ def add_output(parser, name):
     parser.add_argument("--format", choices=ENDINGS, nargs="+", default=ENDINGS, help="files to write; all by default")
 
 
+def add_periods(parser):
+    """--periods of a figure that shows the end of a march."""
+    parser.add_argument("--periods", type=int, default=1, help="mesh periods drawn of a transient (default 1)")
+
+
+def require_periods(periods):
+    if periods < 1:
+        raise PlotError("the number of mesh periods must be at least 1")
+
+
 def save(figure, paths):
     """Writes the figure once for each ending; PNG with a palette, since figures have few colours."""
     for path in paths:

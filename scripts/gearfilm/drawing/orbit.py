@@ -7,8 +7,8 @@ from typing import NamedTuple, Optional
 import numpy
 from matplotlib import pyplot
 
-from .canvas import (BLUE, DARK, GREY, VERMILLION, PlotError, add_grid, add_legend, open_results, read_summary,
-                     read_table, read_text)
+from .canvas import (BLUE, DARK, GREY, VERMILLION, PlotError, add_grid, add_legend, add_periods, open_results,
+                     read_summary, read_table, read_text, require_periods)
 
 SAME_TIME = 1e-6       # in mesh periods, of an end of the span and a step
 FEW_PERIODS = 5        # beyond, lines are thinner and markers smaller
@@ -163,11 +163,10 @@ def draw(orbit):
 
 
 def add_options(parser):
-    parser.add_argument("--periods", type=int, default=1, help="mesh periods drawn of a transient (default 1)")
+    add_periods(parser)
 
 
 def draw_folder(folder, periods=1):
     """Of `gearfilm periodic`, or of `transient` with this number of mesh periods."""
-    if periods < 1:
-        raise PlotError("the number of mesh periods must be at least 1")
+    require_periods(periods)
     return draw(read_orbit(folder, periods))

@@ -8,8 +8,8 @@ from typing import NamedTuple, Optional
 import numpy
 from matplotlib import pyplot
 
-from .canvas import (BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, PlotError, add_grid, add_legend, open_results,
-                     read_summary, read_table)
+from .canvas import (BLUE, DARK, GREEN, GREY, PURPLE, VERMILLION, PlotError, add_grid, add_legend, add_periods,
+                     open_results, read_summary, read_table, require_periods)
 
 COMMANDS = "transient or periodic"
 CYCLE = [BLUE, VERMILLION, GREEN, PURPLE, DARK, GREY]
@@ -110,11 +110,10 @@ def draw(motion):
 
 
 def add_options(parser):
-    parser.add_argument("--periods", type=int, default=1, help="mesh periods drawn of a transient (default 1)")
+    add_periods(parser)
 
 
 def draw_folder(folder, periods=1):
     """Of `gearfilm periodic`, or of `transient` with this number of mesh periods, of a case with a drive train."""
-    if periods < 1:
-        raise PlotError("the number of mesh periods must be at least 1")
+    require_periods(periods)
     return draw(read_motion(folder, periods))
