@@ -14,8 +14,8 @@ struct Known {
 
   bool found() const { return !result.contains("error"); }
   BranchState state() const {
-    return {{result["H0_after_leaving"].get<double>(), result["V0_after_leaving"].get<double>()},
-            result["value"].get<double>()};
+    const ChainLink link = read_link(result);
+    return {link.guess.motion, link.value};
   }
 };
 

@@ -30,8 +30,7 @@ Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vec
   return basis;
 }
 
-}  // namespace
-
+/// The sum of such parts after so many mesh periods.
 double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_periods) {
   double sum = 0.0;
   for (const TorqueHarmonic& one : harmonics) {
@@ -40,15 +39,19 @@ double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_per
   return sum;
 }
 
+/// What a load in a run-up is less by an angular acceleration of the pinion, the first node [N m s^2]; of a train that
+/// turns freely.
+double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
+  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
+  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
+}
+
+}  // namespace
+
 bool torque_determines_force(const Train& train) {
   constexpr double round_off = 1e-9;
   const Eigen::MatrixXd K = relative_motion(train).projected(train.stiffness());
   return K.row(0).cwiseAbs().maxCoeff() <= round_off * K.cwiseAbs().maxCoeff();
-}
-
-double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
-  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
-  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
 }
 
 Eigen::VectorXd MeshTrain::torque_acceleration(const ContactPath& path, double T) const {
