@@ -10,7 +10,6 @@
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
-#include "mesh/held_modes.hpp"
 #include "output/screen.hpp"
 #include "output/screen_table.hpp"
 #include "results/flank_result.hpp"
@@ -124,25 +123,13 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   warn_of_validity(comm, problem, summary);
 }
 
-/// Of a drive train, and says so.
-void rid_of_slow_modes(MPI_Comm comm, MeshModel& mesh) {
-  const HeldModes held = hold_slow_modes(mesh.train, mesh.mesh_frequency_si());
-  mesh.train = held.train;
-  for (const double frequency : held.frequencies) {
-    say(comm, "the drive train's mode at ", std::setprecision(4), frequency,
-        " Hz is held where the constant torques put it: it is so slow beside the mesh, ", mesh.mesh_frequency_si(),
-        " Hz, that it hardly moves");
-  }
-}
-
 void search(MPI_Comm comm, const CaseInput& given) {
   std::string remark;
   const CaseInput problem = periodic_case(given, remark);
   if (!remark.empty()) say(comm, remark);
   const SharedDiscretisation films = discretise(comm, problem);
   ResumableRun run(problem, films->grid(), "periodic");
-  OrbitProblem search = orbit_problem(problem);
-  rid_of_slow_modes(comm, search.mesh);
+  const OrbitProblem search = orbit_problem(problem);
   if (!search.mesh.teeth.rigid()) warn_of_corner_contact(comm, search.mesh);
   MarchOutput output(run, problem, films->grid(), search.mesh, MarchPurpose::search,
                      (problem.dry() ? 1.0 : typical_periods) * search.mesh.periods());

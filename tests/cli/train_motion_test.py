@@ -7,6 +7,7 @@ import unittest
 import numpy
 
 from films import SAME, summary_in
+from program import INPUT
 from trains import CASE_STUDY, GRID, MASSES, REFERENCE, RELIEF, SHAFTS, TrainTest, bearings
 from vibration import table_in
 
@@ -108,6 +109,16 @@ class DryMotion(TrainTest):
         self.assertEqual((sweep["over"], soft["value"]), ("motor.shaft_stiffness", 1e4))
         self.assertAlmostEqual(stiff["floquet_modulus"] / orbit["floquet_modulus"], 1, delta=1e-7)
         self.assertGreater(abs(soft["floquet_modulus"] - stiff["floquet_modulus"]), 1e-4)
+
+    def test_a_train_has_the_same_motions_at_all_speeds(self):
+        file = self.folder / "coupling.train"
+        file.write_text("node coupling pinion 2e-3\nshaft coupling pinion 3e4 0.5\n", encoding="utf-8")
+        run = self.run_program("sweep", INPUT / "electric_reducer.yaml", "-model", "dry", "-sweep_values",
+                               "8238.19, 8277.89, 8317.59", "-sweep_direction", "up", "-train_file", file,
+                               "-output_dir", "sweep")
+        self.assertEqual(run.status, 0, run)
+        for point in summary_in(self.folder / "sweep")["points"]:
+            self.assertEqual(len(point["states_after_leaving"][0]), 12)  # 6 and their velocities
 
     def test_a_march_settles_on_the_periodic_motion(self):
         bearings_at = self.damped_bearings(1e9)

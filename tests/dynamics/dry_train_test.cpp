@@ -2,13 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <filesystem>
-#include <fstream>
 #include <vector>
 
-#include "mesh/held_modes.hpp"
 #include "numerics/sampled_integral.hpp"
-#include "orbits/dry_orbit.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -116,34 +112,6 @@ TEST(DryTrain, has_the_derivatives_of_its_map) {
     }
     EXPECT_LT(to_vector(end.by_parameter).norm(), 1e-9);
   }
-}
-
-// Krylov's vectors of 6 motions, whose frequencies lie far apart, would be told apart by chance.
-TEST(DryTrain, has_the_same_motions_at_all_speeds) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "gearfilm_coupling.train";
-  std::ofstream(file) << "node coupling pinion 2e-3\nshaft coupling pinion 3e4 0.5\n";
-  for (double speed = 8000.0; speed < 8500.0; speed += 39.7) {
-    const Settings there = {{"train.file", file.string()}, {"pinion.speed_rpm", std::to_string(speed)}};
-    EXPECT_EQ(mesh_after_leaving(undamped_reducer(there)).freedoms(), 6) << speed;
-  }
-  std::filesystem::remove(file);
-}
-
-// A motor on a shaft so soft that it swings at 6 Hz, a 800th of the mesh frequency.
-TEST(DryTrain, moves_the_same_where_slow_modes_are_held) {
-  MeshModel mesh = mesh_after_leaving(input_case(
-      "electric_reducer.yaml", {{"model", "dry"}, {"pinion.speed_rpm", "11000"}, {"motor.shaft_stiffness", "20"}}));
-  const DryOrbit free = find_dry_orbit(mesh, 0.02);
-  const HeldModes held = hold_slow_modes(mesh.train, mesh.mesh_frequency_si());
-  ASSERT_EQ(held.frequencies.size(), 1U);
-  EXPECT_NEAR(held.frequencies[0], 6.5, 0.5);
-  mesh.train = held.train;
-  EXPECT_EQ(mesh.freedoms(), 4);
-  const DryOrbit found = find_dry_orbit(mesh, 0.02);
-  EXPECT_NEAR(found.largest_integral / free.largest_integral, 1.0, 1e-5);
-  EXPECT_NEAR(found.start.H0(), free.start.H0(), 1e-4);
-  EXPECT_GT(largest_modulus(multipliers(free.monodromy)), 0.9999);
-  EXPECT_LT(largest_modulus(multipliers(found.monodromy)), 0.999);
 }
 
 }  // namespace
