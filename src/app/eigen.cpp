@@ -44,29 +44,32 @@ Summary film_eigenvalues(const CaseInput& problem, LubricatedPair& pair, Vec sta
   return found;
 }
 
-/// The modes of the drive train, on the films of the pair at rest or of the dry pair; what is to be said of them goes
-/// to `remarks`. rest: null of the dry pair.
-void add_modes_of_train(const CaseInput& problem, RestingPair* rest, const Watcher& watcher, Summary& summary,
-                        std::vector<std::string>& remarks) {
-  const DampedTrain train = damped_train_of(problem);
-  std::vector<RateOnFilms> on_films;
-  if (rest) {
-    const auto lost = [&](const std::string& what) { remarks.push_back("a mode on films is null: " + what); };
-    on_films = train_on_films(train, rest->pair(), rest->state(), {.watcher = watcher}, lost);
-  }
+using Remarks = std::vector<std::string>;
+
+/// The modes of the drive train, of the dry pair or on films; what is to be said of them goes to `remarks`.
+void add_modes_of_train(const CaseInput& problem, const DampedTrain& train, const std::vector<ModeOnFilms>& on_films,
+                        Summary& summary, Remarks& remarks) {
   add_train(problem, train, on_films, summary);
   for (const auto& more : {mode_lines(summary), damping_lines(summary)}) {
     remarks.insert(remarks.end(), more.begin(), more.end());
   }
 }
 
-/// The pair at rest on its films at the chosen position, linearised. What is to be said of it goes to `remarks`.
-Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discretisation, const Watcher& watcher,
-                     Summary summary, std::vector<std::string>& remarks) {
+/// The pair at rest on its films at the chosen position, linearised, with its drive train if there is one. What is to
+/// be said of it goes to `remarks`.
+Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discretisation,
+                     const std::optional<DampedTrain>& train, Summary summary, Remarks& remarks) {
+  const Watcher& watcher = problem.numerics.solver.newton.watcher;
   MeshModel mesh = mesh_model(problem, problem.steady.position, MeshGeometry::held);
   mesh.train.reset();  // modes of a train follow from the stiffness of the films beneath the pair alone
   RestingPair rest(mesh, problem.numerics, discretisation);
-  const FilmSwing swing = film_swing(mesh, problem.numerics, rest, watcher);
+  RatesOnGrids rates;
+  const auto rates_of = [&](RestingPair& at_rest, const auto& lost) {
+    return train_on_films(*train, at_rest.pair(), at_rest.state(), {.watcher = watcher}, lost);
+  };
+  SwingWatch watch{.watcher = watcher};
+  if (train) watch.on_coarser = [&](RestingPair& coarser) { rates.coarser = rates_of(coarser, [](const auto&) {}); };
+  const FilmSwing swing = film_swing(mesh, problem.numerics, rest, watch);
   const SwingQuantities quantities = quantities_of(swing, problem.scales);
   summary["position"] = problem.steady.position;
   summary["contacts"] = rest.contacts();
@@ -74,7 +77,10 @@ Summary film_summary(const CaseInput& problem, const SharedDiscretisation& discr
   add_swing(swing, quantities, summary);
   const std::string remark = swing_remark(swing, quantities, summary["f_n"].get<double>());
   if (!remark.empty()) remarks.push_back(remark);
-  if (problem.pair.train) add_modes_of_train(problem, &rest, watcher, summary, remarks);
+  if (train) {
+    rates.fine = rates_of(rest, [&](const auto& what) { remarks.push_back("a mode on films is null: " + what); });
+    add_modes_of_train(problem, *train, quantities_of(*train, rates, swing, problem.scales), summary, remarks);
+  }
   if (!swing.on_stiff_films()) {
     summary["film_eigenvalues"] = film_eigenvalues(problem, rest.pair(), rest.state(), watcher);
     return summary;
@@ -156,16 +162,18 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   ResumableRun run(problem, films->grid(), "eigen");
   Summary summary = {{"case", problem.name}, {"nx", problem.numerics.nx}, {"ny", problem.numerics.ny}};
   summary.update(dry_pair_summary(problem));
-  std::vector<std::string> remarks;
+  Remarks remarks;
+  std::optional<DampedTrain> train;
+  if (problem.pair.train) train = damped_train_of(problem);
   if (problem.dry()) {
     summary.update(damper_summary(problem, summary["f_n"].get<double>()));
-    if (problem.pair.train) add_modes_of_train(problem, nullptr, {}, summary, remarks);
+    if (train) add_modes_of_train(problem, *train, {}, summary, remarks);
   } else {
     LongWork work(comm);
     const Watcher watcher = [&](const std::string& text) { work.report(text); };
     CaseInput watched = problem;
     watched.numerics.solver.newton.watcher = watcher;
-    summary = film_summary(watched, films, watcher, std::move(summary), remarks);
+    summary = film_summary(watched, films, train, std::move(summary), remarks);
   }
   if (problem.modes.of_orbit) {
     summary["orbit"] = problem.dry() ? dry_orbit_multipliers(problem) : orbit_multipliers(problem, films, run);
@@ -175,8 +183,8 @@ void run_eigen(MPI_Comm comm, const CaseInput& given) {
   print_result(comm, run.directory().path(), summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   for (const std::string& remark : remarks) say(comm, remark);
-  if (!problem.pair.train) return;
-  for (const std::string& warning : train_warnings(problem, damped_train_of(problem))) warn(comm, warning);
+  if (!train) return;
+  for (const std::string& warning : train_warnings(problem, *train)) warn(comm, warning);
 }
 
 }  // namespace gearfilm

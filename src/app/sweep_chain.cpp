@@ -25,7 +25,12 @@ const char* name_of(SweepDirection direction) { return direction == SweepDirecti
 class ChainRun {
 public:
   ChainRun(MPI_Comm group, const CaseInput& problem, const SweepPoints& points, const StopRequest& stop)
-      : group_(group), problem_(problem), points_(points), stop_(stop), chain_(problems_of_sweep(problem)) {}
+      : group_(group),
+        problem_(problem),
+        points_(points),
+        stop_(stop),
+        case_at_(cases_of_sweep(problem)),
+        chain_(problems_of_sweep(case_at_)) {}
 
   void run(const SweepChain& chain) {
     for (const SweepPoint& point : chain) {
@@ -83,7 +88,7 @@ private:
   }
 
   Summary compute(const SweepPoint& point, double value) {
-    const CaseInput here = case_of_sweep(problem_, value);
+    const CaseInput here = case_at_(value);
     const OrbitProblem search = orbit_problem(here);
     const MeshModel& mesh = search.mesh;
     Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
@@ -183,6 +188,7 @@ private:
   const CaseInput& problem_;
   const SweepPoints& points_;
   const StopRequest& stop_;
+  CaseAt case_at_;
   OrbitChain chain_;
   std::optional<SweepPoint> before_point_;
 };

@@ -14,8 +14,8 @@ struct Known {
 
   bool found() const { return !result.contains("error"); }
   BranchState state() const {
-    return {{result["H0_after_leaving"].get<double>(), result["V0_after_leaving"].get<double>()},
-            result["value"].get<double>()};
+    const ChainLink link = read_link(result);
+    return {link.guess.motion, link.value};
   }
 };
 
@@ -35,7 +35,7 @@ std::vector<BranchState> near(const std::vector<Known>& all, const SweepPoint& p
 std::optional<Summary> mended(const CaseInput& problem, const Known& failed, const BranchState& from,
                               const DryWatch& watch) {
   const auto value = failed.result["value"].get<double>();
-  const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(problem), value, from, watch);
+  const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(cases_of_sweep(problem)), value, from, watch);
   if (!orbit) return {};
   const CaseInput here = case_with_parameter(problem, problem.sweep.parameter, value);
   Summary result = failed.result;

@@ -205,11 +205,12 @@ PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const
 }
 
 OrbitProblem orbit_problem(const CaseInput& problem) {
-  const OrbitSearch search{.options = problem.search.options,
-                           .with_multipliers = problem.search.with_multipliers,
-                           .start = problem.march.start_motion,
-                           .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)};
-  return {mesh_after_leaving(problem), problem.numerics, search};
+  return {.mesh = mesh_after_leaving(problem),
+          .numerics = problem.numerics,
+          .search = {.options = problem.search.options,
+                     .with_multipliers = problem.search.with_multipliers,
+                     .start = problem.march.start_motion,
+                     .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)}};
 }
 
 std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {

@@ -32,17 +32,30 @@ CaseInput case_of_sweep(const CaseInput& problem, double value) {
                                                  : case_with_parameter(problem, problem.sweep.parameter, value);
 }
 
-ProblemAt problems_of_sweep(const CaseInput& problem) {
-  // Those of a point and its neighbour are asked for again and again.
+namespace {
+
+/// Those of a point and its neighbour are asked for again and again.
+template <class Value>
+std::function<Value(double)> remembered(std::function<Value(double)> make) {
   constexpr std::size_t most = 8;
-  auto kept = std::make_shared<std::deque<std::pair<double, OrbitProblem>>>();
-  return [&problem, kept](double value) {
-    const auto known = std::ranges::find(*kept, value, &std::pair<double, OrbitProblem>::first);
+  auto kept = std::make_shared<std::deque<std::pair<double, Value>>>();
+  return [make = std::move(make), kept](double value) {
+    const auto known = std::ranges::find(*kept, value, &std::pair<double, Value>::first);
     if (known != kept->end()) return known->second;
     if (kept->size() == most) kept->pop_front();
-    kept->emplace_back(value, orbit_problem(case_of_sweep(problem, value)));
+    kept->emplace_back(value, make(value));
     return kept->back().second;
   };
+}
+
+}  // namespace
+
+CaseAt cases_of_sweep(const CaseInput& problem) {
+  return remembered<CaseInput>([&problem](double value) { return case_of_sweep(problem, value); });
+}
+
+ProblemAt problems_of_sweep(const CaseAt& case_at) {
+  return remembered<OrbitProblem>([case_at](double value) { return orbit_problem(case_at(value)); });
 }
 
 }  // namespace gearfilm

@@ -1,6 +1,7 @@
 // A case at another value of one of its parameters: sweeps and continuations go from value to value.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "input/case.hpp"
@@ -13,7 +14,10 @@ CaseInput case_with_parameter(const CaseInput& problem, const std::string& param
 
 /// The case of a point of its sweep: of basins all are of the case itself.
 CaseInput case_of_sweep(const CaseInput& problem, double value);
-/// The searches of these. The case must outlive what is returned.
-ProblemAt problems_of_sweep(const CaseInput& problem);
+/// The same, some of which are remembered. The case must outlive what is returned.
+using CaseAt = std::function<CaseInput(double value)>;
+CaseAt cases_of_sweep(const CaseInput& problem);
+/// The searches of these, likewise.
+ProblemAt problems_of_sweep(const CaseAt& case_at);
 
 }  // namespace gearfilm

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -27,7 +28,8 @@ ContactLaw DryForce::law(const ContactConditions& conditions) const {
 }
 
 DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T)
-    : compliance_(mesh.compliance(numbers, T)), coupled_(compliance_.coupled()) {
+    : compliance_(mesh.compliance(numbers, T)), coupled_(compliance_.coupled()), elliptic_(!mesh.scales.face_law) {
+  contacts_.reserve(numbers.size());
   for (const int number : numbers) {
     const ContactConditions conditions = mesh.contact(number, T).conditions;
     contacts_.push_back({conditions.dry_gap(), force.law(conditions)});
@@ -67,15 +69,59 @@ std::vector<double> DryContacts::forces(double H0) const {
   return forces;
 }
 
+// q_k y_k^2 + sum_j c_kj y_j^3 = -(H_0 + e_k) with y = F^(1/3), by Newton's method.
+bool DryContacts::follow(double H0, std::vector<double>& forces) const {
+  constexpr int most_iterations = 8;
+  constexpr double tolerance = 1e-9;  // before the last step, which squares it
+  const std::size_t count = contacts_.size();
+  if (!elliptic_ || count == 0 || count > 2 || forces.size() != count) return false;
+  std::array<double, 2> y{}, q{};
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!(forces[k] > 0.0)) return false;
+    y[k] = std::cbrt(forces[k]);
+    q[k] = contacts_[k].law.approach(1.0);
+  }
+  const auto c = [&](std::size_t k, std::size_t j) { return compliance_(k, j); };
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const auto defect = [&](std::size_t k) {
+      double left = H0 + contacts_[k].gap + q[k] * y[k] * y[k];
+      for (std::size_t j = 0; j < count; ++j) left += c(k, j) * y[j] * y[j] * y[j];
+      return left;
+    };
+    const auto slope = [&](std::size_t k, std::size_t j) {
+      return (k == j ? 2.0 * q[k] * y[k] : 0.0) + 3.0 * c(k, j) * y[j] * y[j];
+    };
+    std::array<double, 2> step{};
+    if (count == 1) {
+      step[0] = defect(0) / slope(0, 0);
+    } else {
+      const double left = defect(0), right = defect(1), across = slope(0, 1), back = slope(1, 0);
+      const double determinant = slope(0, 0) * slope(1, 1) - across * back;
+      step = {(left * slope(1, 1) - across * right) / determinant, (slope(0, 0) * right - back * left) / determinant};
+    }
+    bool done = true;
+    for (std::size_t k = 0; k < count; ++k) {
+      y[k] -= step[k];
+      if (!(y[k] > 0.0)) return false;
+      done = done && std::abs(step[k]) <= tolerance * y[k];
+    }
+    if (!done) continue;
+    for (std::size_t k = 0; k < count; ++k) forces[k] = y[k] * y[k] * y[k];
+    return true;
+  }
+  return false;
+}
+
 // By Newton's method: F_k = f_k(approach_k) with approach_k less what the others' forces take of it, (I + S C') dF = f
 // - F, C' without its diagonal. Where gaps close it may jump to and fro; then as without a guess.
 std::vector<double> DryContacts::forces_near(double H0, const std::vector<double>& guess) const {
   constexpr int most_iterations = 12, most_contacts = 4;
   constexpr double tolerance = 1e-11;  // before the last step, which squares it
   const auto count = static_cast<Eigen::Index>(contacts_.size());
+  std::vector<double> found = guess;
+  if (follow(H0, found)) return found;
   if (!coupled_ || count > most_contacts || guess.size() != contacts_.size()) return forces(H0);
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_contacts, 1>;
-  std::vector<double> found = guess;
   Eigen::Map<Vector> all(found.data(), count);
   Vector defect(count);
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_contacts, most_contacts> slope(count, count);

@@ -50,12 +50,15 @@ private:
     ContactLaw law;
   };
 
+  /// Forces of at most two ellipses that stay in contact, from nearby; false, and as they were, where these are none.
+  bool follow(double H0, std::vector<double>& forces) const;
   /// Of a contact at H_0, less what the others' forces take of it.
   double approach(std::size_t contact, double H0, const std::vector<double>& forces) const;
 
   std::vector<Contact> contacts_;
   Compliance compliance_;
   bool coupled_;
+  bool elliptic_;
 };
 
 }  // namespace gearfilm

@@ -9,29 +9,61 @@ namespace gearfilm {
 
 namespace {
 
-/// An orthonormal basis of what a few vectors reach by powers of some matrices, e_1 first.
-Eigen::MatrixXd reached(const std::vector<Eigen::VectorXd>& from, const std::vector<Eigen::MatrixXd>& matrices) {
-  constexpr double round_off = 1e-11;
-  const Eigen::Index size = from.front().size();
-  Eigen::MatrixXd basis = Eigen::VectorXd::Unit(size, 0);
-  const auto add = [&basis](const Eigen::VectorXd& vector, double scale) {
-    Eigen::VectorXd rest = vector;
-    for (int twice = 0; twice < 2; ++twice) rest -= basis * (basis.transpose() * rest);
-    if (rest.norm() <= round_off * scale) return;
-    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
-    basis.rightCols(1) = rest.normalized();
+/// Of each mode, whether rows of q by which something acts on the motion reach it, directly or by dampers and by what
+/// of the stiffness is not symmetric. Modes do not depend on the speed, so that neither does what is reached.
+std::vector<bool> reached_modes(const DampedTrain& damped, const std::vector<Eigen::RowVectorXd>& rows) {
+  constexpr double round_off = 1e-9;
+  const auto count = static_cast<Eigen::Index>(damped.modes.size());
+  Eigen::MatrixXd shapes(damped.train.freedoms(), count);
+  for (Eigen::Index n = 0; n < count; ++n) shapes.col(n) = damped.modes[static_cast<std::size_t>(n)].shape;
+  std::vector<bool> reached(damped.modes.size(), false);
+  const auto reach = [&](const Eigen::RowVectorXd& parts, double whole) {
+    bool more = false;
+    for (Eigen::Index n = 0; n < count; ++n) {
+      const auto mode = static_cast<std::size_t>(n);
+      if (reached[mode] || std::abs(parts[n]) <= round_off * whole) continue;
+      reached[mode] = more = true;
+    }
+    return more;
   };
-  for (const Eigen::VectorXd& vector : from) add(vector, vector.norm());
-  // By the powers of the first matrix alone at first: what they reach does not depend on the others.
-  for (Eigen::Index n = 0; n < basis.cols(); ++n) add(matrices.front() * basis.col(n), matrices.front().norm());
-  for (Eigen::Index n = 0; n < basis.cols(); ++n) {
-    for (const Eigen::MatrixXd& matrix : matrices) add(matrix * basis.col(n), matrix.norm());
+  for (const Eigen::RowVectorXd& row : rows) {
+    const Eigen::RowVectorXd parts = row * shapes;
+    reach(parts, parts.norm());
   }
+  const Eigen::MatrixXd K = damped.train.stiffness();
+  for (bool again = true; again;) {
+    again = false;
+    for (const Eigen::MatrixXd& matrix : {damped.damping, Eigen::MatrixXd(K - K.transpose())}) {
+      const Eigen::MatrixXd parts = shapes.transpose() * matrix * shapes;
+      for (Eigen::Index n = 0; n < count; ++n) {
+        if (reached[static_cast<std::size_t>(n)] && reach(parts.col(n).transpose(), parts.norm())) again = true;
+      }
+    }
+  }
+  return reached;
+}
+
+/// An orthonormal basis, e_1 first, of the relative coordinates of those modes: what is left of all where the other
+/// modes have no part, v_i^T M y = 0.
+Eigen::MatrixXd basis_of(const DampedTrain& damped, const std::vector<bool>& reached) {
+  const Eigen::Index size = damped.relative.motions.cols();
+  Eigen::MatrixXd beside = Eigen::MatrixXd::Identity(size, 1);
+  for (std::size_t n = 0; n < reached.size(); ++n) {
+    if (reached[n]) continue;
+    beside.conservativeResize(Eigen::NoChange, beside.cols() + 1);
+    beside.rightCols(1) =
+        (damped.relative.motions.transpose() * (damped.train.mass() * damped.modes[n].shape)).normalized();
+  }
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(size, size);
+  if (beside.cols() == 1) return basis;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(beside);
+  const Eigen::Index others = size - beside.cols();
+  basis.conservativeResize(Eigen::NoChange, 1 + others);
+  basis.rightCols(others) = Eigen::MatrixXd(factors.householderQ()).rightCols(others);
   return basis;
 }
 
-}  // namespace
-
+/// The sum of such parts after so many mesh periods.
 double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_periods) {
   double sum = 0.0;
   for (const TorqueHarmonic& one : harmonics) {
@@ -40,15 +72,19 @@ double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_per
   return sum;
 }
 
+/// What a load in a run-up is less by an angular acceleration of the pinion, the first node [N m s^2]; of a train that
+/// turns freely.
+double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
+  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
+  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
+}
+
+}  // namespace
+
 bool torque_determines_force(const Train& train) {
   constexpr double round_off = 1e-9;
   const Eigen::MatrixXd K = relative_motion(train).projected(train.stiffness());
   return K.row(0).cwiseAbs().maxCoeff() <= round_off * K.cwiseAbs().maxCoeff();
-}
-
-double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load) {
-  const Eigen::VectorXd rigid = damped.relative.rigid / (damped.train.rotation(0) * damped.relative.rigid).value();
-  return rigid.dot(damped.train.mass() * rigid) / load.node.dot(rigid);
 }
 
 Eigen::VectorXd MeshTrain::torque_acceleration(const ContactPath& path, double T) const {
@@ -78,30 +114,30 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
   const Eigen::MatrixXd inverse = mass.inverse();
   const Eigen::MatrixXd by_displacement = -inverse * K / force;
   const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damped->damping) / (force * scales.time);
-  std::vector<Eigen::VectorXd> forces = {inverse.col(0)};
+  std::vector<Eigen::RowVectorXd> acting = {train.contacts().row(0)};
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(K.cols());
   if (rows.back.size() > 0) {
     b = rows.back * relative.motions;
-    forces.emplace_back(inverse * b.transpose());
+    acting.push_back(rows.back);
   }
   Eigen::MatrixXd friction(0, K.cols());
   if (rows.friction.size() > 0) friction = rows.friction * relative.motions;
-  for (const auto& row : friction.rowwise()) forces.emplace_back(inverse * row.transpose());
-  std::vector<MeshTrain::Ripple> ripples;
+  for (const auto& row : rows.friction.rowwise()) acting.emplace_back(row);
   for (const NodeTorque& torque : torques) {
-    if (torque.harmonics.empty()) continue;
-    forces.emplace_back(torque.mean / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
-    ripples.push_back({forces.back(), torque.harmonics});
+    if (torque.accelerates || !torque.harmonics.empty()) acting.push_back(torque.node);
   }
+  const Eigen::MatrixXd V = basis_of(*damped, reached_modes(*damped, acting));
+  const auto by_moment = [&](double moment, const NodeTorque& torque) -> Eigen::VectorXd {
+    return V.transpose() * (moment / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+  };
+  std::vector<MeshTrain::Ripple> ripples;
   Eigen::VectorXd by_run_up;
   for (const NodeTorque& torque : torques) {
-    if (!torque.accelerates) continue;
-    const double moment = torque_of_run_up(*damped, torque) * pinion_speed / scales.time;
-    forces.emplace_back(moment / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
-    by_run_up = forces.back();
+    if (!torque.harmonics.empty()) ripples.push_back({by_moment(torque.mean, torque), torque.harmonics});
+    if (torque.accelerates) {
+      by_run_up = by_moment(torque_of_run_up(*damped, torque) * pinion_speed / scales.time, torque);
+    }
   }
-  const Eigen::MatrixXd V = reached(forces, {by_displacement, by_velocity});
-  for (MeshTrain::Ripple& ripple : ripples) ripple.by_torque = V.transpose() * ripple.by_torque;
   return {.mass = V.transpose() * mass * V,
           .by_force = V.transpose() * inverse.col(0),
           .by_back_force = -V.transpose() * inverse * b.transpose(),
@@ -110,7 +146,7 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
           .back = b * V,
           .friction = friction * V,
           .ripples = std::move(ripples),
-          .by_run_up = by_run_up.size() > 0 ? Eigen::VectorXd(V.transpose() * by_run_up) : by_run_up,
+          .by_run_up = std::move(by_run_up),
           .whole = {.damped = damped, .torques = torques, .motions = relative.motions * V}};
 }
 

@@ -29,9 +29,6 @@ struct TorqueHarmonic {
   double phase = 0.0;      ///< phi [rad]
 };
 
-/// The sum of such parts after so many mesh periods.
-double fluctuation(const std::vector<TorqueHarmonic>& harmonics, double mesh_periods);
-
 /// A torque on a node, in the sense in which its side turns.
 struct NodeTorque {
   Eigen::RowVectorXd node;  ///< its rotation in q
@@ -84,10 +81,6 @@ struct MeshTrain {
 
 /// False where both sides are held, so that more than the torque determines the tooth force.
 bool torque_determines_force(const Train& train);
-
-/// What a load in a run-up is less by an angular acceleration of the pinion, the first node [N m s^2]; of a train that
-/// turns freely.
-double torque_of_run_up(const DampedTrain& damped, const NodeTorque& load);
 
 /// pinion_speed: the first [rad/s]. Of a train whose tooth force the torque determines.
 MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const FlankRows& rows,

@@ -150,15 +150,8 @@ TrainPowers TrainOutputs::powers(const TrainMoment& moment) const {
                      .teeth = scales.force(moment.teeth) * v[0] - scales.force(moment.back) * train_.back.dot(v),
                      .dampers = v.dot(dissipation_ * v) + v.dot(skew_ * y) + scales.force(moment.damper) * v[0]};
   if (moment.friction.size() > 0) powers.teeth -= scales.force(moment.friction.dot(v));
-  const double passed = mesh_.path.mesh_periods(moment.T);
-  for (const NodeTorque& torque : train_.whole.torques) {
-    double fluctuating = torque.mean * fluctuation(torque.harmonics, passed);
-    if (torque.accelerates) {
-      fluctuating += torque_of_run_up(*train_.whole.damped, torque) * mesh_.path.pinion_speed() *
-                     mesh_.path.course().acceleration(moment.T) / scales.time;
-    }
-    powers.torques += fluctuating * (torque.node * train_.whole.motions).dot(v);
-  }
+  const Eigen::VectorXd fluctuating = train_.mass * train_.torque_acceleration(mesh_.path, moment.T);
+  powers.torques += scales.force(fluctuating.dot(v));
   return powers;
 }
 

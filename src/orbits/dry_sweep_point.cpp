@@ -9,6 +9,7 @@ std::optional<DryOrbit> follow_to_point(const ProblemAt& problem_at, double valu
                                         const DryWatch& watch) {
   const MeshAt mesh_at = [&](double at) { return problem_at(at).mesh; };
   const OrbitProblem here = problem_at(value);
+  if (from.motion.freedoms() != here.mesh.freedoms()) return {};
   const double damping_ratio = here.search.dry_damping_ratio;
   const auto motion = follow_dry_branch(mesh_at, here.mesh.order, damping_ratio, from, value, watch);
   if (!motion) return {};

@@ -19,28 +19,24 @@ constexpr double least_of_frequency = 0.5;      // relative, of the step's squar
 constexpr double least_of_damping_ratio = 8.0;  // likewise
 constexpr double fewest_cells_in_wave = 4.0;    // with fewer, all of the damping may be the grid's
 
-double frequency(const Scales& scales, const SwingingMode& mode) {
-  return mode.rate.imag() / (2.0 * std::numbers::pi * scales.time);
-}
-
-double damping_ratio(const SwingingMode& mode) { return -mode.rate.real() / std::abs(mode.rate); }
-
 /// Nothing where the grid is too coarse for films, or for a mode.
 std::optional<CoarserSwing> swing_on(const MeshModel& mesh, const PairNumerics& numerics,
-                                     const SharedDiscretisation& films, double ratio, const Watcher& watcher) {
+                                     const SharedDiscretisation& films, double ratio, const SwingWatch& watch) {
   try {
     RestingPair rest(mesh, numerics, films);
-    return CoarserSwing{swinging_mode(rest.pair(), rest.state(), {.watcher = watcher}), ratio};
+    const CoarserSwing found{swinging_mode(rest.pair(), rest.state(), {.watcher = watch.watcher}), ratio};
+    if (watch.on_coarser) watch.on_coarser(rest);
+    return found;
   } catch (const SolveError&) {
     return {};
   }
 }
 
 std::optional<CoarserSwing> swing_on_coarser(const MeshModel& mesh, const PairNumerics& own,
-                                             const SharedDiscretisation& fine, const Watcher& watcher) {
+                                             const SharedDiscretisation& fine, const SwingWatch& watch) {
   if (Discretisation* half = fine->prepare_coarser()) {
     const SharedDiscretisation films(fine, half);  // owned by the finer one
-    if (const auto found = swing_on(mesh, own, films, 2.0, watcher)) return found;
+    if (const auto found = swing_on(mesh, own, films, 2.0, watch)) return found;
   }
   GridShape shape = fine->grid().shape();
   PairNumerics numerics = own;
@@ -50,7 +46,7 @@ std::optional<CoarserSwing> swing_on_coarser(const MeshModel& mesh, const PairNu
   shape.nx = coarser.numerics.nx;
   if (!fine->grid().keeps_rows()) shape.row_axis = shape.row_axis.with_whole_count(coarser.numerics.ny);
   if (shape.rows() < 2 * fine->grid().processes()) return {};
-  return swing_on(mesh, own, discretise(Grid(fine->grid().comm(), shape), own, mesh.scales), coarser.ratio, watcher);
+  return swing_on(mesh, own, discretise(Grid(fine->grid().comm(), shape), own, mesh.scales), coarser.ratio, watch);
 }
 
 }  // namespace
@@ -76,12 +72,10 @@ RestingPair::RestingPair(MeshModel mesh, const PairNumerics& numerics, const Sha
   H0_ = at_rest.motion.H0();
 }
 
-double FilmSwing::cells_in_wave() const { return 2.0 * std::numbers::pi / (mode.swings_in_passage * steps.x); }
-
-FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const Watcher& watcher) {
+FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const SwingWatch& watch) {
   const Grid& grid = rest.discretisation()->grid();
-  const std::optional<CoarserSwing> coarser = swing_on_coarser(mesh, numerics, rest.discretisation(), watcher);
-  SwingOptions options{.watcher = watcher};
+  const std::optional<CoarserSwing> coarser = swing_on_coarser(mesh, numerics, rest.discretisation(), watch);
+  SwingOptions options{.watcher = watch.watcher};
   if (coarser) options.guess = coarser->mode.rate;
   return {.mode = swinging_mode(rest.pair(), rest.state(), options),
           .steps = {grid.h_x(), grid.keeps_rows() ? 0.0 : grid.h_y() * mesh.scales.hertz.ellipticity},
@@ -93,19 +87,29 @@ std::optional<double> SwingQuantities::damping_ratio_bound() const {
 }
 
 SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales) {
+  const auto coarser = swing.coarser ? std::optional(swing.coarser->mode.rate) : std::nullopt;
+  return quantities_of(swing, scales, {.rate = swing.mode.rate, .coarser = coarser, .time = scales.time});
+}
+
+SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales, const ModeRates& rates) {
+  using Rate = std::complex<double>;
+  const auto frequency = [&](const Rate& s) { return s.imag() / (2.0 * std::numbers::pi * rates.time); };
+  const auto damping_ratio = [](const Rate& s) { return 0.0 - s.real() / std::abs(s); };
   const auto error = [&](double least, const auto& quantity) -> std::optional<double> {
-    if (!swing.coarser) return {};
-    const double value = quantity(swing.mode);
-    return std::max(of_doubling * estimate(value, quantity(swing.coarser->mode), swing.coarser->ratio).error,
-                    least * std::abs(value));
+    if (!swing.coarser || !rates.coarser) return {};
+    return std::max(of_doubling * estimate(quantity(rates.rate), quantity(*rates.coarser), swing.coarser->ratio).error,
+                    least);
   };
-  const double square = swing.steps.y * swing.steps.y;
-  const bool waves = swing.cells_in_wave() >= fewest_cells_in_wave;
-  const auto frequency_in_si = [&](const SwingingMode& mode) { return frequency(scales, mode); };
-  return {.frequency = frequency_in_si(swing.mode),
-          .frequency_error = error(least_of_frequency * square, frequency_in_si),
-          .damping_ratio = damping_ratio(swing.mode),
-          .damping_ratio_error = error(waves ? least_of_damping_ratio * square : 1.0, damping_ratio)};
+  const double f = frequency(rates.rate), zeta = damping_ratio(rates.rate);
+  // A wave of the film that oil carries away in a swing is 2 pi U/|s| long.
+  const double passage =
+      swing.mode.swings_in_passage * (std::abs(rates.rate) / rates.time) / (std::abs(swing.mode.rate) / scales.time);
+  const bool waves = 2.0 * std::numbers::pi / (passage * swing.steps.x) >= fewest_cells_in_wave;
+  const double square = swing.steps.y * swing.steps.y, of_films = std::abs(zeta - rates.damping_without_films);
+  return {.frequency = f,
+          .frequency_error = error(least_of_frequency * square * rates.share * std::abs(f), frequency),
+          .damping_ratio = zeta,
+          .damping_ratio_error = error((waves ? least_of_damping_ratio * square : 1.0) * of_films, damping_ratio)};
 }
 
 std::string swing_remark(const FilmSwing& swing, const SwingQuantities& quantities, double dry_frequency) {

@@ -5,6 +5,8 @@
 // crosses a contact, the films have no time to flow: they are stiff springs between the bodies.
 #pragma once
 
+#include <complex>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,15 +54,18 @@ struct FilmSwing {
   /// |s|/U from which films are springs.
   static constexpr double stiff_from = 10.0;
   bool on_stiff_films() const { return mode.swings_in_passage > stiff_from; }
-  /// Cells in a wave of the film that oil carries away while the pair swings, 2 pi U/|s| long.
-  double cells_in_wave() const;
+};
+
+struct SwingWatch {
+  Watcher watcher{};                                    ///< called every Krylov iteration
+  std::function<void(RestingPair& rest)> on_coarser{};  ///< called with the coarser grid that has a mode, if any
 };
 
 /// The mode of the pair at rest. Throws SolveError where there is none. Collective.
-FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const Watcher& watcher);
+FilmSwing film_swing(const MeshModel& mesh, const PairNumerics& numerics, RestingPair& rest, const SwingWatch& watch);
 
-/// Frequency [Hz] and damping ratio of the mode, with their errors; nothing is known of these without a coarser grid
-/// that has a mode.
+/// Frequency [Hz] and damping ratio of a mode, with their errors; nothing is known of these without a coarser grid
+/// that has it.
 struct SwingQuantities {
   double frequency = 0.0;
   std::optional<double> frequency_error{};
@@ -71,6 +76,16 @@ struct SwingQuantities {
   std::optional<double> damping_ratio_bound() const;
 };
 SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales);
+
+/// Of another mode of bodies on the same films.
+struct ModeRates {
+  std::complex<double> rate;
+  std::optional<std::complex<double>> coarser{};  ///< on the coarser grid of the swing; nothing where it has none
+  double time = 1.0;                              ///< over whose unit both are [s]
+  double share = 1.0;                             ///< of the contacts in the energy of its strained parts
+  double damping_without_films = 0.0;
+};
+SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales, const ModeRates& rates);
 
 /// What is to be said of a mode on stiff films, its limit and what is known of the damping, or of one whose errors are
 /// not known. Empty for others. dry_frequency: f_n [Hz].

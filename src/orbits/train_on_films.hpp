@@ -6,15 +6,27 @@
 
 #include <optional>
 
-#include "orbits/dynamic_stiffness.hpp"
+#include "orbits/film_swing.hpp"
 #include "train/contact_modes.hpp"
 
 namespace gearfilm {
 
-/// s of each mode [1/s], in the order of the train's modes; nothing where a mode is not found, of which `lost` is told.
-/// The state is at rest. Collective.
-std::vector<std::optional<std::complex<double>>> train_on_films(const DampedTrain& train, LubricatedPair& pair,
-                                                                Vec state, const SwingOptions& options,
-                                                                const std::function<void(const std::string&)>& lost);
+/// s of a mode [1/s]; nothing where it is not found.
+using RateOnFilms = std::optional<std::complex<double>>;
+
+/// Of each mode, in the order of the train's modes; `lost` is told of those that are not found. The state is at rest.
+/// Collective.
+std::vector<RateOnFilms> train_on_films(const DampedTrain& train, LubricatedPair& pair, Vec state,
+                                        const SwingOptions& options,
+                                        const std::function<void(const std::string&)>& lost);
+
+/// Rates on the grid of a swing, and on its coarser grid; none of these where that has no mode.
+struct RatesOnGrids {
+  std::vector<RateOnFilms> fine, coarser{};
+};
+
+/// Frequency and damping ratio of each mode, with their errors; nothing where it is not found.
+std::vector<std::optional<SwingQuantities>> quantities_of(const DampedTrain& train, const RatesOnGrids& rates,
+                                                          const FilmSwing& swing, const Scales& scales);
 
 }  // namespace gearfilm

@@ -12,9 +12,12 @@
 namespace gearfilm {
 namespace {
 
-std::vector<TableColumn> columns_of(const TrainOutputs& outputs) {
-  std::vector<TableColumn> columns = {{"step", "-", true}, {"t", "s"}};
-  for (const TrainOutput& output : outputs.list()) columns.push_back({output.name, output.unit});
+/// Columns, and behind them one of each output from the first of these on.
+std::vector<TableColumn> with_outputs(std::vector<TableColumn> columns, const TrainOutputs& outputs,
+                                      std::size_t first) {
+  for (std::size_t n = first; n < outputs.list().size(); ++n) {
+    columns.push_back({outputs.list()[n].name, outputs.list()[n].unit});
+  }
   return columns;
 }
 
@@ -203,7 +206,7 @@ TrainHistory::TrainHistory(ResultsFile& file, const MeshModel& mesh, double damp
     : mesh_(mesh),
       damper_(mesh.inertia * damping),
       outputs_(mesh),
-      table_(file, "/history/train", columns_of(outputs_)) {}
+      table_(file, "/history/train", with_outputs({{"step", "-", true}, {"t", "s"}}, outputs_, 0)) {}
 
 void TrainHistory::add(const StepRecord& record) {
   moments_.push_back(
@@ -228,20 +231,16 @@ void TrainHistory::add_to(Summary& summary, double T_begin, double T_end) const 
 }
 
 void TrainHistory::write_orders(ResultsFile& file, double T_begin, double T_end, SpectralWindow window) const {
-  const std::vector<TrainOutput>& list = outputs_.list();
-  const std::size_t first = outputs_.first_of_elements();
-  std::vector<Signal> signals(1 + list.size() - first);
+  const auto first = static_cast<Eigen::Index>(outputs_.first_of_elements());
+  std::vector<Signal> signals(1 + outputs_.list().size() - outputs_.first_of_elements());
   for (const TrainMoment& moment : moments_) {
     const double thickness = mesh_.scales.thickness;
     signals[0].sample(moment.T, -thickness * moment.motion.H0(), -thickness * moment.motion.V0());
     const Eigen::VectorXd values = outputs_.values(moment), rates = mesh_.scales.time * outputs_.rates(moment);
-    for (std::size_t n = first; n < list.size(); ++n) {
-      const auto k = static_cast<Eigen::Index>(n);
-      signals[1 + n - first].sample(moment.T, values[k], rates[k]);
+    for (Eigen::Index n = first; n < values.size(); ++n) {
+      signals[1 + n - first].sample(moment.T, values[n], rates[n]);
     }
   }
-  std::vector<TableColumn> columns = {{"order", "-"}, {"frequency", "Hz"}, {"transmission_error", "m"}};
-  for (std::size_t n = first; n < list.size(); ++n) columns.push_back({list[n].name, list[n].unit});
   std::vector<std::vector<SpectralLine>> spectra;
   spectra.reserve(signals.size());
   for (const Signal& signal : signals) spectra.push_back(signal.spectrum(T_begin, T_end, window));
@@ -254,7 +253,10 @@ void TrainHistory::write_orders(ResultsFile& file, double T_begin, double T_end,
     std::ranges::transform(spectra, std::back_inserter(rows),
                            [line](const std::vector<SpectralLine>& spectrum) { return spectrum[line].amplitude; });
   }
-  write_table(file, "/orders", columns, rows);
+  write_table(file, "/orders",
+              with_outputs({{"order", "-"}, {"frequency", "Hz"}, {"transmission_error", "m"}}, outputs_,
+                           outputs_.first_of_elements()),
+              rows);
 }
 
 void add_train_at_rest(const MeshModel& mesh, Summary& summary) {

@@ -21,21 +21,17 @@ struct DescribedMode {
   const CaseInput& problem;
   const DampedTrain& damped;
   const TrainMode& mode;
-  const RateOnFilms* on_films;  ///< null: of the dry pair
+  const ModeOnFilms* on_films;  ///< null: of the dry pair
 
   std::size_t most_strained() const {
     return static_cast<std::size_t>(std::ranges::max_element(mode.element_shares) - mode.element_shares.begin());
   }
 };
 
-Summary frequency_on_films(const DescribedMode& of) {
+/// A number of a mode on films.
+Summary on_films(const DescribedMode& of, std::optional<double> (*value)(const SwingQuantities&)) {
   if (!of.on_films) return absent();
-  return *of.on_films ? Summary((*of.on_films)->imag() / (2.0 * std::numbers::pi)) : Summary();
-}
-
-Summary damping_of(const DescribedMode& of) {
-  if (!of.on_films) return 0.0 + of.damped.damping_ratio(of.mode);  // no negative zero
-  return *of.on_films ? Summary(0.0 - (*of.on_films)->real() / std::abs(**of.on_films)) : Summary();
+  return *of.on_films ? known(value(**of.on_films)) : Summary();
 }
 
 /// Speeds of the pinion [rpm].
@@ -67,8 +63,23 @@ Summary shape_of(const DescribedMode& of) {
 constexpr auto mode_members = std::to_array<Member<DescribedMode>>({
     {"frequency_dry", "", "Hz", "natural frequency on the stiffness of the dry mesh, undamped",
      [](const DescribedMode& of) -> Summary { return of.mode.frequency(); }},
-    {"frequency", "", "Hz", "frequency on films; null where it is not found", frequency_on_films},
-    {"damping_ratio", "", "-", "damping ratio by dampers, of small damping; on films by these too", damping_of},
+    {"frequency", "", "Hz", "frequency on films; null where it is not found",
+     [](const DescribedMode& of) {
+       return on_films(of, [](const SwingQuantities& mode) { return std::optional(mode.frequency); });
+     }},
+    {"frequency_error", "", "Hz", "its error; null where no coarser grid has a mode",
+     [](const DescribedMode& of) {
+       return on_films(of, [](const SwingQuantities& mode) { return mode.frequency_error; });
+     }},
+    {"damping_ratio", "", "-", "damping ratio by dampers, of small damping; on films by these too",
+     [](const DescribedMode& of) -> Summary {
+       if (!of.on_films) return 0.0 + of.damped.damping_ratio(of.mode);  // no negative zero
+       return on_films(of, [](const SwingQuantities& mode) { return std::optional(mode.damping_ratio); });
+     }},
+    {"damping_ratio_error", "", "-", "on films: its error, likewise",
+     [](const DescribedMode& of) {
+       return on_films(of, [](const SwingQuantities& mode) { return mode.damping_ratio_error; });
+     }},
     {"mesh_share", "", "-", "share of the teeth in the energy of the strained parts",
      [](const DescribedMode& of) -> Summary { return of.mode.mesh_share; }},
     {"largest_element", "", "", "the shaft, bearing or ground that is strained most",
@@ -149,14 +160,14 @@ void warn_of_growth(const CaseInput& problem, std::vector<std::string>& warnings
 
 }  // namespace
 
-void add_train(const CaseInput& problem, const DampedTrain& train, const std::vector<RateOnFilms>& on_films,
+void add_train(const CaseInput& problem, const DampedTrain& train, const std::vector<ModeOnFilms>& on_films,
                Summary& summary) {
   add_members(train_members, TrainOfCase{problem, train}, summary);
   add_tilt(problem, summary);
   summary["modes"] = Summary::array();
   for (std::size_t n = 0; n < train.modes.size(); ++n) {
-    const RateOnFilms* rate = on_films.empty() ? nullptr : &on_films[n];
-    summary["modes"].push_back(as_summary(mode_members, DescribedMode{problem, train, train.modes[n], rate}));
+    const ModeOnFilms* found = on_films.empty() ? nullptr : &on_films[n];
+    summary["modes"].push_back(as_summary(mode_members, DescribedMode{problem, train, train.modes[n], found}));
   }
 }
 

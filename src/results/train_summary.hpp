@@ -1,18 +1,17 @@
 // What `info` and `eigen` say of a drive train: its modes and where the mesh meets them.
 #pragma once
 
-#include <complex>
-
 #include "input/case.hpp"
+#include "orbits/film_swing.hpp"
 #include "output/summary.hpp"
 
 namespace gearfilm {
 
-/// A mode on films: its rate s [1/s], absent where it was not found.
-using RateOnFilms = std::optional<std::complex<double>>;
+/// Absent where it was not found.
+using ModeOnFilms = std::optional<SwingQuantities>;
 
 /// Adds `modes` and what else follows from the train. on_films: of each mode; empty: modes of the dry pair.
-void add_train(const CaseInput& problem, const DampedTrain& train, const std::vector<RateOnFilms>& on_films,
+void add_train(const CaseInput& problem, const DampedTrain& train, const std::vector<ModeOnFilms>& on_films,
                Summary& summary);
 
 /// Lines of the modes for the screen, of a summary that has them.

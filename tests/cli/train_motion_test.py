@@ -7,6 +7,7 @@ import unittest
 import numpy
 
 from films import SAME, summary_in
+from program import INPUT
 from trains import CASE_STUDY, GRID, MASSES, REFERENCE, RELIEF, SHAFTS, TrainTest, bearings
 from vibration import table_in
 
@@ -121,6 +122,16 @@ class DryMotion(TrainTest):
         self.assertAlmostEqual(stiff["floquet_modulus"] / orbit["floquet_modulus"], 1, delta=1e-7)
         self.assertGreater(abs(soft["floquet_modulus"] - stiff["floquet_modulus"]), 1e-4)
 
+    def test_a_train_has_the_same_motions_at_all_speeds(self):
+        file = self.folder / "coupling.train"
+        file.write_text("node coupling pinion 2e-3\nshaft coupling pinion 3e4 0.5\n", encoding="utf-8")
+        run = self.run_program("sweep", INPUT / "electric_reducer.yaml", "-model", "dry", "-sweep_values",
+                               "8238.19, 8277.89, 8317.59", "-sweep_direction", "up", "-train_file", file,
+                               "-output_dir", "sweep")
+        self.assertEqual(run.status, 0, run)
+        for point in summary_in(self.folder / "sweep")["points"]:
+            self.assertEqual(len(point["states_after_leaving"][0]), 12)  # 6 and their velocities
+
     def test_a_march_settles_on_the_periodic_motion(self):
         bearings_at = self.damped_bearings(1e9)
         orbit = self.periodic(*bearings_at)
@@ -201,6 +212,15 @@ class MotionOnFilms(TrainTest):
         for rate, frequency, zeta in zip(found, expected["f"], expected["zeta"]):
             self.assertAlmostEqual(abs(rate) / (2 * numpy.pi) / frequency, 1, delta=2e-4)
             self.assertAlmostEqual(-rate.real / abs(rate) / zeta, 1, delta=0.03)
+
+    def test_the_balance_of_energy_closes_with_the_square_of_the_step(self):
+        """Of free oscillations the fitted steps leave less still: what is left comes from motions that are forced."""
+        left = []
+        for step in (0.064, 0.032):
+            march = self.summary("transient", *GRID, *bearings(1e9), "-mesh_periods", 2, "-time_dt", step)
+            left.append(march["energy_balance_residual"])
+        self.assertLess(left[0], 0.02)
+        self.assertTrue(3 < left[0] / left[1] < 5.5, left)
 
     def test_a_march_goes_on_to_the_bit_and_is_the_same_on_two_processes(self):
         march = ["transient", self.write_case(RELIEF), *GRID, *self.damped_bearings(), "-keep_checkpoint", "yes",
