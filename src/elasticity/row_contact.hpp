@@ -33,6 +33,8 @@ public:
   const std::vector<double>& loads() const { return loads_; }
   /// Their half-widths.
   const std::vector<double>& half_widths() const { return half_widths_; }
+  /// Y of the row that carries most of them, off the ends.
+  double most_loaded_place() const;
 
 private:
   struct Place {
@@ -45,6 +47,8 @@ private:
   double balance(double force);
   /// Half-widths of these loads; returns by how much they changed.
   double follow_edges(double force, double approach, double relative_radius);
+  /// Loaded rows that are not beside an end; all loaded ones where there are no others.
+  std::vector<int> counting_rows() const;
   FaceContact found(double force, double approach) const;
   static double influence(double at_x, double at_y, const Place& source, bool own, double s);
 
@@ -62,6 +66,10 @@ private:
 /// -dM/dtheta [N m/rad] of the moment about the middle of the scales' face, under a force [-] at a radius: by contacts
 /// that are tilted a little either way. Throws SolveError.
 double tilting_stiffness(const Scales& scales, double force, double relative_radius);
+
+/// Y [a] of the row that carries most by unit length of the dry contact along the scales' face, under a force [-] at a
+/// radius; rows beside an end do not count where others are loaded. Throws SolveError.
+double most_loaded_place(const Scales& scales, double force, double relative_radius);
 
 /// The law of the scales' face for forces around the static one, at radii between two.
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii);
