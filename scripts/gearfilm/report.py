@@ -9,7 +9,7 @@ import shlex
 import numpy
 
 from . import defaults, markup
-from .drawing import draw, usual_kinds
+from .drawing import picture, usual_kinds
 from .folder import ResultsError
 from .quantities import INTERNAL, quantity, shown
 from .verdicts import HEADINGS, verdicts
@@ -21,6 +21,7 @@ FIRST = ("load_ratio",)                                             # of the col
 SAME = 1e-9                                                         # relative, of two inputs
 LONGEST_LIST = 60
 DIGITS = 5
+RESOLUTION = 110   # of figures, dots by inch
 TITLES = {"points": "Points", "periods": "Mesh periods", "events": "Contacts that enter and leave",
           "contact_losses": "Losses of contact", "spectrum_peaks": "Largest lines of the spectrum of H_0",
           "loads": "Under every load", "bifurcations": "Bifurcations", "branches": "Branches",
@@ -170,13 +171,9 @@ def figures(run):
     for kind, options in kinds(run):
         name = " ".join((kind, *options))
         try:
-            drawn = draw(run.folder, kind, **options)
+            yield name, picture(run.folder, kind, RESOLUTION, **options), ""
         except ResultsError as error:
             yield name, None, str(error)
-            continue
-        content = io.BytesIO()
-        drawn.savefig(content, dpi=110, format="png")
-        yield name, content.getvalue(), ""
 
 
 def case_of(run):

