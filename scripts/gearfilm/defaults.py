@@ -96,6 +96,7 @@ thermal.model = none
 thermal.temperature = 363.15
 thermal.points = 17
 stress.model = none
+stress.rows = most_loaded
 stress.depth_max = 2
 stress.points = 24
 stress.every = 0.05

@@ -200,12 +200,20 @@ class RunFolder:
         with self._open() as results:
             return any(True for _ in self._stored(results))
 
-    def stores_stresses(self):
-        """Whether there are stresses below a film at rest, or maps of flanks."""
+    def damage_figures(self):
+        """Kinds and options of the figures of stresses, fatigue and ratings that there is something for."""
         if not self._results.exists():
-            return False
+            return []
         with self._open() as results:
-            return "flank" in results or "contact0/section" in results
+            found = [("damage", {})] if "contact0/section" in results or "dang_van" in results.get("flank/pinion", ()) else []
+            if "section" in results:
+                found.append(("damage", {"section": True}))
+            names = results["history/contacts"].dtype.names if "history/contacts" in results else ()
+            if {"sigma_H", "von_mises_max_pinion"} & set(names):
+                found.append(("damage", {"path": True}))
+                if "flank/pinion" in results and results["flank/pinion/y"].size > 1:
+                    found.append(("face", {}))
+        return found
 
     def moves_train(self):
         """Whether there are loads of a drive train in motion."""

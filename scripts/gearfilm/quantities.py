@@ -78,37 +78,41 @@ wear_rate_pinion_mean | m^3/s | volume that the pinion loses by time, mean
 wear_rate_wheel_mean | m^3/s | volume that the wheel loses by time, mean
 p_fluid | Pa | pressure of the oil
 p_asperity | Pa | pressure of the asperities
-von_mises_max_pinion | Pa | largest von Mises stress below the contact, in the row y = 0; in the pinion
+von_mises_max_pinion | Pa | largest von Mises stress below the contact, in the row that carries most; in the pinion
 von_mises_depth_pinion | m | its depth
 shear_max_pinion | Pa | largest half difference of principal stresses there; in the pinion
 shear_depth_pinion | m | its depth
 orthogonal_shear_pinion | Pa | half the range of tau_xz along x, the largest over depth; in the pinion
 orthogonal_shear_depth_pinion | m | its depth
 surface_tension_pinion | Pa | largest principal stress at the pinion's surface; zero where none is tensile
-von_mises_pinion | Pa | von Mises stress in the pinion at the depth where it is largest below y = 0
-von_mises_max_wheel | Pa | largest von Mises stress below the contact, in the row y = 0; in the wheel
+von_mises_pinion | Pa | von Mises stress in the pinion at the depth where it is largest in its worst row
+von_mises_max_wheel | Pa | largest von Mises stress below the contact, in the row that carries most; in the wheel
 von_mises_depth_wheel | m | its depth
 shear_max_wheel | Pa | largest half difference of principal stresses there; in the wheel
 shear_depth_wheel | m | its depth
 orthogonal_shear_wheel | Pa | half the range of tau_xz along x, the largest over depth; in the wheel
 orthogonal_shear_depth_wheel | m | its depth
 surface_tension_wheel | Pa | largest principal stress at the wheel's surface; zero where none is tensile
-von_mises_wheel | Pa | von Mises stress in the wheel at the depth where it is largest below y = 0
+von_mises_wheel | Pa | von Mises stress in the wheel at the depth where it is largest in its worst row
 dang_van_max_pinion | Pa | largest Dang Van stress below z = 0.05 a, off both ends of the flank
 dang_van_s_pinion | m | where: along the flank from the base circle
 dang_van_z_pinion | m | its depth
+dang_van_y_pinion | m | its row
 dang_van_surface_pinion | Pa | the same at the surface, which depends on the grid
 safety_dang_van_pinion | - | least factor on the stresses of the load at which the limit is met; null without a limit
 safety_dang_van_s_pinion | m | where: along the flank
 safety_dang_van_z_pinion | m | its depth
+safety_dang_van_y_pinion | m | its row
 cycles_dang_van_pinion | - | 5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7
 dang_van_max_wheel | Pa | largest Dang Van stress below z = 0.05 a, off both ends of the flank
 dang_van_s_wheel | m | where: along the flank from the base circle
 dang_van_z_wheel | m | its depth
+dang_van_y_wheel | m | its row
 dang_van_surface_wheel | Pa | the same at the surface, which depends on the grid
 safety_dang_van_wheel | - | least factor on the stresses of the load at which the limit is met; null without a limit
 safety_dang_van_s_wheel | m | where: along the flank
 safety_dang_van_z_wheel | m | its depth
+safety_dang_van_y_wheel | m | its row
 cycles_dang_van_wheel | - | 5e7 S_DV^13.22, the slope of ISO's life factor; null where S_DV is 1 or more: above 5e7
 life_ratio | - | life by Lundberg and Palmgren's risk of both flanks over that of dry contacts of the static load shares; above 1 where the motion unloads the flanks
 sigma_H | Pa | line contact's pressure under the force, over the whole face

@@ -9,7 +9,7 @@ import shlex
 import numpy
 
 from . import defaults, markup
-from .drawing import draw, usual_kinds
+from .drawing import picture, usual_kinds
 from .folder import ResultsError
 from .quantities import INTERNAL, quantity, shown
 from .verdicts import HEADINGS, verdicts
@@ -21,6 +21,7 @@ FIRST = ("load_ratio",)                                             # of the col
 SAME = 1e-9                                                         # relative, of two inputs
 LONGEST_LIST = 60
 DIGITS = 5
+RESOLUTION = 110   # of figures, dots by inch
 TITLES = {"points": "Points", "periods": "Mesh periods", "events": "Contacts that enter and leave",
           "contact_losses": "Losses of contact", "spectrum_peaks": "Largest lines of the spectrum of H_0",
           "loads": "Under every load", "bifurcations": "Bifurcations", "branches": "Branches",
@@ -34,6 +35,9 @@ CAPTIONS = {"film": "Film: thickness over the contact, pressure and film along y
             "branch": "Branches: stable ones full, unstable ones dashed",
             "static": "Turned slowly: transmission error and its swing, load shares, mesh stiffness",
             "damage": "Stresses below the films, fatigue of the flanks",
+            "damage section": "Stresses below the contact at the worst moment",
+            "damage path": "Stresses, temperatures and film ratio over the path of contact",
+            "face": "Contact pattern",
             "train": "Drive train: tooth force, torques and forces on bearings, over time and by orders",
             "friction": "Friction: coefficient, losses and temperatures"}
 NO_NUMBER = {True: "yes", False: "no", None: "none"}
@@ -154,26 +158,22 @@ def convergence(run):
 
 
 def kinds(run):
-    """The figures of a run: those of its command, and a film where a march has stored some."""
-    usual = [kind for kind in usual_kinds(run.command) if kind != "film"]
-    if run.stores_stresses():
-        usual.append("damage")
+    """The figures of a run with their options: those of its command, and a film where a march has stored some."""
+    usual = [(kind, {}) for kind in usual_kinds(run.command) if kind != "film"]
+    usual += run.damage_figures()
     if run.moves_train():
-        usual.append("train")
-    return [*usual, "film"] if run.stores_films() else usual
+        usual.append(("train", {}))
+    return [*usual, ("film", {})] if run.stores_films() else usual
 
 
 def figures(run):
-    """Kind and PNG of every figure of the run; what is said where one cannot be drawn."""
-    for kind in kinds(run):
+    """Name and PNG of every figure of the run; what is said where one cannot be drawn."""
+    for kind, options in kinds(run):
+        name = " ".join((kind, *options))
         try:
-            drawn = draw(run.folder, kind)
+            yield name, picture(run.folder, kind, RESOLUTION, **options), ""
         except ResultsError as error:
-            yield kind, None, str(error)
-            continue
-        content = io.BytesIO()
-        drawn.savefig(content, dpi=110, format="png")
-        yield kind, content.getvalue(), ""
+            yield name, None, str(error)
 
 
 def case_of(run):

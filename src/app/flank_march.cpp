@@ -7,7 +7,7 @@ FlankMarch::FlankMarch(MPI_Comm comm, Checkpoint& checkpoint, const MeshModel& m
     : checkpoint_(checkpoint),
       mesh_(mesh),
       begin_(mesh.path.time_after(mesh.path.mesh_periods(end) - mesh.path.line().contact_ratio() - 1.1)),
-      recorder_(mesh.path.line(), false),
+      recorder_(mesh, false),
       replay_(comm, mesh) {}
 
 void FlankMarch::step(const StepRecord& record, const std::vector<ActiveContact>& contacts) {

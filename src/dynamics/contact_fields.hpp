@@ -99,7 +99,7 @@ inline constexpr auto traction = std::to_array<Of<TractionFields>>(
      of_traction("log_flow_factor", units::number, &TractionFields::log_flow_factor,
                  "logarithm of the flow over that of the same film without heat, of a film that feels its heat")});
 
-/// Below the film where it is largest in the row y = 0 (`von_mises_depth_...`): of results only.
+/// Below the film where it is largest in the row that carries most (`von_mises_depth_...`): of results only.
 constexpr ContactField of_stress(std::string_view name, std::string_view meaning) {
   return {.name = name, .dataset = name, .unit = units::si_pascal, .meaning = meaning, .compared = false};
 }
@@ -107,7 +107,7 @@ constexpr ContactField of_stress(std::string_view name, std::string_view meaning
 inline constexpr auto von_mises =
     std::to_array<ContactField>({of_stress("von_mises_pinion",
                                            "von Mises stress in the pinion at the depth where it "
-                                           "is largest below y = 0; with `stress.model: field`"),
+                                           "is largest in its worst row; with `stress.model: field`"),
                                  of_stress("von_mises_wheel", "the same in the wheel")});
 
 inline constexpr auto all = std::to_array<ContactField>(

@@ -242,9 +242,11 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
          RequiredModel::heat),
      quantity::of_stress<pinion_body, &BodyStress::von_mises>(
          "von_mises_max_pinion", "sigma_v", units::si_pascal,
-         "largest von Mises stress below the contact, in the row y = 0; in the pinion", RequiredModel::stress,
+         "largest von Mises stress below the contact, in the row that carries most; in the pinion",
+         RequiredModel::stress,
          Reduced{"von_mises_max_pinion", Reduction::largest, units::si_pascal,
-                 "largest von Mises stress below the contact, in the row y = 0; in the pinion", ShownIn::everywhere}),
+                 "largest von Mises stress below the contact, in the row that carries most; in the pinion",
+                 ShownIn::everywhere}),
      quantity::of_stress<pinion_body, &BodyStress::von_mises_depth>("von_mises_depth_pinion", "z", units::si_metre,
                                                                     "its depth", RequiredModel::stress),
      quantity::of_stress<pinion_body, &BodyStress::shear>(
@@ -268,9 +270,11 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
                  "largest principal stress at the pinion's surface; zero where none is tensile", ShownIn::everywhere}),
      quantity::of_stress<wheel_body, &BodyStress::von_mises>(
          "von_mises_max_wheel", "sigma_v", units::si_pascal,
-         "largest von Mises stress below the contact, in the row y = 0; in the wheel", RequiredModel::stress,
+         "largest von Mises stress below the contact, in the row that carries most; in the wheel",
+         RequiredModel::stress,
          Reduced{"von_mises_max_wheel", Reduction::largest, units::si_pascal,
-                 "largest von Mises stress below the contact, in the row y = 0; in the wheel", ShownIn::everywhere}),
+                 "largest von Mises stress below the contact, in the row that carries most; in the wheel",
+                 ShownIn::everywhere}),
      quantity::of_stress<wheel_body, &BodyStress::von_mises_depth>("von_mises_depth_wheel", "z", units::si_metre,
                                                                    "its depth", RequiredModel::stress),
      quantity::of_stress<wheel_body, &BodyStress::shear>(

@@ -12,18 +12,19 @@
 
 namespace gearfilm {
 
-/// Of the pinion's flank and the wheel's.
-using Passage = std::array<FlankHistory, body_count>;
+/// Of the pinion's flank and the wheel's, by the rows of the stress model.
+using Passage = std::vector<std::array<FlankHistory, body_count>>;
 
 class FlankRecorder {
 public:
-  /// keep_all: passages that are over, and not only the last whole one.
-  FlankRecorder(const LineOfAction& line, bool keep_all) : line_(line), keep_all_(keep_all) {}
+  /// keep_all: passages that are over, and not only the last whole one. Of a pair with stresses below all rows only
+  /// what the points of its flanks need is kept.
+  FlankRecorder(const MeshModel& mesh, bool keep_all);
 
   /// A step of a march, with its films.
   void observe(const StepRecord& record, const std::vector<ActiveContact>& contacts);
   /// Sections of a contact that were computed elsewhere.
-  void add(int number, const std::array<SectionRecord, body_count>& sections);
+  void add(int number, const SectionRecords& sections);
   /// Contacts that are there now: the others are over.
   void end_others(const std::vector<ContactRecord>& present);
 
@@ -33,11 +34,14 @@ public:
   std::vector<Passage> of_period(int mesh_periods) const;
 
 private:
-  Passage empty() const { return {FlankHistory(FlankPath(line_, true)), FlankHistory(FlankPath(line_, false))}; }
+  /// The histories in a row of a passage, which has those of all rows before it.
+  std::array<FlankHistory, body_count>& row_of(Passage& passage, std::size_t row) const;
   bool is_whole(const Passage& passage) const;
 
   LineOfAction line_;
   bool keep_all_;
+  std::array<FlankPath, body_count> paths_;
+  std::array<std::vector<double>, body_count> points_{};  ///< of the flanks; none where whole sections are kept
   std::map<int, Passage> passages_;
   std::optional<Passage> last_whole_;
 };

@@ -11,9 +11,11 @@ const ContactStress& StressRecorder::observe(const ContactFilm& film, const Mesh
   constexpr double round_off = 1e-9;
   if (last_ && faster * (T - *last_) < model_.every - round_off) return stress_;
   last_ = T;
-  const FilmSection section = film_section(model_, film, shear_stress, film.grid().row_axis().central());
-  if (model_.keeps_sections) records_ = section_records(film.scales(), section, contact.position);
-  return stress_ = contact_stress(film.scales(), section);
+  const FilmSections sections = film_sections(model_, film, shear_stress, stress_rows(model_, film.grid().row_axis()));
+  if (model_.keeps_sections) {
+    records_ = section_records(film.scales(), *sections.rows, *sections.stresses, contact.position);
+  }
+  return stress_ = contact_stress(film.scales(), sections);
 }
 
 }  // namespace gearfilm

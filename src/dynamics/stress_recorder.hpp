@@ -22,15 +22,15 @@ public:
   /// The next ones are computed whatever the way.
   void begin_anew() { last_.reset(); }
 
-  /// Whether stresses were computed at T, and the section below the film then, where it is kept
+  /// Whether stresses were computed at T, and the sections below the film then, where they are kept
   /// (StressModel::keeps_sections).
   bool is_of(double T) const { return last_ && *last_ == T; }
-  const std::array<SectionRecord, body_count>& records() const { return records_; }
+  const SectionRecords& records() const { return records_; }
 
 private:
   StressModel model_;
   std::optional<double> last_;
-  std::array<SectionRecord, body_count> records_{};
+  SectionRecords records_{};
   ContactStress stress_{};
 };
 

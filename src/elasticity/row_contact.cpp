@@ -180,19 +180,30 @@ double RowContact::follow_edges(double force, double approach, double relative_r
   return change;
 }
 
+// Beside the ends dry pressures are numbers of the rows; they count where no other row is loaded.
+std::vector<int> RowContact::counting_rows() const {
+  std::vector<int> rows;
+  for (const double clear : {1.0, 0.0}) {
+    for (int row = 0; row < rows_.count(); ++row) {
+      if (rows_.half_width() - std::abs(rows_.y(row)) >= clear && loads_[row] != 0.0) rows.push_back(row);
+    }
+    if (!rows.empty()) break;
+  }
+  return rows;
+}
+
+double RowContact::most_loaded_place() const {
+  const std::vector<int> rows = counting_rows();
+  return rows_.y(*std::ranges::max_element(rows, {}, [&](int row) { return loads_[row]; }));
+}
+
 FaceContact RowContact::found(double force, double approach) const {
   FaceContact contact{.force = force, .approach = approach};
   double moment = 0.0;
-  // Beside the ends dry pressures are numbers of the rows; they count where no other row is loaded.
-  const auto find_largest = [&](double clear) {
-    for (int row = 0; row < rows_.count(); ++row) {
-      if (rows_.half_width() - std::abs(rows_.y(row)) < clear || loads_[row] == 0.0) continue;
-      contact.half_width = std::max(contact.half_width, half_widths_[row]);
-      contact.pressure = std::max(contact.pressure, 2.0 * loads_[row] / (pi * half_widths_[row]));
-    }
-  };
-  find_largest(1.0);
-  if (contact.half_width == 0.0) find_largest(0.0);
+  for (const int row : counting_rows()) {
+    contact.half_width = std::max(contact.half_width, half_widths_[row]);
+    contact.pressure = std::max(contact.pressure, 2.0 * loads_[row] / (pi * half_widths_[row]));
+  }
   for (int row = 0; row < rows_.count() && !rows_.mirrored(); ++row) {
     moment += weights_[row] * rows_.y(row) * loads_[row];
   }
@@ -233,7 +244,17 @@ std::optional<EndFaceCompliance> compliance_of_ends(const Face& face, const Grid
   return ends.act() ? std::optional(EndFaceCompliance(shape, ends)) : std::nullopt;
 }
 
+double half_width_of(const Scales& scales) { return 0.5 * scales.solids.face->width / scales.length; }
+
 }  // namespace
+
+RowGrading few_rows(const Scales& scales) {
+  return {.first = 0.1, .kink = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width_of(scales) / 12.0)};
+}
+
+RowGrading many_rows(const Scales& scales) {
+  return {.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width_of(scales) / 32.0)};
+}
 
 FaceRows::FaceRows(const Face& face, const RowGrading& grading, double a)
     : rows_(rows_over_face(face, grading, a)),
@@ -246,13 +267,16 @@ RowContact FaceRows::contact(const Scales& scales) const {
   return contact;
 }
 
+double most_loaded_place(const Scales& scales, double force, double relative_radius) {
+  RowContact contact = FaceRows(*scales.solids.face, few_rows(scales), scales.length).contact(scales);
+  contact.solve(force, relative_radius);
+  return contact.most_loaded_place();
+}
+
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
   constexpr double smallest = 0.01, largest = 8.0;  // of the static force
   constexpr int points = 12;
-  const Face& face = *scales.solids.face;
-  const double half_width = 0.5 * face.width / scales.length;
-  const RowGrading grading{.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width / 32.0)};
-  RowContact contact = FaceRows(face, grading, scales.length).contact(scales);
+  RowContact contact = FaceRows(*scales.solids.face, many_rows(scales), scales.length).contact(scales);
   std::array<std::vector<FaceContact>, 2> contacts;
   for (std::size_t radius = 0; radius < 2; ++radius) {
     for (int n = points; n-- > 0;) {

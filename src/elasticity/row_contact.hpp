@@ -37,6 +37,8 @@ public:
   const std::vector<double>& half_widths() const { return half_widths_; }
   /// How much of the face they are together.
   double loaded_width() const;
+  /// Y of the row that carries most of them, off the ends.
+  double most_loaded_place() const;
 
 private:
   struct Place {
@@ -49,6 +51,8 @@ private:
   double balance(double force);
   /// Half-widths of these loads; returns by how much they changed.
   double follow_edges(double force, double approach, double relative_radius);
+  /// Loaded rows that are not beside an end; all loaded ones where there are no others.
+  std::vector<int> counting_rows() const;
   FaceContact found(double force, double approach) const;
   static double influence(double at_x, double at_y, const Place& source, bool own, double s);
 
@@ -63,6 +67,10 @@ private:
   std::vector<double> middle_, edge_;  ///< u of unit loads in the middle and at the edge of a row, [target][source]
 };
 
+/// Gradings of rows that tell how the load is spread over the scales' face, and of rows for numbers of its contacts.
+RowGrading few_rows(const Scales& scales);
+RowGrading many_rows(const Scales& scales);
+
 /// Rows for the dry contacts of a face, and what its ends give way beneath them.
 class FaceRows {
 public:
@@ -76,6 +84,10 @@ private:
   std::optional<EndFaceCompliance> ends_;
   double h_x_;
 };
+
+/// Y [a] of the row that carries most by unit length of the dry contact along the scales' face, under a force [-] at a
+/// radius; rows beside an end do not count where others are loaded. Throws SolveError.
+double most_loaded_place(const Scales& scales, double force, double relative_radius);
 
 /// The law of the scales' face for forces around the static one, at radii between two.
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii);

@@ -15,9 +15,7 @@ Face tilted(const Face& face, double slope) {
 /// Over the whole face, whether it is tilted or not.
 FaceRows rows_of(const Scales& scales) {
   const Face& face = *scales.solids.face;
-  const double half_width = 0.5 * face.width / scales.length;
-  const RowGrading grading{.first = 0.1, .kink = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width / 12.0)};
-  return {face.symmetric() ? tilted(face, 1.0) : face, grading, scales.length};
+  return {face.symmetric() ? tilted(face, 1.0) : face, few_rows(scales), scales.length};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "fatigue/flank_path.hpp"
@@ -37,6 +38,10 @@ struct SectionRecord {
 /// stress_unit: of the section's values [Pa]; the record is in Pa.
 SectionRecord section_record(double xi, const SectionPlaces& places, const SectionStress& section, double stress_unit,
                              bool symmetric);
+
+/// The same at points of the flank at equal distances alone, where these are fewer than the lines over them: a history
+/// at a point is straight between lines, so that nothing is lost.
+SectionRecord at_points(SectionRecord record, const FlankPath& path, std::span<const double> points);
 
 /// What a point of a flank feels, one state after the other.
 struct PointHistory {

@@ -84,9 +84,9 @@ double RowAxis::weight(int row) const {
   return images * 0.5 * (step(row - 1) + step(row));
 }
 
-int RowAxis::central() const {
-  const auto nearest = std::ranges::min_element(y_, {}, [](double y) { return std::abs(y); });
-  return static_cast<int>(nearest - y_.begin());
+int RowAxis::nearest(double y) const {
+  const auto row = std::ranges::min_element(y_, {}, [y](double own) { return std::abs(own - y); });
+  return static_cast<int>(row - y_.begin());
 }
 
 double RowAxis::half_width() const { return mirrored() ? y_.back() : std::min(y_.back(), -y_.front()); }

@@ -64,8 +64,9 @@ public:
   double weight(int row) const;
   /// The strip around a row that reaches half-way to its neighbours, beyond an edge as far as before it.
   Strip strip(int row) const { return {y_[row] - 0.5 * step(row - 1), y_[row] + 0.5 * step(row)}; }
-  /// The row nearest Y = 0.
-  int central() const;
+  /// The row nearest a place, and that nearest Y = 0.
+  int nearest(double y) const;
+  int central() const { return nearest(0.0); }
   /// From Y = 0 to the nearer ambient edge.
   double half_width() const;
 

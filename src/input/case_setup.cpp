@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 
+#include "elasticity/row_contact.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/memory.hpp"
@@ -131,6 +132,18 @@ std::optional<InertiaShares> friction_couples_dynamics(const CaseInput& problem)
                        m_ge * line.base_radius_wheel() * line.base_radius_wheel() / wheel};
 }
 
+/// With the rows across the face, or across the Hertz ellipse.
+std::optional<StressModel> stress_of_march(const CaseInput& problem) {
+  constexpr double fineness = 1.0 / 16.0;  // of the width
+  std::optional<StressModel> stress = problem.stress;
+  if (!stress) return stress;
+  const Scales& scales = problem.scales;
+  const Face* face = scales.solids.face.get();
+  stress->row_distance = fineness * (face ? face->width / scales.length : 2.0 / scales.hertz.ellipticity);
+  if (face) stress->most_loaded = most_loaded_place(scales, scales.static_force, 1.0);
+  return stress;
+}
+
 }  // namespace
 
 MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geometry, const SpeedCourse& course) {
@@ -147,7 +160,7 @@ MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geomet
           .traction = problem.traction,
           .roughness = problem.roughness,
           .wear = problem.wear,
-          .stress = problem.stress,
+          .stress = stress_of_march(problem),
           .fatigue = problem.fatigue,
           .rating = problem.rating,
           .friction_couples_dynamics = friction_couples_dynamics(problem),

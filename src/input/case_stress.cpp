@@ -36,7 +36,8 @@ std::optional<StressModel> read_stress(const ParameterValues& values) {
   return StressModel{.depths = stress_depths(values.real("stress.depth_max"), values.integer("stress.points")),
                      .poisson_ratio = read_poisson_ratios(values),
                      .whole_fields = values.text(model) == "field",
-                     .every = values.real("stress.every")};
+                     .every = values.real("stress.every"),
+                     .all_rows = values.text("stress.rows") == "all"};
 }
 
 std::optional<double> first_yield_pressure(const ParameterValues& values, const Scales& scales) {

@@ -8,8 +8,12 @@ std::vector<Parameter> stress_records() {
   return section(
       "stress", Scope::any,
       {choice("model", {"none", "row", "field"},
-              "none: no stresses below films; row: in the section y = 0; field: the von Mises stress below all nodes "
-              "too, at the depth where it is largest, wherever fields are written"),
+              "none: no stresses below films; row: in the section below the row that carries most; field: the von "
+              "Mises stress below all nodes too, at the depth where it is largest, wherever fields are written"),
+       choice("rows", {"most_loaded", "all"},
+              "rows below which films that travel have stresses: the one that carries most of the dry contact at rest, "
+              "off the ends of the face; or all, but no nearer to each other than 1/16 of the width, with a map of the "
+              "flanks below each"),
        preset(2.0, number("depth_max", "z_max", "-", left_open(0.1, 10),
                           "deepest place, in half-axes a of the reference contact")),
        preset(24, whole("points", "n", closed(4, 200), "depths, closer to each other at the surface")),

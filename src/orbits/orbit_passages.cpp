@@ -6,7 +6,7 @@ std::vector<Passage> orbit_passages(const OrbitProblem& problem, const SharedDis
                                     const PeriodicOrbit& orbit, const StopCheck& check_stop) {
   OrbitProblem recorded = problem;
   recorded.mesh.stress->keeps_sections = true;
-  FlankRecorder recorder(problem.mesh.path.line(), true);
+  FlankRecorder recorder(problem.mesh, true);
   const SearchWatch watch{.check_stop = check_stop};
   MeshMarch march =
       watched_march(recorded, films, watch, [&](const StepRecord& record, const std::vector<ActiveContact>& contacts) {

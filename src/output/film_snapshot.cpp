@@ -26,11 +26,11 @@ std::vector<NamedField> film_fields(const ContactFilm& film, const TractionField
 }
 
 std::vector<NamedField> stress_fields(const std::optional<StressModel>& model, const ContactFilm& film,
-                                      const TractionFields* traction, int row) {
+                                      const TractionFields* traction, const std::vector<int>& rows) {
   std::vector<NamedField> fields;
   if (!model || !model->whole_fields) return fields;
   const std::vector<double> none;
-  const auto values = von_mises_fields(*model, film, traction ? traction->shear_stress : none, row);
+  const auto values = von_mises_fields(*model, film, traction ? traction->shear_stress : none, rows);
   for (std::size_t body = 0; body < values.size(); ++body) {
     fields.push_back({std::string(field::von_mises[body].name), Field<double>(film.grid())});
     fields.back().values.load(values[body]);
@@ -50,7 +50,8 @@ FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record,
     const TractionFields* friction = traction ? &traction->fields : nullptr;
     const ContactFilm& film = *contacts[k].film;
     contact.fields = film_fields(film, friction);
-    for (NamedField& field : stress_fields(mesh.stress, film, friction, film.grid().row_axis().central())) {
+    const std::vector<int> rows = mesh.stress ? stress_rows(*mesh.stress, film.grid().row_axis()) : std::vector<int>();
+    for (NamedField& field : stress_fields(mesh.stress, film, friction, rows)) {
       contact.fields.push_back(std::move(field));
     }
     for (const auto& [name, values] : contacts[k].fields) {

@@ -32,9 +32,9 @@ struct FilmSnapshot {
 /// The fields that follow from a film (field::pressure, thickness, traction), of friction and heat those that there
 /// are; null without friction.
 std::vector<NamedField> film_fields(const ContactFilm& film, const TractionFields* traction);
-/// Those of stresses below it, where a model asks for whole fields; with the section below a row. Collective.
+/// Those of stresses below it, where a model asks for whole fields; with the sections below some rows. Collective.
 std::vector<NamedField> stress_fields(const std::optional<StressModel>& model, const ContactFilm& film,
-                                      const TractionFields* traction, int row);
+                                      const TractionFields* traction, const std::vector<int>& rows);
 
 /// Copies the fields of a step that have a dataset in the results, and computes those of friction and heat. Collective.
 FilmSnapshot film_snapshot(const MeshModel& mesh, const StepRecord& record, const std::vector<ActiveContact>& contacts);

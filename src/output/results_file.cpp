@@ -140,6 +140,11 @@ void ResultsFile::rows(const std::string& group, const std::string& name, const 
   put_by_first(group, name, {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)}, values, unit);
 }
 
+void ResultsFile::blocks(const std::string& group, const std::string& name, const std::string& unit,
+                         const std::array<int, 3>& size, const std::vector<double>& values) {
+  put_by_first(group, name, {size.begin(), size.end()}, values, unit);
+}
+
 void ResultsFile::grid(const std::string& group, const WholeDomain& domain, const Scales& scales) {
   const Grid& grid = domain.grid();
   std::vector<double> x(grid.nx()), y(grid.ny());

@@ -13,6 +13,7 @@
 
 #include <hdf5.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -47,6 +48,10 @@ public:
   /// are `rows` of them.
   void rows(const std::string& group, const std::string& name, const std::string& unit, int rows, int columns,
             const std::vector<double>& values);
+
+  /// So many such blocks of rows.
+  void blocks(const std::string& group, const std::string& name, const std::string& unit,
+              const std::array<int, 3>& size, const std::vector<double>& values);
 
   /// Gives the open file its name: for runs that append to it for long.
   void publish();

@@ -37,11 +37,11 @@ std::optional<FilmSnapshot> section_snapshot(const MeshModel& mesh, const StepRe
   return snapshot.contacts.empty() ? std::nullopt : std::optional(std::move(snapshot));
 }
 
-std::array<SectionRecord, body_count> SectionReplay::sections(const FilmSnapshot& snapshot,
-                                                              const ContactSnapshot& contact) {
+SectionRecords SectionReplay::sections(const FilmSnapshot& snapshot, const ContactSnapshot& contact) {
   if (!grid_ || grid_->shape() != snapshot.shape) {
     grid_.emplace(comm_, snapshot.shape);
-    row_ = std::make_unique<RowStress>(*grid_, row_options(*mesh_.stress, grid_->row_axis().central()));
+    rows_ =
+        std::make_unique<RowStress>(*grid_, row_options(*mesh_.stress, stress_rows(*mesh_.stress, grid_->row_axis())));
   }
   const Field<double>* oil = find(contact, field::film_pressure.name);
   const Field<double>* gap = find(contact, field::mean_gap.name);
@@ -51,7 +51,7 @@ std::array<SectionRecord, body_count> SectionReplay::sections(const FilmSnapshot
   if (shear) shear->store(stress);
   const SurfaceLoads loads = loads_below(
       mesh_.scales, *grid_, {total, oil ? *oil : total, gap ? *gap : *find(contact, field::thickness.name)}, stress);
-  return section_records(mesh_.scales, {row_.get(), &row_->evaluate(loads), {}}, contact.position);
+  return section_records(mesh_.scales, *rows_, rows_->evaluate(loads), contact.position);
 }
 
 }  // namespace gearfilm

@@ -17,13 +17,13 @@ public:
   SectionReplay(MPI_Comm comm, const MeshModel& mesh) : comm_(comm), mesh_(mesh) {}
 
   /// The sections of a contact of such a snapshot. Collective.
-  std::array<SectionRecord, body_count> sections(const FilmSnapshot& snapshot, const ContactSnapshot& contact);
+  SectionRecords sections(const FilmSnapshot& snapshot, const ContactSnapshot& contact);
 
 private:
   MPI_Comm comm_;
   const MeshModel& mesh_;
   std::optional<Grid> grid_;
-  std::unique_ptr<RowStress> row_;
+  std::unique_ptr<RowStress> rows_;
 };
 
 }  // namespace gearfilm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "film/face_pressure.hpp"
 #include "mesh/static_mesh.hpp"
 
 namespace gearfilm {
@@ -36,27 +37,48 @@ private:
   std::vector<Point> points_;
 };
 
+/// What dry contacts of a pair do to the surfaces.
+class DryLoads {
+public:
+  DryLoads(const Grid& grid, const Scales& scales)
+      : grid_(grid),
+        scales_(scales),
+        along_face_(scales.solids.face ? discretise(grid, scales) : nullptr),
+        loads_{std::vector<double>(grid.local_size()),
+               {std::vector<double>(grid.local_size()), std::vector<double>(grid.local_size())}} {}
+
+  const SurfaceLoads& under(double force, const ContactConditions& conditions) {
+    constexpr double carrying = 0.01;  // of the static force: the least of the law of a face, without risk
+    std::ranges::fill(loads_.pressure, 0.0);
+    if (along_face_ && force > carrying * scales_.static_force) {
+      face_pressure(*along_face_, scales_, conditions, force, loads_.pressure);
+    } else if (!along_face_ && force > 0.0) {
+      hertz_pressure(grid_, scales_, dry_contact(scales_, conditions, force), loads_.pressure);
+    }
+    return loads_;
+  }
+
+private:
+  const Grid& grid_;
+  const Scales& scales_;
+  SharedDiscretisation along_face_;
+  SurfaceLoads loads_;
+};
+
 }  // namespace
 
 Passage static_passage(const Grid& grid, const MeshModel& rest, const Passage& passage) {
-  const Scales& scales = rest.scales;
-  RowStress row(grid, row_options(*rest.stress, grid.row_axis().central()));
+  const std::vector<int> rows = stress_rows(*rest.stress, grid.row_axis());
+  RowStress below(grid, row_options(*rest.stress, rows));
   const StaticForces forces(rest);
-  Passage found{FlankHistory(passage[pinion_body].path()), FlankHistory(passage[wheel_body].path())};
-  const std::size_t size = grid.local_size();
-  SurfaceLoads loads{std::vector<double>(size), {std::vector<double>(size), std::vector<double>(size)}};
-  for (const SectionRecord& record : passage[pinion_body].records()) {
-    const double force = forces.at(record.xi);
-    std::ranges::fill(loads.pressure, 0.0);
-    if (force > 0.0) {
-      const ContactConditions conditions = rest.contact_at(0, record.xi).conditions;
-      hertz_pressure(grid, scales, dry_contact(scales, conditions, force), loads.pressure);
-    }
-    const FilmSection section{&row, &row.evaluate(loads), {}};
-    const auto records = section_records(scales, section, record.xi);
-    for (std::size_t body = 0; body < body_count; ++body) found[body].add(records[body]);
+  DryLoads loads(grid, rest.scales);
+  FlankRecorder recorder(rest, true);
+  for (const SectionRecord& record : passage.front()[pinion_body].records()) {
+    const ContactConditions conditions = rest.contact_at(0, record.xi).conditions;
+    const auto& sections = below.evaluate(loads.under(forces.at(record.xi), conditions));
+    recorder.add(0, section_records(rest.scales, below, sections, record.xi));
   }
-  return found;
+  return recorder.of_period(1).front();
 }
 
 }  // namespace gearfilm

@@ -5,8 +5,8 @@
 
 namespace gearfilm {
 
-/// Sections below dry Hertz contacts at the places of a passage. rest: a pair just after a contact has left, whose
-/// contacts do not reach the ends of a face. Collective. Throws SolveError where nothing carries the load.
+/// Sections below dry contacts at the places of a passage, Hertz's or along a whole face. rest: a pair just after a
+/// contact has left. Collective. Throws SolveError where nothing carries the load.
 Passage static_passage(const Grid& grid, const MeshModel& rest, const Passage& passage);
 
 }  // namespace gearfilm

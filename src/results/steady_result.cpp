@@ -14,6 +14,7 @@
 #include "results/friction_summary.hpp"
 #include "results/members.hpp"
 #include "results/rating_result.hpp"
+#include "results/section_result.hpp"
 #include "results/tilt_summary.hpp"
 
 namespace gearfilm {
@@ -217,18 +218,9 @@ void write_section(ResultsFile& file, const std::string& group, const Scales& sc
   const int lines = static_cast<int>(section.x.size()), depths = static_cast<int>(section.z.size());
   file.rows(group, "x", "m", lines, 1, section.x);
   file.rows(group, "z", "m", depths, 1, section.z);
-  constexpr std::array<const char*, stress_components> names = {"xx", "yy", "zz", "yz", "xz", "xy"};
   constexpr std::array<const char*, body_count> of_body = {"_pinion", "_wheel"};
   for (std::size_t body = 0; body < body_count; ++body) {
-    const auto write = [&](const std::string& name, const auto& value) {
-      std::vector<double> values;
-      for (const Stress& stress : section.stress[body]) values.push_back(value(stress));
-      file.rows(group, name + of_body[body], "Pa", depths, lines, values);
-    };
-    write("von_mises", [](const Stress& stress) { return von_mises(stress); });
-    for (std::size_t c = 0; c < names.size(); ++c) {
-      write(std::string("sigma_") + names[c], [c](const Stress& stress) { return stress.components()[c]; });
-    }
+    write_stresses(file, group, of_body[body], depths, lines, section.stress[body]);
   }
   file.attribute(group, "a", scales.hertz.a);
 }
@@ -301,8 +293,8 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
   ContactStress stress{};
   if (problem.stress) {
     result.stress_row = most_loaded_row(*solved.film);
-    stress = contact_stress(problem.scales, film_section(*problem.stress, *solved.film,
-                                                         result.friction.fields.shear_stress, result.stress_row));
+    stress = contact_stress(problem.scales, film_sections(*problem.stress, *solved.film,
+                                                          result.friction.fields.shear_stress, {result.stress_row}));
   }
   result.summary =
       film_summary(problem, position, solved.film->grid(), solved.result, result.friction.quantities, stress);
@@ -330,7 +322,7 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   const WholeDomain domain(film.grid());
   file.grid(group, domain, scales);
   std::vector<NamedField> fields = film_fields(film, &friction);
-  for (NamedField& field : stress_fields(problem.stress, film, &friction, result.stress_row)) {
+  for (NamedField& field : stress_fields(problem.stress, film, &friction, {result.stress_row})) {
     fields.push_back(std::move(field));
   }
   const std::vector<std::string> datasets = write_fields(file, group, domain, scales, fields, group);
@@ -339,8 +331,8 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   }
   if (problem.scales.solids.face) write_face(file, group, scales, face_quantities(film));
   if (problem.stress) {
-    const FilmSection section = film_section(*problem.stress, film, friction.shear_stress, result.stress_row);
-    write_section(file, group + "/section", scales, whole_section(scales, section));
+    const FilmSections sections = film_sections(*problem.stress, film, friction.shear_stress, {result.stress_row});
+    write_section(file, group + "/section", scales, whole_section(scales, sections));
     file.attribute(group + "/section", "y", scales.length * film.grid().row_axis().y(result.stress_row));
   }
   file.attribute(group, "xi", problem.steady.position);

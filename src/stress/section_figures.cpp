@@ -1,20 +1,24 @@
 #include "stress/section_figures.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace gearfilm {
 namespace {
 
 constexpr std::size_t values_of_a_depth = 4;
 
-/// Von Mises stress, largest shear, half range of tau_xz and largest principal stress over the lines.
-std::array<double, values_of_a_depth> largest(const SectionStress& section, int depth) {
+/// Von Mises stress, largest shear, half range of tau_xz and, at the surface, largest principal stress over the lines.
+std::array<double, values_of_a_depth> largest(const SectionStress& section, int depth, bool at_surface) {
   double equivalent = 0.0, shear = 0.0, principal = 0.0, low = 0.0, high = 0.0;
   for (int line = 0; line < section.lines(); ++line) {
     const Stress stress = section.at(depth, line);
-    equivalent = std::max(equivalent, von_mises(stress));
-    shear = std::max(shear, largest_shear_stress(stress));
-    principal = std::max(principal, largest_principal(stress));
+    const double of_line = von_mises(stress);
+    equivalent = std::max(equivalent, of_line);
+    // Principal values take angles: tau_1 <= sigma_v/3^(1/2).
+    constexpr double most = 1.0 / std::numbers::sqrt3 + 1e-9;
+    if (most * of_line > shear) shear = std::max(shear, largest_shear_stress(stress));
+    if (at_surface) principal = std::max(principal, largest_principal(stress));
     low = std::min(low, stress.xz);
     high = std::max(high, stress.xz);
   }
@@ -29,7 +33,7 @@ StressProfiles stress_profiles(const RowStress& row, const SectionStresses& sect
   std::vector<double> values(body_count * depths * values_of_a_depth, 0.0);
   for (std::size_t body = 0; body < body_count; ++body) {
     for (int depth = own.begin; depth < own.end; ++depth) {
-      std::ranges::copy(largest(sections[body], depth - own.begin),
+      std::ranges::copy(largest(sections[body], depth - own.begin, depth == 0),
                         values.begin() + (body * depths + depth) * values_of_a_depth);
     }
   }

@@ -34,7 +34,8 @@ std::array<std::vector<Stress>, body_count> stress_field(const Grid& grid, const
                            SectionStress(static_cast<int>(own), lines.count)};
   std::array<std::vector<Stress>, body_count> field;
   for (std::size_t j = 0; j < own; ++j) {
-    spectra.transform_back(std::span<const double>(whole).subspan(j * size, size), sections, static_cast<int>(j));
+    spectra.transform_back(std::span<const double>(whole).subspan(j * size, size), false, sections,
+                           static_cast<int>(j));
   }
   for (std::size_t body = 0; body < body_count; ++body) {
     for (int i = 0; i < lines.count; ++i) {

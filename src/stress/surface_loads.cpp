@@ -87,7 +87,7 @@ void LoadSpectra::sum(const std::array<PlaceKernels, body_count>& kernels, bool 
   const bool alike = kernels[0].pressure == kernels[1].pressure;
   std::ranges::fill(sums, 0.0);
   for (std::size_t c = 0; c < stress_components; ++c) {
-    if (symmetric && (c == 3 || c == 5)) continue;
+    if (symmetric && is_across(c)) continue;
     const std::size_t kernel_at = c * own_rows_ * waves;
     const auto sum_of = [&](std::size_t body) { return sums.data() + (body * stress_components + c) * 2 * waves; };
     for (std::size_t body = 0; body < (alike ? 1 : body_count); ++body) {
@@ -100,11 +100,12 @@ void LoadSpectra::sum(const std::array<PlaceKernels, body_count>& kernels, bool 
   }
 }
 
-void LoadSpectra::transform_back(std::span<const double> sums, std::array<SectionStress, body_count>& sections,
-                                 int place) {
+void LoadSpectra::transform_back(std::span<const double> sums, bool symmetric,
+                                 std::array<SectionStress, body_count>& sections, int place) {
   const int waves = lattice_.waves();
   for (std::size_t body = 0; body < body_count; ++body) {
     for (std::size_t c = 0; c < stress_components; ++c) {
+      if (symmetric && is_across(c)) continue;
       const double* sum = sums.data() + (body * stress_components + c) * 2 * waves;
       for (int k = 0; k < waves; ++k) wave_.data()[k] = {sum[k], sum[waves + k]};
       backward_.execute();

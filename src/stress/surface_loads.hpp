@@ -49,10 +49,13 @@ public:
   /// Stresses at one place by the own rows. Where both bodies have the same kernels their pressures are summed once; in
   /// a row of symmetry yz and xy vanish.
   void sum(const std::array<PlaceKernels, body_count>& kernels, bool symmetric, std::span<double> sums) const;
-  /// The lines of a section, of sums over all rows.
-  void transform_back(std::span<const double> sums, std::array<SectionStress, body_count>& sections, int place);
+  /// The lines of a section, of sums over all rows; yz and xy of a row of symmetry stay as they are.
+  void transform_back(std::span<const double> sums, bool symmetric, std::array<SectionStress, body_count>& sections,
+                      int place);
 
 private:
+  /// yz and xy.
+  static constexpr bool is_across(std::size_t component) { return component == 3 || component == 5; }
   void add_rows(const double* kernel, std::size_t load, bool imaginary, double* sum) const;
 
   int own_rows_;

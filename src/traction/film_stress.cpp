@@ -1,8 +1,10 @@
 #include "traction/film_stress.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "film/face_quantities.hpp"
+#include "stress/place_sums.hpp"
 #include "stress/stress_field.hpp"
 
 namespace gearfilm {
@@ -12,6 +14,21 @@ std::vector<double> compact(const Field<double>& field) {
   std::vector<double> values(static_cast<std::size_t>(field.nx()) * field.y_count());
   field.store(values);
   return values;
+}
+
+const Peak& larger(const Peak& a, const Peak& b) { return b.value > a.value ? b : a; }
+
+/// Largest values of all sections in a body.
+StressFigures largest_figures(const FilmSections& sections, std::size_t body) {
+  StressFigures largest = stress_figures(sections.profiles.front()[body], sections.rows->depths());
+  for (const StressProfiles& profiles : sections.profiles) {
+    const StressFigures own = stress_figures(profiles[body], sections.rows->depths());
+    largest.von_mises = larger(largest.von_mises, own.von_mises);
+    largest.largest_shear = larger(largest.largest_shear, own.largest_shear);
+    largest.orthogonal_shear = larger(largest.orthogonal_shear, own.orthogonal_shear);
+    largest.surface_tension = std::max(largest.surface_tension, own.surface_tension);
+  }
+  return largest;
 }
 
 BodyStress in_si(const Scales& scales, const StressFigures& figures) {
@@ -27,8 +44,23 @@ BodyStress in_si(const Scales& scales, const StressFigures& figures) {
 
 }  // namespace
 
-RowStressOptions row_options(const StressModel& model, int row) {
-  return {.row = row, .depths = model.depths, .poisson_ratio = model.poisson_ratio};
+std::vector<int> stress_rows(const StressModel& model, const RowAxis& axis) {
+  const int middle = axis.nearest(model.most_loaded);
+  std::vector<int> rows{middle};
+  if (!model.all_rows) return rows;
+  constexpr double round_off = 1e-9;
+  const auto take = [&](int row) {
+    const bool apart = std::abs(axis.y(row) - axis.y(rows.back())) >= model.row_distance * (1.0 - round_off);
+    if (apart && !axis.is_ambient(row)) rows.push_back(row);
+  };
+  for (int row = middle - 1; row >= 0; --row) take(row);
+  std::ranges::reverse(rows);
+  for (int row = middle + 1; row < axis.count(); ++row) take(row);
+  return rows;
+}
+
+RowStressOptions row_options(const StressModel& model, const std::vector<int>& rows) {
+  return {.rows = rows, .depths = model.depths, .poisson_ratio = model.poisson_ratio};
 }
 
 SurfaceLoads loads_below(const Scales& scales, const Grid& grid, const LoadingFields& fields,
@@ -52,66 +84,59 @@ int most_loaded_row(const ContactFilm& film) {
   return rows.stored_row(static_cast<int>(most));
 }
 
-FilmSection film_section(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
-                         int row) {
-  RowStress& below = film.discretisation()->prepare_stress(row_options(model, row));
-  const SectionStresses& stresses = below.evaluate(loads_below(film, shear_stress));
-  return {&below, &stresses, stress_profiles(below, stresses)};
+FilmSections film_sections(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
+                           const std::vector<int>& rows) {
+  RowStress& below = film.discretisation()->prepare_stress(row_options(model, rows));
+  FilmSections sections{&below, &below.evaluate(loads_below(film, shear_stress)), {}};
+  for (const SectionStresses& section : *sections.stresses)
+    sections.profiles.push_back(stress_profiles(below, section));
+  return sections;
 }
 
-std::array<SectionRecord, body_count> section_records(const Scales& scales, const FilmSection& section, double xi) {
-  const SectionLines& lines = section.row->lines();
+SectionRecords section_records(const Scales& scales, const RowStress& rows,
+                               const std::vector<SectionStresses>& stresses, double xi) {
+  const SectionLines& lines = rows.lines();
   const SectionPlaces places{scales.length * lines.first, scales.length * lines.step, lines.count};
-  const auto of = [&](std::size_t body) {
-    return section_record(xi, places, (*section.stresses)[body], scales.pressure, section.row->symmetric());
-  };
-  return {of(pinion_body), of(wheel_body)};
+  SectionRecords records;
+  for (std::size_t row = 0; row < stresses.size(); ++row) {
+    const auto of = [&](std::size_t body) {
+      return section_record(xi, places, stresses[row][body], scales.pressure, rows.symmetric(row));
+    };
+    records.push_back({of(pinion_body), of(wheel_body)});
+  }
+  return records;
 }
 
-ContactStress contact_stress(const Scales& scales, const FilmSection& section) {
+ContactStress contact_stress(const Scales& scales, const FilmSections& sections) {
   ContactStress both;
-  for (std::size_t body = 0; body < body_count; ++body) {
-    both[body] = in_si(scales, stress_figures(section.profiles[body], section.row->depths()));
-  }
+  for (std::size_t body = 0; body < body_count; ++body) both[body] = in_si(scales, largest_figures(sections, body));
   return both;
 }
 
-WholeSection whole_section(const Scales& scales, const FilmSection& section) {
-  const RowStress& row = *section.row;
+WholeSection whole_section(const Scales& scales, const FilmSections& sections) {
+  const RowStress& row = *sections.rows;
   WholeSection whole;
   for (int line = 0; line < row.lines().count; ++line) whole.x.push_back(scales.length * row.lines().x(line));
   for (const double depth : row.depths()) whole.z.push_back(scales.length * depth);
-  const std::size_t size = row.lines().count * stress_components;
-  std::vector<int> counts, offsets;
-  for (std::size_t rank = 0; rank + 1 < row.depth_ranges().size(); ++rank) {
-    offsets.push_back(static_cast<int>(row.depth_ranges()[rank] * size));
-    counts.push_back(static_cast<int>((row.depth_ranges()[rank + 1] - row.depth_ranges()[rank]) * size));
-  }
   for (std::size_t body = 0; body < body_count; ++body) {
-    const SectionStress& own = (*section.stresses)[body];
-    std::vector<double> values, all(row.depths().size() * size);
+    const SectionStress& own = sections.stresses->front()[body];
+    std::vector<Stress> values;
     for (int depth = 0; depth < own.depths(); ++depth) {
-      for (int line = 0; line < own.lines(); ++line) {
-        const auto components = (scales.pressure * own.at(depth, line)).components();
-        values.insert(values.end(), components.begin(), components.end());
-      }
+      for (int line = 0; line < own.lines(); ++line) values.push_back(scales.pressure * own.at(depth, line));
     }
-    MPI_Gatherv(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, all.data(), counts.data(), offsets.data(),
-                MPI_DOUBLE, 0, row.comm());
-    for (std::size_t n = 0; n < all.size(); n += stress_components) {
-      whole.stress[body].push_back({all[n], all[n + 1], all[n + 2], all[n + 3], all[n + 4], all[n + 5]});
-    }
+    whole.stress[body] = gather_stresses(row.comm(), row.depth_ranges(), row.lines().count, values);
   }
   return whole;
 }
 
 std::array<std::vector<double>, body_count> von_mises_fields(const StressModel& model, const ContactFilm& film,
-                                                             std::span<const double> shear_stress, int row) {
-  const FilmSection section = film_section(model, film, shear_stress, row);
+                                                             std::span<const double> shear_stress,
+                                                             const std::vector<int>& rows) {
+  const FilmSections sections = film_sections(model, film, shear_stress, rows);
   const SurfaceLoads loads = loads_below(film, shear_stress);
   std::array<std::vector<double>, body_count> fields;
   for (std::size_t body = 0; body < body_count; ++body) {
-    const double depth = stress_figures(section.profiles[body], section.row->depths()).von_mises.at;
+    const double depth = largest_figures(sections, body).von_mises.at;
     for (const Stress& stress : stress_field(film.grid(), loads, depth, model.poisson_ratio)[body]) {
       fields[body].push_back(film.scales().pressure * von_mises(stress));
     }

@@ -1,4 +1,4 @@
-// Stresses below a film, in the section beneath one of its rows.
+// Stresses below a film, in the sections beneath some of its rows.
 //
 // The surfaces carry the total pressure and the shear stress of surface_loads.hpp, with the friction in the middle of
 // the film and, by the gap h that the oil fills and its pressure p, (h/2) dp/dx. Depths are in units of the Hertz
@@ -23,6 +23,10 @@ struct StressModel {
   bool whole_fields = false;    ///< where fields are written
   double every = 0.0;           ///< way of the material between two computations of a march [a]
   bool keeps_sections = false;  ///< sections of a march are kept for the flanks' histories
+  // Of a march, where the history of a point of a flank must stay in one row.
+  bool all_rows = false;      ///< stresses below rows over the whole face; else below the most loaded one
+  double most_loaded = 0.0;   ///< Y of the row that carries most of the dry contact at rest [a]
+  double row_distance = 0.0;  ///< no two of all rows are nearer to each other [a]
 };
 
 /// What the stresses of one body come to; SI.
@@ -38,15 +42,17 @@ struct BodyStress {
 
 using ContactStress = std::array<BodyStress, body_count>;
 
-/// A section below a film, until the next one of its discretisation is computed.
-struct FilmSection {
-  const RowStress* row = nullptr;
-  const SectionStresses* stresses = nullptr;  ///< [p_h], of own depths
-  StressProfiles profiles;                    ///< [p_h]
+/// Sections below a film, until the next ones of its discretisation are computed; by rows.
+struct FilmSections {
+  const RowStress* rows = nullptr;
+  const std::vector<SectionStresses>* stresses = nullptr;  ///< [p_h], of own depths
+  std::vector<StressProfiles> profiles;                    ///< [p_h]
 };
 
-/// Of the section below a row.
-RowStressOptions row_options(const StressModel& model, int row);
+/// The stored rows below which a march has stresses. On a wider grid all rows are the same and more at its edges.
+std::vector<int> stress_rows(const StressModel& model, const RowAxis& axis);
+/// Of the sections below rows.
+RowStressOptions row_options(const StressModel& model, const std::vector<int>& rows);
 
 /// What a film does to its surfaces: its pressure, the oil's, and the gap that the oil fills.
 struct LoadingFields {
@@ -66,28 +72,31 @@ SurfaceLoads loads_below(const ContactFilm& film, std::span<const double> shear_
 /// unless they reach over a face. Collective.
 int most_loaded_row(const ContactFilm& film);
 
-/// Below a row of the film that was evaluated last. Collective.
-FilmSection film_section(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
-                         int row);
+/// Below rows of the film that was evaluated last. Collective.
+FilmSections film_sections(const StressModel& model, const ContactFilm& film, std::span<const double> shear_stress,
+                           const std::vector<int>& rows);
 
-/// The section on the first process, elsewhere nothing: component by component [depth][line] of each body.
+/// A section on the first process, elsewhere nothing: component by component [depth][line] of each body.
 struct WholeSection {
   std::vector<double> x, z;                            ///< [m]
   std::array<std::vector<Stress>, body_count> stress;  ///< [depth][line], in Pa
 };
 
-/// Collective.
-WholeSection whole_section(const Scales& scales, const FilmSection& section);
+/// That of the first row. Collective.
+WholeSection whole_section(const Scales& scales, const FilmSections& sections);
 
-/// Von Mises stress in both bodies [Pa] below the own nodes, each at the depth where it is largest in a row.
+/// Von Mises stress in both bodies [Pa] below the own nodes, each at the depth where it is largest below some rows.
 /// Collective.
 std::array<std::vector<double>, body_count> von_mises_fields(const StressModel& model, const ContactFilm& film,
-                                                             std::span<const double> shear_stress, int row);
+                                                             std::span<const double> shear_stress,
+                                                             const std::vector<int>& rows);
 
-/// The section of a contact at xi as flanks' histories have it, of both bodies.
-std::array<SectionRecord, body_count> section_records(const Scales& scales, const FilmSection& section, double xi);
+/// The sections of a contact at xi as flanks' histories have them, of both bodies, by rows.
+using SectionRecords = std::vector<std::array<SectionRecord, body_count>>;
+SectionRecords section_records(const Scales& scales, const RowStress& rows,
+                               const std::vector<SectionStresses>& stresses, double xi);
 
-/// In SI.
-ContactStress contact_stress(const Scales& scales, const FilmSection& section);
+/// The largest values of all sections; in SI.
+ContactStress contact_stress(const Scales& scales, const FilmSections& sections);
 
 }  // namespace gearfilm

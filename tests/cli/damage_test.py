@@ -10,7 +10,7 @@ import h5py
 import numpy
 
 from films import BARBIERI, SAME, summary_in
-from program import SOURCE
+from program import INPUT, SOURCE
 from restarts import SMALL, RestartTest, stopped_after
 from script import plot
 from vibration import table_in
@@ -52,6 +52,10 @@ class DamageTest(RestartTest):
     def section(self, name="film"):
         with h5py.File(self.folder / name / "results.h5") as file:
             return {key: values[()] for key, values in file["contact0/section"].items()}
+
+    def flank(self, name, body="pinion"):
+        with h5py.File(self.folder / name / "results.h5") as file:
+            return {key: values[()].squeeze() for key, values in file[f"flank/{body}"].items()}
 
 
 class Steady(DamageTest):
@@ -145,10 +149,6 @@ lubricant: {viscosity: 0.04, pressure_viscosity: 2e-8}
 
 
 class Flanks(DamageTest):
-    def flank(self, name, body="pinion"):
-        with h5py.File(self.folder / name / "results.h5") as file:
-            return {key: values[()].squeeze() for key, values in file[f"flank/{body}"].items()}
-
     def assert_balanced(self, name, mesh_periods):
         """What friction takes is on the flanks or beyond their ends, and extremes are those of the history."""
         with h5py.File(self.folder / name / "results.h5") as file:
@@ -176,10 +176,12 @@ class Flanks(DamageTest):
         self.run_well(*ORBIT, "-output_dir", "orbit", "-pinion_residual_stress", "hardness")
         summary = summary_in(self.folder / "orbit")
         self.assert_drawn("orbit")
+        self.assert_drawn("orbit", "--section")
         page = write_report(gearfilm.open(self.folder / "orbit")).read_text(encoding="utf-8")
         first, second = (page.index(f"flank of the {gear}: Dang Van stress") for gear in ("pinion", "wheel"))
         self.assertTrue(page.index("What fails first") < first < second, "that without a limit comes last")
-        self.assertIn("Stresses below the films", page)
+        for figure in ("Stresses below the films", "at the worst moment", "over the path of contact", "Contact pattern"):
+            self.assertIn(figure, page)
         contacts = table_in(self.folder / "orbit", "history/contacts")
         for body in ("pinion", "wheel"):
             flank = self.flank("orbit", body)
@@ -225,7 +227,7 @@ class Flanks(DamageTest):
         self.assertEqual([entry["stress"] for entry in pitting], list(table["sigma_H_max"]))
 
     def test_any_number_of_processes_gives_the_same(self):
-        march = [*MARCH, "-mesh_periods", 2.4]
+        march = [*MARCH, "-mesh_periods", 2.4, "-stress_rows", "all"]
         self.run_well(*march, "-output_dir", "alone")
         for processes in (2, 4):
             self.run_well(*march, "-output_dir", "together", processes=processes)
@@ -245,7 +247,7 @@ class Flanks(DamageTest):
 
     def test_a_march_goes_on_to_the_bit(self):
         """Stopped while the contact that is judged is on its way."""
-        march = [*MARCH, "-mesh_periods", 3.2]
+        march = [*MARCH, "-mesh_periods", 3.2, "-stress_rows", "all"]
         outcome = stopped_after(14, [*march, "-output_dir", "run"], self.folder, signal.SIGUSR1)
         self.assertEqual(outcome.status, 3, outcome)
         stopped_at = float(re.search(r"stopped: at mesh period ([-+.e\d]+)", outcome.stderr)[1])
@@ -253,6 +255,34 @@ class Flanks(DamageTest):
         expected = self.uninterrupted(*march)
         self.assertIsNotNone(summary_in(self.folder / "uninterrupted")["dang_van_max_pinion"])
         self.assert_same(self.complete(*march), expected)
+
+
+class WholeFace(DamageTest):
+    def test_rows_of_a_misaligned_face_have_maps_and_the_worst_is_told(self):
+        run = self.run_program("transient", INPUT / "misaligned.yaml", "-mesh_periods", 1.9, "-motion", "quasi_static",
+                               "-time_dt", 0.3, "-grid_nx", 65, "-grid_first_row", 0.4, "-grid_row_growth", 2.5,
+                               "-grid_largest_row", 10, "-lubricant_viscosity", 0.06, *JUDGED, "-stress_rows", "all",
+                               "-output_dir", "face")
+        self.assertEqual(run.status, 0, run)
+        summary = summary_in(self.folder / "face")
+        for body in ("pinion", "wheel"):
+            flank = self.flank("face", body)
+            y, rows = flank["y_rows"], flank["dang_van_rows"]
+            self.assertEqual(rows.shape, (y.size, flank["s"].size, flank["z"].size))
+            self.assertGreater(numpy.diff(y).min(), 14e-3 / 16)
+            numpy.testing.assert_array_equal(flank["dang_van"], rows.max(axis=0))
+            # The flanks part towards +y, and are relieved over 4 mm at both ends.
+            worst = summary[f"dang_van_y_{body}"]
+            self.assertAlmostEqual(worst, -3e-3, delta=1e-3)
+            of_row = rows[numpy.flatnonzero(y == worst)[0]]
+            self.assertIn(summary[f"dang_van_max_{body}"], of_row)
+            pressed = numpy.nanmax(flank["p_max"], axis=0)
+            self.assertAlmostEqual(flank["y"][pressed.argmax()], worst, delta=1e-3)
+        self.assertTrue(0.5 < summary["life_ratio"] < 2, summary["life_ratio"])
+        with h5py.File(self.folder / "face/results.h5") as file:
+            contacts, section = file["history/contacts"][()], file["section/pinion"]
+            self.assertAlmostEqual(section["von_mises"][()].max() / contacts["von_mises_max_pinion"].max(), 1, delta=0.05)
+            self.assertEqual(section.attrs["y"], summary["dang_van_y_pinion"])
 
 
 class Ratings(DamageTest):

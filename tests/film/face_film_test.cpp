@@ -200,5 +200,22 @@ TEST(FaceFilm, at_sharp_free_ends_is_that_of_another_program) {
   EXPECT_LE(solved.result.counts.krylov, 15 * solved.result.counts.newton);
 }
 
+TEST(MostLoadedPlace, is_where_a_face_carries_most_off_its_ends) {
+  const auto place = [](const FaceGap& gap, double radius_y = HUGE_VAL) {
+    const Scales scales = scales_of_solids({.radius_x = 9e-3,
+                                            .radius_y = radius_y,
+                                            .reduced_modulus = 226.3736e9,
+                                            .face = std::make_shared<const Face>(face_with(EndFace::free, gap))},
+                                           face_load);
+    return scales.length * most_loaded_place(scales, scales.static_force, 1.0);
+  };
+  FaceGap tilted = relieved_ends();
+  tilted.slope = 10e-6 / face_width;  // opens the end at +y, and the other one is relieved from -4 mm on
+  EXPECT_NEAR(place(tilted), -4e-3, 1e-3);
+  tilted.slope = -tilted.slope;
+  EXPECT_NEAR(place(tilted), 4e-3, 1e-3);
+  EXPECT_NEAR(place({}, 2.0), 0.0, 0.5e-3);
+}
+
 }  // namespace
 }  // namespace gearfilm

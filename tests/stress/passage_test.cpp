@@ -27,16 +27,16 @@ TEST(StaticPassage, lies_below_dry_contacts_that_share_the_static_force) {
   const MeshModel rest = mesh_after_leaving(problem);
   const Grid grid(MPI_COMM_WORLD, case_grid(problem));
   const LineOfAction& line = rest.path.line();
-  Passage passage{FlankHistory(FlankPath(line, true)), FlankHistory(FlankPath(line, false))};
+  Passage passage{{FlankHistory(FlankPath(line, true)), FlankHistory(FlankPath(line, false))}};
   // Two contacts at a time near both ends, one between.
   const double both = line.entry() + 0.3 * (line.contact_ratio() - 1.0) * line.base_pitch(),
                alone = 0.5 * (line.entry() + line.exit());
   for (const double xi : {both, alone, both + line.base_pitch()}) {
-    for (FlankHistory& history : passage) history.add({.xi = xi});
+    for (FlankHistory& history : passage.front()) history.add({.xi = xi});
   }
   const Passage at_rest = static_passage(grid, rest, passage);
   if (grid.rank() > 0) return;  // the surface is the first process's
-  for (const FlankHistory& history : at_rest) {
+  for (const FlankHistory& history : at_rest.front()) {
     const std::vector<SectionRecord>& records = history.records();
     ASSERT_EQ(records.size(), 3U);
     EXPECT_NEAR(force_of(rest, records[1]), 1.0, 0.01);
@@ -67,9 +67,10 @@ TEST(FrozenSection, of_a_film_at_rest_has_the_number_of_the_reference) {
   const SteadyResult result = solve_steady(grid, problem, position, [](const std::string&) {});
   StressModel below = *problem.stress;
   below.depths = {0.0, 0.6};
-  const FilmSection section =
-      film_section(below, *result.solved.film, result.friction.fields.shear_stress, result.stress_row);
-  const SectionRecord record = section_records(problem.scales, section, problem.steady.position)[pinion_body];
+  const FilmSections sections =
+      film_sections(below, *result.solved.film, result.friction.fields.shear_stress, {result.stress_row});
+  const SectionRecord record =
+      section_records(problem.scales, *sections.rows, *sections.stresses, problem.steady.position)[0][pinion_body];
   EXPECT_NEAR(dang_van(as_history(record, 1), {.alpha = 0.3}) / 1e6 / damage_number("ehl_steady_dv_alpha.3_z.6a_MPa"),
               1.0, 0.01);
 }
@@ -107,8 +108,8 @@ TEST(SlowPassages, are_less_severe_than_frozen_moments) {
              summary);
   const double passing = summary["dang_van_max_pinion"].get<double>();
   EXPECT_NEAR(passing / 1e6 / damage_number("per1_dv_alpha.3_pinion_max_MPa"), 1.0, 0.03);
-  EXPECT_NEAR(frozen(search.mesh, passages[0][pinion_body]) / passing / damage_number("per1_frozen_over_passing"), 1.0,
-              0.03);
+  EXPECT_NEAR(frozen(search.mesh, passages[0][0][pinion_body]) / passing / damage_number("per1_frozen_over_passing"),
+              1.0, 0.03);
 }
 
 }  // namespace

@@ -47,12 +47,12 @@ SurfaceLoads loads_of(const Grid& grid, const Load& pressure, double mu = 0.0) {
 }
 
 RowStress central_row(const Grid& grid, const std::vector<double>& depths, double reach = 2.5) {
-  return {grid, {.row = grid.row_axis().central(), .depths = depths, .poisson_ratio = steel, .reach = reach}};
+  return {grid, {.rows = {grid.row_axis().central()}, .depths = depths, .poisson_ratio = steel, .reach = reach}};
 }
 
 StressFigures figures_of(const Grid& grid, const SurfaceLoads& loads) {
   RowStress row = central_row(grid, stress_depths(2.0, 24));
-  return stress_figures(stress_profiles(row, row.evaluate(loads))[pinion_body], row.depths());
+  return stress_figures(stress_profiles(row, row.evaluate(loads).front())[pinion_body], row.depths());
 }
 
 // Between depths a parabola: 1e-3.
@@ -71,7 +71,7 @@ TEST(SectionStress, of_a_line_contact_is_hertz_s) {
 TEST(SectionStress, of_a_line_contact_is_the_closed_form_everywhere) {
   const Grid grid = line_grid(257);
   RowStress row = central_row(grid, {0.3, 0.8, 1.6});
-  const SectionStress& found = row.evaluate(loads_of(grid, hertz(1.0)))[pinion_body];
+  const SectionStress& found = row.evaluate(loads_of(grid, hertz(1.0))).front()[pinion_body];
   for (int depth = 0; depth < found.depths(); ++depth) {
     for (int line = 0; line < found.lines(); ++line) {
       const Stress exact = line_contact_stress(row.lines().x(line), row.depths()[depth]), near = found.at(depth, line);
@@ -94,7 +94,7 @@ TEST(SectionStress, of_circular_and_elliptical_contacts_is_hertz_s) {
   EXPECT_NEAR(found.von_mises.value, damage_number("circle_von_mises_max_nu.3"), 1e-3);
   EXPECT_NEAR(found.von_mises.at, damage_number("circle_von_mises_depth"), 0.02);
   RowStress at_maximum = central_row(circle, {damage_number("circle_von_mises_depth")});
-  const StressProfiles there = stress_profiles(at_maximum, at_maximum.evaluate(loads_of(circle, hertz(1.0))));
+  const StressProfiles there = stress_profiles(at_maximum, at_maximum.evaluate(loads_of(circle, hertz(1.0))).front());
   EXPECT_NEAR(there[pinion_body].von_mises.front(), damage_number("circle_von_mises_max_nu.3"), 5e-4);
   for (const double ratio : {0.2, 0.4, 0.6, 0.8, 1.0}) {
     const double b = 1.0 / ratio;
@@ -104,7 +104,7 @@ TEST(SectionStress, of_circular_and_elliptical_contacts_is_hertz_s) {
   }
   const Grid grid(MPI_COMM_WORLD, rectangle(129, 129, -1.25, 1.25, 1.25 * 2.5));
   RowStress surface = central_row(grid, {0.0});
-  const SectionStress& section = surface.evaluate(loads_of(grid, hertz(2.5)))[pinion_body];
+  const SectionStress& section = surface.evaluate(loads_of(grid, hertz(2.5))).front()[pinion_body];
   if (section.depths() == 0) return;  // on another process
   const int middle = surface.lines().before + 64;
   EXPECT_NEAR(section.at(0, middle).xx, damage_number("ellipse_b2.5_surface_centre_xx"), 2e-3);
@@ -115,7 +115,7 @@ TEST(SectionStress, of_the_surface_is_the_load) {
   const Grid grid = line_grid(257);
   const SurfaceLoads loads = loads_of(grid, hertz(1.0), 0.2);
   RowStress row = central_row(grid, {0.0});
-  const SectionStresses& sections = row.evaluate(loads);
+  const SectionStresses& sections = row.evaluate(loads).front();
   double tension = 0.0;
   for (int line = 0; line < sections[pinion_body].lines(); ++line) {
     const int i = line - row.lines().before;
@@ -137,8 +137,8 @@ double skewed(double x, double y) { return (1.0 + 0.5 * x) * hertz(3.0)(x + 0.1,
 TEST(SectionStress, is_mirrored_where_shear_is_turned) {
   const Grid grid(MPI_COMM_WORLD, rectangle(33, 17, -1.5, 1.5, 4.0));
   RowStress row = central_row(grid, {0.0, 0.3, 1.0, 2.0, 2.5});
-  const SectionStresses forward = row.evaluate(loads_of(grid, hertz(3.0), 0.1));
-  const SectionStresses backward = row.evaluate(loads_of(grid, hertz(3.0), -0.1));
+  const SectionStresses forward = row.evaluate(loads_of(grid, hertz(3.0), 0.1)).front();
+  const SectionStresses backward = row.evaluate(loads_of(grid, hertz(3.0), -0.1)).front();
   const int last = forward[0].lines() - 1;
   for (int depth = 0; depth < forward[0].depths(); ++depth) {
     for (int line = 0; line <= last; ++line) {
@@ -159,8 +159,8 @@ TEST(SectionStress, is_the_same_on_any_number_of_processes) {
   const Grid whole(MPI_COMM_SELF, shape), cut(MPI_COMM_WORLD, shape);
   const std::vector<double> depths = stress_depths(2.0, 9);
   RowStress alone = central_row(whole, depths), together = central_row(cut, depths);
-  const SectionStresses expected = alone.evaluate(loads_of(whole, skewed, 0.1));
-  const SectionStresses found = together.evaluate(loads_of(cut, skewed, 0.1));
+  const SectionStresses expected = alone.evaluate(loads_of(whole, skewed, 0.1)).front();
+  const SectionStresses found = together.evaluate(loads_of(cut, skewed, 0.1)).front();
   const RowRange own = together.own_depths();
   for (int depth = own.begin; depth < own.end; ++depth) {
     for (int line = 0; line < found[0].lines(); ++line) {
@@ -177,38 +177,66 @@ TEST(SectionStress, is_the_same_on_any_number_of_processes) {
   }
 }
 
-void expect_field_to_have_section(const Grid& grid, int row, double z, const std::array<double, body_count>& ratio) {
+void expect_field_to_have_sections(const Grid& grid, const std::vector<int>& rows, double z,
+                                   const std::array<double, body_count>& ratio) {
   const SurfaceLoads loads = loads_of(grid, skewed, 0.1);
-  RowStress section(grid, {.row = row, .depths = {z}, .poisson_ratio = ratio, .reach = 0.0});
-  // The section's one depth on all processes.
-  std::vector<double> values(body_count * grid.nx() * stress_components, 0.0);
-  const SectionStresses& found = section.evaluate(loads);
-  for (std::size_t body = 0; body < body_count && found[0].depths() > 0; ++body) {
-    for (int i = 0; i < grid.nx(); ++i) {
-      for (std::size_t c = 0; c < stress_components; ++c) {
-        values[(body * grid.nx() + i) * stress_components + c] = found[body].line_of(0, c)[i];
+  RowStress below(grid, {.rows = rows, .depths = {z}, .poisson_ratio = ratio, .reach = 0.0});
+  const std::vector<SectionStresses>& found = below.evaluate(loads);
+  const auto field = stress_field(grid, loads, z, ratio);
+  ASSERT_EQ(found.size(), rows.size());
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    // The section's one depth on all processes.
+    std::vector<double> values(body_count * grid.nx() * stress_components, 0.0);
+    for (std::size_t body = 0; body < body_count && found[n][0].depths() > 0; ++body) {
+      for (int i = 0; i < grid.nx(); ++i) {
+        for (std::size_t c = 0; c < stress_components; ++c) {
+          values[(body * grid.nx() + i) * stress_components + c] = found[n][body].line_of(0, c)[i];
+        }
       }
     }
-  }
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
-  const auto field = stress_field(grid, loads, z, ratio);
-  const int own = grid.local_row(row);
-  if (own < 0) return;
-  for (std::size_t body = 0; body < body_count; ++body) {
-    for (int i = 0; i < grid.nx(); ++i) {
-      const auto components = field[body][i * grid.y_count() + own].components();
-      for (std::size_t c = 0; c < stress_components; ++c) {
-        EXPECT_NEAR(components[c], values[(body * grid.nx() + i) * stress_components + c], 1e-13) << i << ' ' << c;
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, grid.comm());
+    const int own = grid.local_row(rows[n]);
+    for (std::size_t body = 0; body < body_count && own >= 0; ++body) {
+      for (int i = 0; i < grid.nx(); ++i) {
+        const auto components = field[body][i * grid.y_count() + own].components();
+        for (std::size_t c = 0; c < stress_components; ++c) {
+          EXPECT_NEAR(components[c], values[(body * grid.nx() + i) * stress_components + c], 1e-13) << i << ' ' << c;
+        }
       }
     }
   }
 }
 
-TEST(StressField, has_the_section_in_its_row) {
+TEST(StressField, has_the_sections_in_its_rows) {
   const Grid grid(MPI_COMM_WORLD, rectangle(33, 17, -2.0, 1.25, 4.0));
+  const Grid graded(
+      MPI_COMM_WORLD,
+      {33, -2.0, 1.25, RowAxis({-4.0, -3.8, -3.0, -1.5, 0.0, 1.5, 3.0, 3.8, 4.0}, Edge::ambient, Edge::ambient)});
   for (const double z : {0.0, 0.6}) {
-    expect_field_to_have_section(grid, 0, z, steel);
-    expect_field_to_have_section(grid, 5, z, {0.3, 0.25});
+    expect_field_to_have_sections(grid, {0}, z, steel);
+    expect_field_to_have_sections(grid, {0, 5}, z, {0.3, 0.25});
+    expect_field_to_have_sections(graded, {1, 4, 6}, z, steel);
+  }
+}
+
+// Loads are constant on cells: from about the distance of rows on, here 0.45, the depth does not know them.
+TEST(SectionStress, below_graded_rows_is_that_below_equal_ones) {
+  const Load smooth = [](double x, double y) { return std::exp(-2.0 * x * x - 0.25 * y * y); };
+  const Grid equal(MPI_COMM_SELF, rectangle(65, 161, -2.0, 2.0, 4.0)),
+      graded(
+          MPI_COMM_SELF,
+          {65, -2.0, 2.0, RowAxis({0.0, 0.3, 0.6, 0.9, 1.3, 1.8, 2.4, 3.0, 3.5, 4.0}, Edge::symmetry, Edge::ambient)});
+  const std::vector<double> depths{0.5, 0.8, 1.2};
+  RowStress fine(equal, {.rows = {26}, .depths = depths, .poisson_ratio = steel}),
+      coarse(graded, {.rows = {4}, .depths = depths, .poisson_ratio = steel});
+  ASSERT_NEAR(equal.row_axis().y(26), 1.3, 1e-12);
+  const SectionStress& expected = fine.evaluate(loads_of(equal, smooth, 0.1)).front()[pinion_body];
+  const SectionStress& found = coarse.evaluate(loads_of(graded, smooth, 0.1)).front()[pinion_body];
+  for (int depth = 0; depth < found.depths(); ++depth) {
+    for (int line = 0; line < found.lines(); ++line) {
+      const auto a = found.at(depth, line).components(), b = expected.at(depth, line).components();
+      for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(a[c], b[c], 5e-3) << depth << ' ' << line << ' ' << c;
+    }
   }
 }
 
@@ -240,7 +268,7 @@ TEST(DangVan, of_a_sliding_line_contact_has_the_number_of_the_reference) {
   std::vector<double> depths;
   for (double z = 0.4; z < 0.75; z += 0.02) depths.push_back(z);
   RowStress row = central_row(grid, depths);
-  const SectionStress& section = row.evaluate(loads_of(grid, hertz(1.0), 0.1))[pinion_body];
+  const SectionStress& section = row.evaluate(loads_of(grid, hertz(1.0), 0.1)).front()[pinion_body];
   double largest = 0.0;
   for (int depth = 0; depth < section.depths(); ++depth) {
     largest = std::max(largest, dang_van(frozen(section, depth), {.alpha = 0.3}));
@@ -264,7 +292,7 @@ TEST(FlankHistory, of_a_constant_contact_is_its_section) {
   constexpr double a = 2e-4, pressure = 1.5e9;
   const Grid grid = line_grid(129);
   RowStress row = central_row(grid, {0.5, 0.7});
-  const SectionStresses& sections = row.evaluate(loads_of(grid, hertz(1.0), 0.05));
+  const SectionStresses& sections = row.evaluate(loads_of(grid, hertz(1.0), 0.05)).front();
   const SectionPlaces places{a * row.lines().first, a * row.lines().step, row.lines().count};
   const LineOfAction line = some_gears();
   for (const std::size_t body : {pinion_body, wheel_body}) {
@@ -287,12 +315,41 @@ TEST(FlankHistory, of_a_constant_contact_is_its_section) {
   }
 }
 
+// Kept in single precision.
+TEST(FlankHistory, needs_no_more_of_sections_than_its_points) {
+  constexpr double a = 2e-4;
+  const Grid grid = line_grid(65);
+  RowStress row = central_row(grid, {0.5, 0.7});
+  const SectionStresses& sections = row.evaluate(loads_of(grid, hertz(1.0), 0.05)).front();
+  const SectionPlaces places{a * row.lines().first, a * row.lines().step, row.lines().count};
+  const LineOfAction line = some_gears();
+  for (const std::size_t body : {pinion_body, wheel_body}) {
+    const FlankPath path(line, body == pinion_body);
+    const std::vector<double> points = flank_points(path, 41);
+    FlankHistory whole(path), thinned(path);
+    for (double xi = line.entry(); xi < line.exit(); xi += 0.1 * a) {
+      const SectionRecord section = section_record(xi, places, sections[body], 1.0, true);
+      const SectionRecord kept = at_points(section, path, points);
+      EXPECT_LT(kept.values.size(), section.values.size() / 5);
+      whole.add(section);
+      thinned.add(kept);
+    }
+    const FlankMap expected = flank_map(whole, points, 2, {.alpha = 0.3}),
+                   found = flank_map(thinned, points, 2, {.alpha = 0.3});
+    for (std::size_t n = 0; n < expected.dang_van.size(); ++n) {
+      EXPECT_NEAR(found.dang_van[n], expected.dang_van[n], 1e-6) << n;
+      EXPECT_NEAR(found.von_mises[n], expected.von_mises[n], 1e-6) << n;
+      EXPECT_NEAR(found.orthogonal_amplitude[n], expected.orthogonal_amplitude[n], 1e-6) << n;
+    }
+  }
+}
+
 // Two passing waves of load: the point at the pitch feels the most when the contact's middle is there.
 TEST(FlankHistory, of_a_point_at_the_pitch_is_largest_while_the_contact_is_there) {
   constexpr double a = 2e-4;
   const Grid grid = line_grid(129);
   RowStress row = central_row(grid, {0.7});
-  const SectionStresses& sections = row.evaluate(loads_of(grid, hertz(1.0)));
+  const SectionStresses& sections = row.evaluate(loads_of(grid, hertz(1.0))).front();
   const SectionPlaces places{a * row.lines().first, a * row.lines().step, row.lines().count};
   const FlankPath path(some_gears(), true);
   double largest = 0.0, at = 1.0;

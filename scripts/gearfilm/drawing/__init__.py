@@ -7,6 +7,7 @@
     python3 -m gearfilm plot KIND FOLDER [options]    writes FOLDER/KIND.png and .pdf
 """
 import importlib
+import io
 import pathlib
 from typing import NamedTuple
 
@@ -65,6 +66,14 @@ def draw(folder, kind, **options):
     if not hasattr(module, "draw_folder"):
         raise ResultsError(f"'{kind}' is no figure of one run; python3 -m gearfilm plot {kind} writes it")
     return module.draw_folder(pathlib.Path(folder), **options)
+
+
+def picture(folder, kind, resolution, **options):
+    """The PNG of such a figure, of so many dots by inch."""
+    figure, content = draw(folder, kind, **options), io.BytesIO()
+    figure.savefig(content, dpi=resolution, format="png")
+    importlib.import_module("matplotlib.pyplot").close(figure)
+    return content.getvalue()
 
 
 def command(kind, words):

@@ -2,8 +2,8 @@
 
 Of a periodic state or a march with fatigue.criterion: Dang Van stress over flank and depth of both gears, with the
 line of the safety 1, and beside it the least safety and the hardness over the depth. With stresses or
-ratings alone, or with --path: stresses, temperatures and film ratio over the line of action. Of a film at rest: the
-von Mises stress in the section below it, and the pressure above.
+ratings alone, or with --path: stresses, temperatures and film ratio over the line of action. Of a film at rest, or with
+--section: the von Mises stress in the section below it, of a march at its worst moment, and the loads above.
 """
 import numpy
 from matplotlib import pyplot
@@ -19,6 +19,7 @@ GEARS = ("pinion", "wheel")
 
 def add_options(parser):
     parser.add_argument("--path", action="store_true", help="over the line of action, where maps of flanks are there too")
+    parser.add_argument("--section", action="store_true", help="below the contact when its stresses are largest")
 
 
 def flank_of(results, gear):
@@ -83,20 +84,30 @@ def read_path(results):
     return by_contact(rows[rows["force"] > LOADED * rows["force"].max()])
 
 
-def draw_section(contact):
-    """Pressure along the section's row, and the von Mises stress in both bodies below it."""
-    section = contact["section"]
-    x, z = section["x"][()].ravel(), section["z"][()].ravel()
-    row = int(numpy.argmin(abs(contact["y"][:] - section.attrs["y"])))
+def sections_of(results):
+    """Of both gears: x, z, von Mises stress and what loads the surface."""
+    for gear in GEARS:
+        group, ending = (results["contact0/section"], f"_{gear}") if "contact0" in results else (results[f"section/{gear}"], "")
+        zz, xz, stress = (group[name + ending][()] for name in ("sigma_zz", "sigma_xz", "von_mises"))
+        yield gear, group["x"][()].ravel(), group["z"][()].ravel(), stress, (-zz[0], -xz[0])
+
+
+def draw_section(results):
+    """Von Mises stress in the sections of both gears, with pressure and shear on the surface above."""
+    sections = list(sections_of(results))
     figure, axes = pyplot.subplots(3, 1, sharex=True, figsize=(7, 7.5), height_ratios=(1, 1.3, 1.3), constrained_layout=True)
-    axes[0].plot(1e3 * contact["x"][:], 1e-9 * contact["P"][:, row], color=DARK, linewidth=1.4)
+    shears = axes[0].twinx()
+    for (gear, x, _, _, (pressure, shear)), style in zip(sections, ("-", "--")):
+        axes[0].plot(1e3 * x, 1e-9 * pressure, color=DARK, linewidth=1.4, linestyle=style)
+        shears.plot(1e3 * x, 1e-6 * shear, color=BLUE, linewidth=1.2, linestyle=style, label=gear)
     axes[0].set_ylabel("pressure [GPa]")
     axes[0].set_ylim(bottom=0)
+    shears.set_ylabel("shear on the surface [MPa]", color=BLUE)
+    add_legend(shears, *shears.get_legend_handles_labels())
     add_grid(axes[0])
-    stresses = [1e-6 * section[f"von_mises_{gear}"][()] for gear in GEARS]
-    levels = numpy.linspace(0, max(stress.max() for stress in stresses), LEVELS)
-    for panel, gear, stress in zip(axes[1:], GEARS, stresses):
-        image = fill(panel, 1e3 * x, 1e3 * z, stress, levels)
+    levels = numpy.linspace(0, 1e-6 * max(stress.max() for _, _, _, stress, _ in sections), LEVELS)
+    for panel, (gear, x, z, stress, _) in zip(axes[1:], sections):
+        image = fill(panel, 1e3 * x, 1e3 * z, 1e-6 * stress, levels)
         panel.set_ylim(1e3 * z[-1], 0)
         panel.set_ylabel(f"{gear}: depth [mm]")
     axes[-1].set_xlabel("x along the entrainment [mm]")
@@ -104,12 +115,14 @@ def draw_section(contact):
     return figure
 
 
-def draw_folder(folder, path=False):
+def draw_folder(folder, path=False, section=False):
     """Of `gearfilm periodic`, `transient` or `steady`, with stress.model or limits of rating."""
     with open_results(folder / "results.h5", "periodic, transient or steady", LACK) as results:
+        if section and "contact0" not in results and "section" not in results:
+            raise Foreign("it has no section of its worst moment; give fatigue.criterion")
+        if section or "history" not in results:
+            return draw_section(results)
         if "dang_van" in results.get("flank/pinion", ()) and not path:
             return draw_flanks([flank_of(results, gear) for gear in GEARS])
-        if "history" in results:
-            contacts = read_path(results)
-            return draw_over_path(contacts, panels_of(contacts[0].dtype.names), height=2.2)
-        return draw_section(results["contact0"])
+        contacts = read_path(results)
+        return draw_over_path(contacts, panels_of(contacts[0].dtype.names), height=2.2)
