@@ -4,7 +4,7 @@
 
 namespace gearfilm {
 
-void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std::span<const double> sliding,
+void evaluate(const Scales& scales, const Grid& grid, std::span<const double> sliding,
               const Field<double>& total_pressure, const Field<double>& thickness, RoughGap& gap) {
   const ScopedEvent event(Kernel::film_properties);
   const RoughSurfaces& rough = *scales.solids.rough;
@@ -15,7 +15,7 @@ void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std
            *mean_H = gap.mean_by_gap.row(i), *along = gap.along.row(i), *along_H = gap.along_by_gap.row(i),
            *across = gap.across.row(i), *across_H = gap.across_by_gap.row(i);
     for (int j = 0; j < grid.y_count(); ++j) {
-      const GapTable::Values at = table(inverse * H[j]);
+      const GapValues at = rough.at(inverse * H[j]);
       const double carries = grid.is_boundary(i, j) ? 0.0 : unit;
       P_f[j] = P[j] - carries * at.pressure;
       slope[j] = carries * inverse * at.pressure_slope;

@@ -4,29 +4,17 @@
 
 namespace gearfilm {
 
-GapTable::GapTable(const RoughSurfaces& surfaces) : surfaces_(surfaces), isotropic_(surfaces.isotropic()) {
+GapTable::GapTable(const std::function<GapValues(double)>& of, bool isotropic) : isotropic_(isotropic) {
   const int count = static_cast<int>(std::lround((last - first) / step)) + 1;
   for (int k = 0; k < count; ++k) {
-    const double z = first + k * step;
-    const AsperityLaw::Value asperities = surfaces.asperities()(z);
-    const GapFunction mean = surfaces.mean_gap(z), along = surfaces.conducting_along(z),
-                      across = surfaces.conducting_across(z);
-    points_.push_back({{std::log(asperities.pressure), mean.value, std::log(along.value), std::log(across.value)},
-                       {step * asperities.slope / asperities.pressure, step * mean.slope,
-                        step * along.slope / along.value, step * across.slope / across.value}});
+    const GapValues at = of(first + k * step);
+    points_.push_back({{std::log(at.pressure), at.mean.value, std::log(at.along.value), std::log(at.across.value)},
+                       {step * at.pressure_slope / at.pressure, step * at.mean.slope,
+                        step * at.along.slope / at.along.value, step * at.across.slope / at.across.value}});
   }
 }
 
-GapTable::Values GapTable::beyond(double z) const {
-  const GapFunction along = surfaces_.conducting_along(z);
-  if (z >= last) return {0.0, 0.0, {z, 1.0}, along, isotropic_ ? along : surfaces_.conducting_across(z)};
-  const AsperityLaw::Value asperities = surfaces_.asperities()(z);
-  return {asperities.pressure, asperities.slope, surfaces_.mean_gap(z), along,
-          isotropic_ ? along : surfaces_.conducting_across(z)};
-}
-
-GapTable::Values GapTable::operator()(double z) const {
-  if (!(z > first && z < last)) return beyond(z);
+GapValues GapTable::operator()(double z) const {
   const double place = (z - first) * (1.0 / step);
   const auto k = static_cast<std::size_t>(place);
   const Point &a = points_[k], &b = points_[k + 1];

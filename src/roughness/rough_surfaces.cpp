@@ -22,10 +22,23 @@ RoughSurfaces::RoughSurfaces(const RoughOptions& options, double reduced_modulus
       asperities_(options.asperities, reduced_modulus),
       along_(lay_),
       across_(1.0 / lay_),
-      shear_{ShearFlow(options.lay[0]), ShearFlow(options.lay[1])} {
+      shear_{ShearFlow(options.lay[0]), ShearFlow(options.lay[1])},
+      table_([this](double z) { return functions_at(z); }, isotropic()) {
   for (std::size_t k = 0; k < share_.size(); ++k) {
     share_[k] = options.roughness[k] * options.roughness[k] / (sigma_ * sigma_);
   }
+}
+
+GapValues RoughSurfaces::functions_at(double z) const {
+  const AsperityLaw::Value asperities = asperities_(z);
+  const GapFunction along = conducting_along(z);
+  return {asperities.pressure, asperities.slope, mean_gap(z), along, isotropic() ? along : conducting_across(z)};
+}
+
+GapValues RoughSurfaces::beyond_table(double z) const {
+  if (!(z >= GapTable::last)) return functions_at(z);
+  const GapFunction along = conducting_along(z);
+  return {0.0, 0.0, {z, 1.0}, along, isotropic() ? along : conducting_across(z)};
 }
 
 GapFunction RoughSurfaces::shear_flow(double z) const {

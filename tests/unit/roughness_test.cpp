@@ -141,8 +141,9 @@ TEST(AsperityLaw, says_on_what_part_of_the_surface_summits_touch) {
 
 TEST(AsperityLaw, falls_everywhere_and_has_its_slope) {
   AsperityOptions of_table{.kind = AsperityLawKind::table, .table_z = {-2, 0, 1, 3}, .table_p = {2e9, 3e8, 5e7, 1e4}};
-  for (const AsperityOptions& options :
-       {AsperityOptions{}, AsperityOptions{.kind = AsperityLawKind::exponential}, of_table}) {
+  for (const AsperityOptions& options : {AsperityOptions{}, AsperityOptions{.kind = AsperityLawKind::greenwood_tripp},
+                                         AsperityOptions{.kind = AsperityLawKind::greenwood_williamson},
+                                         AsperityOptions{.kind = AsperityLawKind::exponential}, of_table}) {
     const AsperityLaw law(options, modulus);
     for (double z = -12.0; z < 12.0; z += 0.173) {
       const AsperityLaw::Value value = law(z);
