@@ -101,6 +101,25 @@ TEST(RoughFilm, is_the_same_on_any_number_of_processes) {
   EXPECT_TRUE(together.result.quantities.finite);
 }
 
+// D = c y.
+TEST(ContactSurfaces, part_by_what_flanks_lack_beside_the_middle_of_the_face) {
+  const FilmCase contact = moes_contact(200.0, 10.0, 0.5);
+  const Grid grid(PETSC_COMM_WORLD, contact.shape(17, 9));
+  constexpr double c = 1e-3, far = 1.0;
+  const std::vector<FlankCurve> curves = {{{0.01, -c * far}}, {{0.01, 0.0}}, {{0.01, c * far}}};
+  ContactConditions conditions;
+  const std::vector<double> even = surfaces_of(grid, contact.scales, conditions).gap;
+  conditions.beside_middle = {std::make_shared<const std::array<UnevenFlank, 2>>(
+                                  std::array{UnevenFlank({-far, 0.0, far}, curves), UnevenFlank()}),
+                              {0.01, 0.02},
+                              {0.03, 0.05}};
+  const std::vector<double> uneven = surfaces_of(grid, contact.scales, conditions).gap;
+  for (std::size_t n = 0; n < even.size(); ++n) {
+    const double y = grid.y(static_cast<int>(n) % grid.y_count()) * contact.scales.length;
+    EXPECT_NEAR(uneven[n] - even[n], c * y / contact.scales.thickness, 1e-12);
+  }
+}
+
 // Hardness 0.01 E', sigma = 2e-5 R_x.
 TEST(RoughFilm, without_oil_is_the_dry_contact_of_rough_surfaces) {
   constexpr double modulus = 2.26e11, radius = 0.01;
@@ -131,6 +150,8 @@ TEST(RoughFilm, without_oil_is_the_dry_contact_of_rough_surfaces) {
     const FilmQuantities found = newton.quantities().front();
     EXPECT_NEAR(found.largest_pressure, row.at("Pmax").get<double>(), 0.002);
     // P = P_a at every node.
+    newton.aim_at(1e-13);
+    ASSERT_TRUE(newton.solve(LoadCondition::force(scales.static_force), solution));
     EXPECT_LT(maximum(largest(whole_of(grid, film.film_pressure()))), 1e-10);
   }
 }
