@@ -175,6 +175,16 @@ class Gears(RoughnessTest):
         loaded = contacts[contacts["force"] > 0.2 * contacts["force"].max()]
         split = loaded["friction_coefficient_fluid"] + loaded["friction_coefficient_boundary"]
         self.assertLess(numpy.abs(split - loaded["friction_coefficient"]).max(), 1e-12)
+        # What oil and asperities lose is what the mesh loses.
+        of_oil = loaded["friction_coefficient_fluid"] * loaded["force"] * numpy.abs(loaded["sliding_velocity"])
+        left = loaded["power_sliding"] - loaded["power_boundary"] - numpy.abs(of_oil)
+        self.assertLess(numpy.abs(left).max(), 1e-12 * loaded["power_sliding"].max())
+        steps = table_in(self.folder / "slow", "history/steps")
+        period = steps[steps["t"] > steps["t"][-1] - (1 + 1e-9) * 60 / (15 * 30)]
+        energy = (numpy.diff(period["t"]) * (period["power_sliding"][1:] + period["power_sliding"][:-1]) / 2).sum()
+        self.assertAlmostEqual(energy * (15 * 30) / 60 / slow["power_sliding"], 1, delta=2e-3)
+        transmitted = 90 * math.pi * 30 / 30
+        self.assertAlmostEqual(slow["efficiency"], 1 - slow["power_loss"] / transmitted, delta=1e-9)
         self.assertLess(table_in(self.folder / "slow", "history/steps")["newton"].mean(), 5)
         # Flanks wear where they slide: least at the pitch point.
         at_pitch = numpy.argmin(numpy.abs(loaded["xi"]))
