@@ -73,11 +73,22 @@ private:
             running_in};
   }
 
+  WornFlank worn_flank(std::size_t gear, double base_radius) const {
+    const FlankPlaces& places = worn_.places(gear);
+    WornFlank flank;
+    for (int j = 0; j < places.across; ++j) {
+      flank.y.push_back(places.y(j));
+      flank.removed.push_back(worn_.profile(gear, base_radius, j));
+    }
+    return flank;
+  }
+
   CaseInput present_case() const {
-    WornFlanks worn{.removed = {}, .roughness_ratio = worn_.roughness() / problem_.scales.solids.rough->sigma()};
-    if (worn_.revolutions() > 0.0)
-      worn.removed = {worn_.profile(0, problem_.pair.line->base_radius_pinion()),
-                      worn_.profile(1, problem_.pair.line->base_radius_wheel())};
+    WornFlanks worn{.flanks = {}, .roughness_ratio = worn_.roughness() / problem_.scales.solids.rough->sigma()};
+    if (worn_.revolutions() > 0.0) {
+      worn.flanks = {worn_flank(0, problem_.pair.line->base_radius_pinion()),
+                     worn_flank(1, problem_.pair.line->base_radius_wheel())};
+    }
     CaseInput here = make_case(problem_.parameters, worn);
     here.search.with_multipliers = false;
     return here;

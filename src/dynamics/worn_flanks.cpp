@@ -69,11 +69,11 @@ void WornPair::wear(const PeriodWear& period, double revolutions) {
   revolutions_ += revolutions;
 }
 
-FlankCurve WornPair::profile(std::size_t gear, double base_radius) const {
+FlankCurve WornPair::profile(std::size_t gear, double base_radius, int j) const {
   const FlankPlaces& places = places_[gear];
   FlankCurve curve;
   for (int k = 0; k < places.along; ++k)
-    curve.emplace_back(std::sqrt(2.0 * base_radius * places.s(k)), depth(gear, k, places.across / 2));
+    curve.emplace_back(std::sqrt(2.0 * base_radius * places.s(k)), depth(gear, k, j));
   return curve;
 }
 

@@ -4,15 +4,15 @@
 //
 //   depth_i(s, y) = N_i V_i(s, y)/area ,  N_1 = N ,  N_2 = N Z_1/Z_2          V_i of flank_wear.hpp, N revolutions
 //   sigma = sigma_inf + (sigma_0 - sigma_inf) exp(-W/W_r)                     running-in, where it is asked for
-// W [J/m^2]: work of the asperities, by N mesh periods, over the area of a pinion's active flank. Assumptions: the
-// profile is that of the middle of the face, all over it; heights stay Gaussian.
+// W [J/m^2]: work of the asperities, by N mesh periods, over the area of a pinion's active flank. Assumptions: heights
+// stay Gaussian; films that do not reach the ends of the face have the profile of its middle all over them.
 #pragma once
 
 #include <array>
 #include <optional>
 
 #include "dynamics/flank_wear.hpp"
-#include "gear/flank.hpp"
+#include "gear/monotone_cubic.hpp"
 
 namespace gearfilm {
 
@@ -43,8 +43,8 @@ public:
   double depth(std::size_t gear, int k, int j) const;  ///< at a place [m]
   double largest_depth(std::size_t gear) const;
   double volume(std::size_t gear) const;  ///< of one tooth [m^3]
-  /// The profile of the middle of the face, over the radius of curvature.
-  FlankCurve profile(std::size_t gear, double base_radius) const;
+  /// The depth over the radius of curvature at a place across the face.
+  FlankCurve profile(std::size_t gear, double base_radius, int j) const;
   const FlankPlaces& places(std::size_t gear) const { return places_[gear]; }
 
 private:

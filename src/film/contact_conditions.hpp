@@ -7,6 +7,7 @@
 #include "contact/contact_law.hpp"
 #include "contact/scales.hpp"
 #include "gear/local_profile.hpp"
+#include "gear/uneven_flank.hpp"
 #include "roughness/contact_texture.hpp"
 
 namespace gearfilm {
@@ -23,13 +24,14 @@ struct NearestPoint {
 };
 
 struct ContactConditions {
-  double relative_radius = 1.0;  ///< Rbar = R_x/R_x* [-]
-  double entrainment = 1.0;      ///< U = u_m/u_m* [-]
-  double sliding = 0.0;          ///< S = (u_1 - u_2)/u_m* [-]
-  double gap_offset = 0.0;       ///< added to H: tip relief, pitch error [-]
-  LocalProfile local{};          ///< added to H along X
-  ContactTexture texture{};      ///< taken from H at every node
-  NearestPoint nearest{};        ///< with it
+  double relative_radius = 1.0;   ///< Rbar = R_x/R_x* [-]
+  double entrainment = 1.0;       ///< U = u_m/u_m* [-]
+  double sliding = 0.0;           ///< S = (u_1 - u_2)/u_m* [-]
+  double gap_offset = 0.0;        ///< added to H: tip relief, pitch error [-]
+  LocalProfile local{};           ///< added to H along X
+  UnevenProfile beside_middle{};  ///< added to H beside the middle of the face
+  ContactTexture texture{};       ///< taken from H at every node
+  NearestPoint nearest{};         ///< with it
 
   // What a dry contact takes it for.
   double dry_radius() const { return nearest.relative_radius.value_or(relative_radius); }

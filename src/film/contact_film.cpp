@@ -44,9 +44,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       smallest_scales_(grid_.y_count()),
       weights_(displacement_column_.size()),
       conductance_(displacement_column_.size()) {
-  if (!scales.solids.rough) return;
-  state_.rough.emplace(grid_);
-  gap_table_ = std::make_shared<const GapTable>(*scales.solids.rough);
+  if (scales.solids.rough) state_.rough.emplace(grid_);
 }
 
 void ContactFilm::set_surfaces(ContactSurfaces surfaces) {
@@ -98,8 +96,7 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVer
     for (int j = 0; j < grid_.y_count(); ++j) thickness[j] += H0 + gap[j];
   }
   if (state_.rough) {
-    gearfilm::evaluate(scales_, *gap_table_, grid_, surfaces_.sliding, state_.total_pressure, state_.thickness,
-                       *state_.rough);
+    gearfilm::evaluate(scales_, grid_, surfaces_.sliding, state_.total_pressure, state_.thickness, *state_.rough);
   }
   properties_.evaluate(state_, flow_factors_);
   exchange_ghosts(discretisation_->halo(), state_);

@@ -121,7 +121,6 @@ private:
   ContactSurfaces surfaces_;
   FlowFactors flow_factors_;
   FilmProperties properties_;
-  std::shared_ptr<const GapTable> gap_table_;  ///< of rough surfaces
   FilmState state_;
   MultigridOptions options_;
   double longest_step_;                             ///< along X, of the preconditioner's levels

@@ -7,6 +7,19 @@ namespace gearfilm {
 
 namespace {
 
+/// Adds what flanks lack beside the middle of their faces.
+void open_beside_middle(const Grid& grid, const Scales& scales, const UnevenProfile& profile,
+                        std::vector<double>& gap) {
+  const auto rows = static_cast<std::size_t>(grid.y_count());
+  std::vector<double> y(rows);
+  for (std::size_t j = 0; j < rows; ++j) y[j] = grid.y(static_cast<int>(j)) * scales.length;
+  for (int i = 0; i < grid.nx(); ++i) {
+    const std::vector<double> added = profile.gap(grid.x(i) * scales.length, y);
+    double* line = gap.data() + static_cast<std::size_t>(i) * rows;
+    for (std::size_t j = 0; j < rows; ++j) line[j] += added[j] / scales.thickness;
+  }
+}
+
 /// Takes the heights of both flanks from the gap.
 void take_texture_off(const Grid& grid, const Scales& scales, const ContactTexture& texture, std::vector<double>& gap) {
   const auto rows = static_cast<std::size_t>(grid.y_count());
@@ -40,6 +53,7 @@ ContactSurfaces surfaces_of(const Grid& grid, const Scales& scales, const Contac
     for (int j = 0; j < grid.y_count(); ++j)
       line[j] += (*scales.solids.face)(grid.y(j) * scales.length) / scales.thickness;
   }
+  if (conditions.beside_middle.flanks) open_beside_middle(grid, scales, conditions.beside_middle, surfaces.gap);
   if (!conditions.texture.flanks) return surfaces;
   take_texture_off(grid, scales, conditions.texture, surfaces.gap);
   surfaces.heights = carried_heights(grid, scales, conditions);

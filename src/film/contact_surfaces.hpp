@@ -1,7 +1,7 @@
 // The two surfaces of a contact at one moment as its film sees them: values at the own nodes and rows of a grid.
 //
-//   E(X, Y) = offset + X^2/(2 Rbar) + D Y^2/2 + l(Y) + local(X) - t(X, Y)     the gap without H_0 and deformation, of
-//   (24) U(Y), S(Y) = (u_1 + u_2)/(2 u_m*), (u_1 - u_2)/u_m*      velocities of both surfaces along X
+//   E(X, Y) = offset + X^2/(2 Rbar) + D Y^2/2 + l(Y) + local(X) + beside(X, Y) - t(X, Y)     the gap without H_0 and
+//   deformation, of (24) U(Y), S(Y) = (u_1 + u_2)/(2 u_m*), (u_1 - u_2)/u_m*      velocities of both surfaces along X
 // Source: doi 10.1016/j.triboint.2013.01.017. Films, friction and heat read these and know nothing else of what the
 // surfaces belong to. The difference of the velocities is given beside their mean, for in theirs it would be lost in
 // round-off.

@@ -4,7 +4,7 @@
 
 namespace gearfilm {
 
-void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std::span<const double> sliding,
+void evaluate(const Scales& scales, const Grid& grid, std::span<const double> sliding,
               const Field<double>& total_pressure, const Field<double>& thickness, RoughGap& gap) {
   const ScopedEvent event(Kernel::film_properties);
   const RoughSurfaces& rough = *scales.solids.rough;
@@ -13,9 +13,10 @@ void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std
     const double *P = total_pressure.row(i), *H = thickness.row(i);
     double *P_f = gap.film_pressure.row(i), *slope = gap.asperity_slope.row(i), *mean = gap.mean.row(i),
            *mean_H = gap.mean_by_gap.row(i), *along = gap.along.row(i), *along_H = gap.along_by_gap.row(i),
-           *across = gap.across.row(i), *across_H = gap.across_by_gap.row(i);
+           *across = gap.across.row(i), *across_H = gap.across_by_gap.row(i), *slid = gap.slid.row(i),
+           *slid_H = gap.slid_by_gap.row(i);
     for (int j = 0; j < grid.y_count(); ++j) {
-      const GapTable::Values at = table(inverse * H[j]);
+      const GapValues at = rough.at(inverse * H[j]);
       const double carries = grid.is_boundary(i, j) ? 0.0 : unit;
       P_f[j] = P[j] - carries * at.pressure;
       slope[j] = carries * inverse * at.pressure_slope;
@@ -25,13 +26,8 @@ void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std
       along_H[j] = at.along.slope;
       across[j] = sigma * at.across.value;
       across_H[j] = at.across.slope;
-    }
-    if (!rough.has_shear_flow()) continue;
-    double *slid = gap.slid.row(i), *slid_H = gap.slid_by_gap.row(i);
-    for (int j = 0; j < grid.y_count(); ++j) {
-      const GapFunction shear = rough.shear_flow(inverse * H[j]);
-      slid[j] = 0.5 * sliding[j] * sigma * shear.value;
-      slid_H[j] = 0.5 * sliding[j] * shear.slope;
+      slid[j] = 0.5 * sliding[j] * sigma * at.shear.value;
+      slid_H[j] = 0.5 * sliding[j] * at.shear.slope;
     }
   }
 }

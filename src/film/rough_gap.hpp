@@ -13,7 +13,6 @@
 
 #include "contact/scales.hpp"
 #include "grid/halo.hpp"
-#include "roughness/gap_table.hpp"
 
 namespace gearfilm {
 
@@ -44,8 +43,8 @@ inline constexpr std::array<Field<double> RoughGap::*, 10> rough_gap_fields = {
     &RoughGap::along,         &RoughGap::along_by_gap,   &RoughGap::across, &RoughGap::across_by_gap,
     &RoughGap::slid,          &RoughGap::slid_by_gap};
 
-/// Fills the gap at the own nodes from P and H there. sliding: S of every own row; table: of the surfaces.
-void evaluate(const Scales& scales, const GapTable& table, const Grid& grid, std::span<const double> sliding,
+/// Fills the gap at the own nodes from P and H there. sliding: S of every own row.
+void evaluate(const Scales& scales, const Grid& grid, std::span<const double> sliding,
               const Field<double>& total_pressure, const Field<double>& thickness, RoughGap& gap);
 
 /// P_a = P - P_f of the own nodes of a line.

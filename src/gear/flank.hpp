@@ -8,8 +8,9 @@
 // from the start rho_s of the active profile to its tip rho_a.
 #pragma once
 
-#include <utility>
 #include <vector>
+
+#include "gear/monotone_cubic.hpp"
 
 namespace gearfilm {
 
@@ -20,8 +21,6 @@ struct Relief {
   double length = 0.0;  ///< L, of roll [m]
   ReliefShape shape = ReliefShape::parabolic;
 };
-
-using FlankCurve = std::vector<std::pair<double, double>>;
 
 struct FlankModification {
   Relief tip;
@@ -46,7 +45,7 @@ private:
   FlankModification modification_;
   double start_ = 0.0;
   double tip_ = 0.0;
-  std::vector<std::vector<double>> slopes_;  ///< of the curves at their points
+  std::vector<MonotoneCubic> curves_;
 };
 
 }  // namespace gearfilm

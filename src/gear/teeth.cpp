@@ -84,6 +84,10 @@ Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<Gear
     perfect_ = perfect_ && own[gear].perfect() && errors_[gear].empty();
   }
   flanks_ = std::make_shared<const std::array<Flank, 2>>(own);
+  if (!flanks[0].beside_middle.even() || !flanks[1].beside_middle.even()) {
+    beside_middle_ = std::make_shared<const std::array<UnevenFlank, 2>>(
+        std::array{std::move(flanks[0].beside_middle), std::move(flanks[1].beside_middle)});
+  }
   set_compliance(pair, line, compliance);
   set_backlash(pair, line);
 }
@@ -156,6 +160,11 @@ double Teeth::removed(double xi) const {
 LocalProfile Teeth::local(double xi) const {
   if (action_ == ProfileAction::offset || perfect_) return {};
   return {flanks_, {at_pitch_pinion_ + xi, at_pitch_wheel_ - xi}, base_radius_};
+}
+
+UnevenProfile Teeth::beside_middle(double xi) const {
+  if (!beside_middle_) return {};
+  return {beside_middle_, {at_pitch_pinion_ + xi, at_pitch_wheel_ - xi}, base_radius_, action_ == ProfileAction::field};
 }
 
 Teeth Teeth::without_pitch_errors() const {

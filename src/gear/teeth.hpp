@@ -15,6 +15,7 @@
 #include "gear/line_of_action.hpp"
 #include "gear/local_profile.hpp"
 #include "gear/tooth_compliance.hpp"
+#include "gear/uneven_flank.hpp"
 
 namespace gearfilm {
 
@@ -22,6 +23,7 @@ namespace gearfilm {
 struct GearFlanks {
   FlankModification modification;
   std::vector<double> pitch_errors;  ///< cumulative, one a tooth, positive where the flank stands proud [m]; or none
+  UnevenFlank beside_middle{};       ///< what the modification, that of the middle of the face, leaves out
 };
 
 /// What bends, in a pair.
@@ -55,6 +57,8 @@ public:
   double gap(int contact, double xi) const;
   /// Beside a contact at xi; none where flanks act as one gap.
   LocalProfile local(double xi) const;
+  /// Beside the middle of the face, of a contact at xi; none where flanks are alike all over it.
+  UnevenProfile beside_middle(double xi) const;
   /// c_kk of a contact at xi [m/N].
   double compliance(double xi) const;
   /// c_kj of contacts so many pitches apart [m/N].
@@ -79,6 +83,7 @@ private:
   double at_pitch_wheel_ = 0.0;
   std::array<double, 2> base_radius_{};
   std::shared_ptr<const std::array<Flank, 2>> flanks_;
+  std::shared_ptr<const std::array<UnevenFlank, 2>> beside_middle_;  ///< null: alike all over the face
   ProfileAction action_ = ProfileAction::offset;
   std::array<std::vector<double>, 2> errors_;
   double low_ = 0.0, high_ = 0.0;  ///< the path of contact

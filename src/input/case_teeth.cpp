@@ -105,7 +105,10 @@ Teeth read_teeth(const ParameterValues& values, const SpurGearPair& pair, const 
       read_flanks(values, "pinion", line.radius_pinion(line.exit()), line.base_radius_pinion()),
       read_flanks(values, "wheel", line.radius_wheel(line.entry()), line.base_radius_wheel())};
   for (std::size_t gear = 0; gear < flanks.size(); ++gear) {
-    if (!worn.removed[gear].empty()) flanks[gear].modification.curves.push_back(worn.removed[gear]);
+    const auto& [y, removed] = worn.flanks[gear];
+    if (removed.empty()) continue;
+    flanks[gear].modification.curves.push_back(removed[removed.size() / 2]);
+    flanks[gear].beside_middle = UnevenFlank(y, removed);
   }
   const bool field = values.text("gear.profile_local") == "field";
   return {pair, line, std::move(flanks), read_compliance(values), field ? ProfileAction::field : ProfileAction::offset};

@@ -36,6 +36,7 @@ MeshedContact MeshModel::contact_at(int number, double xi) const {
   MeshedContact contact = meshed_contact(path.line(), scales, path.pinion_speed(), xi);
   contact.conditions.gap_offset = teeth.gap(number, xi) / scales.thickness;
   contact.conditions.local = teeth.local(xi);
+  if (scales.solids.face) contact.conditions.beside_middle = teeth.beside_middle(xi);
   if (topography) contact.conditions.texture = {topography, path.line().involute_lengths(xi)};
   contact.conditions.nearest = nearest_point(scales, contact.conditions);
   return contact;

@@ -1,50 +1,95 @@
 #include "roughness/gap_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gearfilm {
+namespace {
 
-GapTable::GapTable(const RoughSurfaces& surfaces) : surfaces_(surfaces), isotropic_(surfaces.isotropic()) {
+/// Weights of cubic Hermite interpolation between two points, by values and by slopes times their distance.
+struct Cubic {
+  explicit Cubic(double t)
+      : to_b(t * t * (3.0 - 2.0 * t)),
+        by_a(t * (1.0 - t) * (1.0 - t)),
+        by_b(-t * t * (1.0 - t)),
+        slope_b(6.0 * t * (1.0 - t)),
+        slope_by_a((1.0 - t) * (1.0 - 3.0 * t)),
+        slope_by_b(t * (3.0 * t - 2.0)) {}
+
+  double to_b, by_a, by_b, slope_b, slope_by_a, slope_by_b;
+};
+
+GapFunction exponential(const GapFunction& logarithm) {
+  const double value = std::exp(logarithm.value);
+  return {value, value * logarithm.slope};
+}
+
+}  // namespace
+
+GapTable::GapTable(const std::function<GapValues(double)>& of, bool isotropic, bool has_shear)
+    : isotropic_(isotropic), has_shear_(has_shear) {
   const int count = static_cast<int>(std::lround((last - first) / step)) + 1;
   for (int k = 0; k < count; ++k) {
-    const double z = first + k * step;
-    const AsperityLaw::Value asperities = surfaces.asperities()(z);
-    const GapFunction mean = surfaces.mean_gap(z), along = surfaces.conducting_along(z),
-                      across = surfaces.conducting_across(z);
-    points_.push_back({{std::log(asperities.pressure), mean.value, std::log(along.value), std::log(across.value)},
-                       {step * asperities.slope / asperities.pressure, step * mean.slope,
-                        step * along.slope / along.value, step * across.slope / across.value}});
+    const GapValues at = of(first + k * step);
+    points_.push_back(
+        {{std::log(at.pressure), at.mean.value, std::log(at.along.value), std::log(at.across.value), at.shear.value},
+         {step * at.pressure_slope / at.pressure, step * at.mean.slope, step * at.along.slope / at.along.value,
+          step * at.across.slope / at.across.value, step * at.shear.slope}});
+  }
+  first_far_ = static_cast<std::uint32_t>(points_.size());
+  points_.push_back({{0.0, 0.0, 1.0, 1.0, 0.0}, {}});
+  for (int k = 1; k <= far_steps; ++k) {
+    const double z = last * far_steps / k;
+    const GapValues at = of(z);
+    const auto of_z = [&](const GapFunction& g) { return (g.value - g.slope * z) / (last * far_steps); };
+    points_.push_back({{0.0, 0.0, at.along.value / z, at.across.value / z, at.shear.value},
+                       {0.0, 0.0, of_z(at.along), of_z(at.across), -at.shear.slope * z * z / (last * far_steps)}});
   }
 }
 
-GapTable::Values GapTable::beyond(double z) const {
-  const GapFunction along = surfaces_.conducting_along(z);
-  if (z >= last) return {0.0, 0.0, {z, 1.0}, along, isotropic_ ? along : surfaces_.conducting_across(z)};
-  const AsperityLaw::Value asperities = surfaces_.asperities()(z);
-  return {asperities.pressure, asperities.slope, surfaces_.mean_gap(z), along,
-          isotropic_ ? along : surfaces_.conducting_across(z)};
-}
-
-GapTable::Values GapTable::operator()(double z) const {
-  if (!(z > first && z < last)) return beyond(z);
+GapValues GapTable::operator()(double z) const {
   const double place = (z - first) * (1.0 / step);
   const auto k = static_cast<std::size_t>(place);
   const Point &a = points_[k], &b = points_[k + 1];
-  const double t = place - static_cast<double>(k), rest = 1.0 - t;
-  const double to_b = t * t * (3.0 - 2.0 * t), by_a = t * rest * rest, by_b = -t * t * rest;
-  const double slope_b = 6.0 * t * rest, slope_by_a = rest * (1.0 - 3.0 * t), slope_by_b = t * (3.0 * t - 2.0);
+  const Cubic at(place - static_cast<double>(k));
   const auto interpolated = [&](Function f) -> GapFunction {
     const double rise = b.value[f] - a.value[f];
-    return {a.value[f] + to_b * rise + by_a * a.rise[f] + by_b * b.rise[f],
-            (slope_b * rise + slope_by_a * a.rise[f] + slope_by_b * b.rise[f]) * (1.0 / step)};
-  };
-  const auto exponential = [](const GapFunction& logarithm) -> GapFunction {
-    const double value = std::exp(logarithm.value);
-    return {value, value * logarithm.slope};
+    return {a.value[f] + at.to_b * rise + at.by_a * a.rise[f] + at.by_b * b.rise[f],
+            (at.slope_b * rise + at.slope_by_a * a.rise[f] + at.slope_by_b * b.rise[f]) * (1.0 / step)};
   };
   const GapFunction pressure = exponential(interpolated(log_pressure)), along = exponential(interpolated(log_along));
-  return {pressure.value, pressure.slope, interpolated(mean_gap), along,
-          isotropic_ ? along : exponential(interpolated(log_across))};
+  return {pressure.value,
+          pressure.slope,
+          interpolated(mean_gap),
+          along,
+          isotropic_ ? along : exponential(interpolated(log_across)),
+          has_shear_ ? interpolated(shear_flow) : GapFunction{0.0, 0.0}};
+}
+
+GapValues GapTable::far(double z) const {
+  const double inverse = 1.0 / z, place = last * far_steps * inverse;
+  const std::size_t k = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(far_steps - 1));
+  const Point &a = points_[first_far_ + k], &b = points_[first_far_ + k + 1];
+  const Cubic at(place - static_cast<double>(k));
+  // By the place, which changes by -place/z.
+  const auto interpolated = [&](Function f) -> GapFunction {
+    const double rise = b.value[f] - a.value[f];
+    return {a.value[f] + at.to_b * rise + at.by_a * a.rise[f] + at.by_b * b.rise[f],
+            at.slope_b * rise + at.slope_by_a * a.rise[f] + at.slope_by_b * b.rise[f]};
+  };
+  const auto times_z = [&](Function f) -> GapFunction {
+    const GapFunction part = interpolated(f);
+    return {z * part.value, part.value - place * part.slope};
+  };
+  const GapFunction along = times_z(log_along);
+  GapFunction shear{0.0, 0.0};
+  if (has_shear_) shear = interpolated(shear_flow);
+  return {0.0,
+          0.0,
+          {z, 1.0},
+          along,
+          isotropic_ ? along : times_z(log_across),
+          {shear.value, -place * inverse * shear.slope}};
 }
 
 }  // namespace gearfilm

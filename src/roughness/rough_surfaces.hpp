@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "roughness/asperity_law.hpp"
+#include "roughness/gap_table.hpp"
 #include "roughness/rough_flow.hpp"
 
 namespace gearfilm {
@@ -43,9 +44,14 @@ public:
   GapFunction conducting_across(double z) const { return across_(z); }
   /// phi_s of sliding u_1 - u_2.
   GapFunction shear_flow(double z) const;
+  /// All of them, from the table; below it the functions themselves. From z = 12 on asperities carry nothing.
+  GapValues at(double z) const { return z > GapTable::first && z < GapTable::last ? table_(z) : beyond_table(z); }
   bool has_shear_flow() const { return share_[0] != share_[1] || options_.lay[0] != options_.lay[1]; }
 
 private:
+  GapValues functions_at(double z) const;
+  GapValues beyond_table(double z) const;  ///< on either side
+
   RoughOptions options_;
   double sigma_ = 0.0;
   std::array<double, 2> share_{};  ///< (Rq_i/sigma)^2
@@ -53,6 +59,7 @@ private:
   AsperityLaw asperities_;
   ConductingGap along_, across_;
   std::array<ShearFlow, 2> shear_;
+  GapTable table_;
 };
 
 }  // namespace gearfilm

@@ -66,6 +66,15 @@ class Waves(RestartTest):
                                       length * info["a"])
                 self.assertAlmostEqual(numpy.ptp(film) / 2 / amplitude, row["left"], delta=0.03)
 
+    def test_what_is_left_of_low_waves_goes_with_their_height(self):
+        info, length = self.pair(20, 10), 2.0
+        heights = []
+        for amplitude in (4e-9, 1.6e-8):
+            _, film = self.middle(info, length, "-roughness_amplitude_1", amplitude, "-roughness_wavelength_1",
+                                  length * info["a"])
+            heights.append(numpy.ptp(film) / amplitude)
+        self.assertAlmostEqual(heights[0] / heights[1], 1, delta=0.02)
+
     def test_heights_travel_with_their_flank(self):
         """Behind the pitch point the pinion is the faster one: its waves pass sooner, by the ratio of velocities."""
         info, length, beside = self.pair(20, 10), 1.0, 4e-3
@@ -98,6 +107,29 @@ class Waves(RestartTest):
             _, film = self.middle(info, 1.5, "-pinion_surface", self.folder / name, "-roughness_cutoff", length / 3,
                                   "-grid_nx", 385, "-time_dt", 0.011)
             self.assertLess(numpy.abs(film - waves).max(), 0.1 * amplitude)
+
+    def test_a_measured_profile_is_a_profile_of_the_same_depth(self):
+        """Given as heights along the flank, or as what the flank lacks of its involute; the filter leaves 0.926."""
+        info, amplitude, base = self.pair(20, 10), 1e-8, 60e-3 * math.cos(math.radians(20))
+        length = 1.5 * info["a"]
+        rho = numpy.linspace(5e-3, 36e-3, 6001)
+        s = numpy.linspace(rho[0]**2, rho[-1]**2, rho.size) / (2 * base)
+        wave = [amplitude * numpy.cos(2 * math.pi * place / length) for place in (s, rho**2 / (2 * base))]
+        for name, places, heights in (("heights", s, wave[0]), ("profile", rho, -0.926 * wave[1])):
+            rows = (f"{place:.12e} {height:.12e}\n" for place, height in zip(places, heights))
+            (self.folder / name).write_text("".join(rows), encoding="utf-8")
+        films = []
+        for options in (["-pinion_surface", self.folder / "heights", "-roughness_model", "deterministic",
+                         "-roughness_cutoff", length / 3],
+                        ["-pinion_profile_file", self.folder / "profile", "-gear_profile_local", "field"],
+                        []):
+            self.run_well("transient", self.case, "-geometry", "moving", "-mesh_periods", 0.1, "-grid_nx", 385,
+                          "-time_dt", 0.011, "-output_dir", "moving", *options)
+            contacts = table_in(self.folder / "moving", "history/contacts")
+            films.append(contacts["h_central"][contacts["contact"] == 0])
+        heights, profile, plain = films
+        self.assertGreater(numpy.abs(profile - plain).max(), 0.2 * amplitude)
+        self.assertLess(numpy.abs(heights - profile).max(), 0.1 * amplitude)
 
     def test_heights_over_asperities_repeat_with_the_mesh_on_two_processes_too(self):
         found = []

@@ -34,6 +34,19 @@ friction: {law: eyring, eyring_stress: 5e6, limiting_ratio: 0.045, limiting_stre
 roughness: {model: stochastic, hardness: 6e9}
 wear: {coefficient_pinion: 1e-16, coefficient_wheel: 2e-16}
 """
+ELLIPSE = """
+case: {{name: ellipse, kind: contact}}
+contact:
+  radius_x: 0.01
+  radius_y: {radius_y}
+  load: {load}
+  reduced_modulus: 2.26e11
+  entrainment_velocity: {speed}
+  roughness_1: 1.41421356e-7
+  roughness_2: 1.41421356e-7
+lubricant: {{viscosity: 0.04, pressure_viscosity: 1.9911504e-8}}
+roughness: {{model: stochastic, hardness: 2.26e9}}
+"""
 FINE = ["-grid_nx", 385, "-grid_x_min", -4.5, "-grid_x_max", 1.5]
 GROUND = ["-pinion_roughness_ra", "0.3e-6", "-wheel_roughness_ra", "0.3e-6", "-roughness_model", "stochastic"]
 FIRST_GEAR = INPUT / "first_gear.yaml"
@@ -126,6 +139,22 @@ class Lines(RoughnessTest):
                                delta=0.02)
 
 
+class Ellipses(RoughnessTest):
+    def test_load_shares_and_gaps_are_those_of_the_reference(self):
+        modulus, radius = 2.26e11, 0.01
+        for row in REFERENCE["ellipses"]:
+            with self.subTest(**row):
+                force = (1e-6 if row["D"] == 1 else 4e-6) * modulus * radius**2
+                case = self.write_case(ELLIPSE.format(radius_y=radius / row["D"], load=force,
+                                                      speed=row["U"] * modulus * radius / 0.04))
+                self.run_well("steady", case, "-output_dir", "film", "-grid_nx", 97, "-grid_ny", 33, "-grid_x_min", -3,
+                              "-grid_x_max", 1.5, "-grid_y_half", 1.6)
+                film = summary_in(self.folder / "film")
+                self.assertAlmostEqual(film["asperity_load_share"], row["La"], delta=0.03)
+                for name, gap in (("h_central", "h_c"), ("mean_gap_central", "hT_c"), ("h_min", "h_min")):
+                    self.assertAlmostEqual(film[name] / 2e-7, row[f"{gap}_over_sigma"], delta=0.05)
+
+
 class Gears(RoughnessTest):
     def test_from_boundary_lubrication_to_full_films(self):
         """Slow pairs too: where asperities carry there is no speed too low."""
@@ -146,10 +175,30 @@ class Gears(RoughnessTest):
         loaded = contacts[contacts["force"] > 0.2 * contacts["force"].max()]
         split = loaded["friction_coefficient_fluid"] + loaded["friction_coefficient_boundary"]
         self.assertLess(numpy.abs(split - loaded["friction_coefficient"]).max(), 1e-12)
+        # What oil and asperities lose is what the mesh loses.
+        of_oil = loaded["friction_coefficient_fluid"] * loaded["force"] * numpy.abs(loaded["sliding_velocity"])
+        left = loaded["power_sliding"] - loaded["power_boundary"] - numpy.abs(of_oil)
+        self.assertLess(numpy.abs(left).max(), 1e-12 * loaded["power_sliding"].max())
+        steps = table_in(self.folder / "slow", "history/steps")
+        period = steps[steps["t"] > steps["t"][-1] - (1 + 1e-9) * 60 / (15 * 30)]
+        energy = (numpy.diff(period["t"]) * (period["power_sliding"][1:] + period["power_sliding"][:-1]) / 2).sum()
+        self.assertAlmostEqual(energy * (15 * 30) / 60 / slow["power_sliding"], 1, delta=2e-3)
+        transmitted = 90 * math.pi * 30 / 30
+        self.assertAlmostEqual(slow["efficiency"], 1 - slow["power_loss"] / transmitted, delta=1e-9)
         self.assertLess(table_in(self.folder / "slow", "history/steps")["newton"].mean(), 5)
         # Flanks wear where they slide: least at the pitch point.
         at_pitch = numpy.argmin(numpy.abs(loaded["xi"]))
         self.assertLess(loaded["wear_depth_pinion"][at_pitch], 0.2 * slow["wear_depth_pinion_max"])
+
+    def test_a_sweep_gives_the_whole_curve_of_stribeck(self):
+        self.run_well("sweep", INPUT / "mixed_first_gear.yaml", "-grid_nx", 65, "-grid_ny", 17, "-sweep_values",
+                      "3000, 300, 30, 1", "-output_dir", "sweep")
+        summary = summary_in(self.folder / "sweep")
+        self.assertEqual(summary["points_failed"], 0)
+        for name, largest in (("asperity_load_share_mean", 1), ("mean_friction_coefficient", BOUNDARY)):
+            values = [point[name] for point in summary["points"]]
+            self.assertEqual(values, sorted(values))
+            self.assertTrue(0 < values[0] and values[-1] < largest, values)
 
     def test_two_processes_find_the_same(self):
         shares = []

@@ -101,6 +101,19 @@ TEST(ShearFlow, of_equal_flanks_is_none_and_changes_its_sign_with_them) {
   }
 }
 
+TEST(RoughSurfaces, have_their_functions_in_a_table) {
+  const RoughSurfaces both = surfaces(2e-6, 1e-6, 0.5, 2.0);
+  for (double z = -7.03; z < 200.0; z += z < 14.0 ? 0.031 : 1.7) {
+    const GapValues at = both.at(z);
+    expect_near(at.pressure, z < 12.0 ? both.asperities()(z).pressure : 0.0, 1e-6);
+    EXPECT_NEAR(at.mean.value, gaussian_mean_gap(z).value, 1e-7);
+    expect_near(at.along.value, both.conducting_along(z).value, 1e-4);
+    expect_near(at.across.value, both.conducting_across(z).value, 1e-4);
+    const bool begins = z >= 0.0 && z <= 0.1;
+    EXPECT_NEAR(at.shear.value, both.shear_flow(z).value, begins ? 0.2 : 2e-5);
+  }
+}
+
 AsperityLaw law_named(const std::string& name) {
   AsperityOptions options{.hardness = 6e9, .summit_shift = false};
   if (name == "greenwood_tripp") options.kind = AsperityLawKind::greenwood_tripp;
@@ -141,8 +154,9 @@ TEST(AsperityLaw, says_on_what_part_of_the_surface_summits_touch) {
 
 TEST(AsperityLaw, falls_everywhere_and_has_its_slope) {
   AsperityOptions of_table{.kind = AsperityLawKind::table, .table_z = {-2, 0, 1, 3}, .table_p = {2e9, 3e8, 5e7, 1e4}};
-  for (const AsperityOptions& options :
-       {AsperityOptions{}, AsperityOptions{.kind = AsperityLawKind::exponential}, of_table}) {
+  for (const AsperityOptions& options : {AsperityOptions{}, AsperityOptions{.kind = AsperityLawKind::greenwood_tripp},
+                                         AsperityOptions{.kind = AsperityLawKind::greenwood_williamson},
+                                         AsperityOptions{.kind = AsperityLawKind::exponential}, of_table}) {
     const AsperityLaw law(options, modulus);
     for (double z = -12.0; z < 12.0; z += 0.173) {
       const AsperityLaw::Value value = law(z);

@@ -254,5 +254,33 @@ TEST(LocalProfile, is_what_flanks_lack_beside_a_contact) {
   EXPECT_EQ(teeth.local(-3e-3)(1e-4), 0.0);
 }
 
+// E = c (1 + rho/rho_0) (1 + y/w): c y/w (1 + rho/rho_0) more than in the middle.
+TEST(UnevenProfile, is_what_flanks_lack_beside_the_middle_of_the_face) {
+  const SpurGearPair pair = table3_pair();
+  const LineOfAction line(pair);
+  constexpr double c = 2e-6, rho_0 = 1e-2, w = 8e-3;
+  const auto lacking = [](double rho, double y) { return c * (1.0 + rho / rho_0) * (1.0 + y / w); };
+  const std::vector<double> places = {-w, 0.0, w};
+  std::vector<FlankCurve> curves;
+  for (const double y : places) {
+    FlankCurve& curve = curves.emplace_back();
+    for (const double rho : {1e-3, 8e-3, 30e-3, 60e-3}) curve.emplace_back(rho, lacking(rho, y));
+  }
+  GearFlanks worn;
+  worn.modification.curves = {curves[1]};
+  worn.beside_middle = UnevenFlank(places, curves);
+  const double xi = 4.5e-3, x = 2e-4, rho = line.radius_wheel(xi);
+  const std::vector<double> y = {-5e-3, 0.0, 7e-3, 9e-3}, within = {-5e-3, 0.0, 7e-3, w};
+  EXPECT_FALSE(Teeth(pair, line, {}, {}).beside_middle(xi).flanks);
+  for (const ProfileAction action : {ProfileAction::offset, ProfileAction::field}) {
+    const Teeth teeth(pair, line, {GearFlanks(), worn}, {}, action);
+    EXPECT_NEAR(teeth.gap(0, xi), lacking(rho, 0.0), 1e-15);
+    const double along = action == ProfileAction::field ? x * line.base_radius_wheel() / rho : 0.0;
+    const std::vector<double> gap = teeth.beside_middle(xi).gap(x, y);
+    for (std::size_t n = 0; n < y.size(); ++n)
+      EXPECT_NEAR(gap[n], lacking(rho + along, within[n]) - lacking(rho + along, 0.0), 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace gearfilm
