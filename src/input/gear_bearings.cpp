@@ -11,8 +11,8 @@ namespace {
 Eigen::Matrix2d read_stiffness(const ParameterValues& values, const std::string& all) {
   const std::string x = all + "_x", y = all + "_y", xy = all + "_xy";
   const double coupling = values.real_if_given(xy).value_or(0.0);
-  const Eigen::Matrix2d stiffness{{values.real(values.has(all) ? all : x), coupling},
-                                  {coupling, values.real(values.has(all) ? all : y)}};
+  Eigen::Matrix2d stiffness{{values.real(values.has(all) ? all : x), coupling},
+                            {coupling, values.real(values.has(all) ? all : y)}};
   if (!is_positive(stiffness)) {
     values.refuse(xy, "is " + format_value(coupling) +
                           " N/m, with which the bearings do not hold the gear in every direction; its square must be "
