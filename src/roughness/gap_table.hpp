@@ -1,8 +1,8 @@
 // Functions of the gap of rough surfaces, all at once from one table: what films evaluate at every node and iteration.
 //
 // Cubic Hermite interpolation of ln p_a, h_T/sigma, ln C^(1/3) and phi_s at z = -6 to 12 in steps of 0.05, within 1e-7
-// of the functions but where C goes on as an exponential (1e-4) and where phi_s begins, from 0 to 0.1; from z = 12 on
-// of C^(1/3)/z and phi_s over 12/z = 0 to 1. Slopes are those of the interpolation.
+// of the functions but where C goes on as an exponential (1e-4), where phi_s begins, from 0 to 0.1, and where its
+// branches meet, at 5; from z = 12 on of C^(1/3)/z and phi_s over 12/z = 0 to 1. Slopes are those of the interpolation.
 #pragma once
 
 #include <array>

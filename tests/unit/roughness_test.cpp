@@ -109,8 +109,9 @@ TEST(RoughSurfaces, have_their_functions_in_a_table) {
     EXPECT_NEAR(at.mean.value, gaussian_mean_gap(z).value, 1e-7);
     expect_near(at.along.value, both.conducting_along(z).value, 1e-4);
     expect_near(at.across.value, both.conducting_across(z).value, 1e-4);
-    const bool begins = z >= 0.0 && z <= 0.1;
-    EXPECT_NEAR(at.shear.value, both.shear_flow(z).value, begins ? 0.2 : 2e-5);
+    // It begins with a power at 0, and its branches do not quite meet at 5.
+    const double tolerance = z >= 0.0 && z <= 0.1 ? 0.2 : z >= 4.95 && z <= 5.05 ? 5e-3 : 2e-5;
+    EXPECT_NEAR(at.shear.value, both.shear_flow(z).value, tolerance);
   }
 }
 
