@@ -214,6 +214,7 @@ FaceContact RowContact::found(double force, double approach) const {
 FaceContact RowContact::solve(double force, double relative_radius) {
   constexpr int most_turns = 100;
   constexpr double settled = 1e-6;
+  std::ranges::fill(half_widths_, 1.0);
   for (int row = 0; row < rows_.count(); ++row) loaded_[row] = !rows_.is_ambient(row);
   for (int turn = 0; turn < most_turns; ++turn) {
     find_influence();
@@ -248,11 +249,11 @@ double half_width_of(const Scales& scales) { return 0.5 * scales.solids.face->wi
 
 }  // namespace
 
-RowGrading few_rows(const Scales& scales) {
+RowGrading coarse_grading(const Scales& scales) {
   return {.first = 0.1, .kink = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width_of(scales) / 12.0)};
 }
 
-RowGrading many_rows(const Scales& scales) {
+RowGrading fine_grading(const Scales& scales) {
   return {.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width_of(scales) / 32.0)};
 }
 
@@ -268,7 +269,7 @@ RowContact FaceRows::contact(const Scales& scales) const {
 }
 
 double most_loaded_place(const Scales& scales, double force, double relative_radius) {
-  RowContact contact = FaceRows(*scales.solids.face, few_rows(scales), scales.length).contact(scales);
+  RowContact contact = FaceRows(*scales.solids.face, coarse_grading(scales), scales.length).contact(scales);
   contact.solve(force, relative_radius);
   return contact.most_loaded_place();
 }
@@ -276,7 +277,7 @@ double most_loaded_place(const Scales& scales, double force, double relative_rad
 FaceLaw face_law(const Scales& scales, std::array<double, 2> relative_radii) {
   constexpr double smallest = 0.01, largest = 8.0;  // of the static force
   constexpr int points = 12;
-  RowContact contact = FaceRows(*scales.solids.face, many_rows(scales), scales.length).contact(scales);
+  RowContact contact = FaceRows(*scales.solids.face, fine_grading(scales), scales.length).contact(scales);
   std::array<std::vector<FaceContact>, 2> contacts;
   for (std::size_t radius = 0; radius < 2; ++radius) {
     for (int n = points; n-- > 0;) {

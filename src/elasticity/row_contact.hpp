@@ -68,8 +68,8 @@ private:
 };
 
 /// Gradings of rows that tell how the load is spread over the scales' face, and of rows for numbers of its contacts.
-RowGrading few_rows(const Scales& scales);
-RowGrading many_rows(const Scales& scales);
+RowGrading coarse_grading(const Scales& scales);
+RowGrading fine_grading(const Scales& scales);
 
 /// Rows for the dry contacts of a face, and what its ends give way beneath them.
 class FaceRows {

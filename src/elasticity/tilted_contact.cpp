@@ -15,7 +15,7 @@ Face tilted(const Face& face, double slope) {
 /// Over the whole face, whether it is tilted or not.
 FaceRows rows_of(const Scales& scales) {
   const Face& face = *scales.solids.face;
-  return {face.symmetric() ? tilted(face, 1.0) : face, few_rows(scales), scales.length};
+  return {face.symmetric() ? tilted(face, 1.0) : face, coarse_grading(scales), scales.length};
 }
 
 }  // namespace

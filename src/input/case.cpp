@@ -57,8 +57,8 @@ SpurGearPair read_gear_pair(const ParameterValues& values) {
 // Either both inertias or the mass itself; none for a pair that does not vibrate.
 std::optional<double> read_equivalent_mass(const ParameterValues& values, const LineOfAction& line) {
   const std::string mass = "gear.equivalent_mass", pinion = "pinion.inertia", wheel = "wheel.inertia";
-  for (const std::string& inertia : {pinion, wheel}) {
-    values.require_not_both(inertia, mass, ", and each says how heavy the gears are; delete one");
+  for (const std::string& known : {pinion, wheel}) {
+    values.require_not_both(known, mass, ", and each says how heavy the gears are; delete one");
   }
   values.require_both(pinion, wheel, "give both inertias, " + in_quotes(mass) + ", or neither");
   if (values.has(mass)) return values.real(mass);

@@ -51,10 +51,10 @@ void require_inputs(const CaseInput& problem, const RatingModel& model) {
     values.refuse(key, "is " + format_value(values.real(key)) + " K, not above the oil's " +
                            format_value(model.limits.oil_temperature) + " K; temperatures are in kelvin");
   }
-  const std::string ratio = "rating.permissible_lambda";
-  if (!values.has(ratio)) return;
+  const std::string permissible = "rating.permissible_lambda";
+  if (!values.has(permissible)) return;
   if (!model.mean_roughness) {
-    values.refuse(ratio,
+    values.refuse(permissible,
                   "is given, but not how rough both flanks are; give pinion.roughness_ra and "
                   "wheel.roughness_ra");
   }

@@ -32,7 +32,7 @@ TEST(StaticPassage, lies_below_dry_contacts_that_share_the_static_force) {
   const double both = line.entry() + 0.3 * (line.contact_ratio() - 1.0) * line.base_pitch(),
                alone = 0.5 * (line.entry() + line.exit());
   for (const double xi : {both, alone, both + line.base_pitch()}) {
-    for (FlankHistory& history : passage.front()) history.add({.xi = xi});
+    for (FlankHistory& history : passage.front()) history.add({.xi = xi, .values = {}});
   }
   const Passage at_rest = static_passage(grid, rest, passage);
   if (grid.rank() > 0) return;  // the surface is the first process's
