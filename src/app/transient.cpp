@@ -98,9 +98,10 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
 
 }  // namespace
 
-void run_transient(MPI_Comm comm, const CaseInput& problem) {
-  require_inertia(problem);
-  require_moving_train(problem, "transient");
+void run_transient(MPI_Comm comm, const CaseInput& given) {
+  std::string remark;
+  const CaseInput problem = transient_case(given, remark);
+  if (!remark.empty()) say(comm, remark);
   const SharedDiscretisation films = discretise(comm, problem);
   // A march that failed may go on with other steps.
   ResumableRun run(problem, films->grid(), "transient", {"time", "solver"});

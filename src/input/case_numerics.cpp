@@ -240,8 +240,7 @@ void set_time_steps(CaseInput& result) {
   if (!values.has("time.dt")) result.numerics.steps.without_event = std::min(period / steps_in_mesh_period, by_waves);
 }
 
-CaseInput with_chosen_motion(const CaseInput& given, std::string& remark) {
-  constexpr double many_swings = 40.0;  // of the pair in a mesh period
+CaseInput with_chosen_motion(const CaseInput& given, double many_swings, std::string& remark) {
   ParameterValues values = given.parameters;
   const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
   const bool choosable = !given.pair.train && !values.given("motion") && !multipliers_asked &&

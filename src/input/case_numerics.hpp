@@ -36,8 +36,8 @@ constexpr double steps_in_swing = 30.0;
 constexpr int steps_of_transfer = 8;
 constexpr double steps_in_dry_swing = 40.0;  // whose largest force is taken at the steps' ends
 
-/// The case as it is, or, where its pair swings very often in a mesh period and it neither says how the bodies move nor
+/// The case as it is, or, where its pair swings so often in a mesh period and it neither says how the bodies move nor
 /// asks for what has inertia alone, with bodies in balance at every moment; a remark says so.
-CaseInput with_chosen_motion(const CaseInput& given, std::string& remark);
+CaseInput with_chosen_motion(const CaseInput& given, double many_swings, std::string& remark);
 
 }  // namespace gearfilm

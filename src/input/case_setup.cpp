@@ -107,12 +107,21 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
 }
 
 CaseInput periodic_case(const CaseInput& given, std::string& remark) {
+  constexpr double many_swings = 40.0;  // in a mesh period: those of another period begin anew
   require_inertia(given);
   require_moving_train(given, "periodic");
-  CaseInput chosen = with_chosen_motion(given, remark);
+  CaseInput chosen = with_chosen_motion(given, many_swings, remark);
   require_moving_contacts(chosen, "periodic", true);
   require_one_pattern(chosen, "periodic");
   return chosen;
+}
+
+CaseInput transient_case(const CaseInput& given, std::string& remark) {
+  constexpr double many_swings = 400.0;  // in a mesh period, of some 40 time steps each
+  require_inertia(given);
+  require_moving_train(given, "transient");
+  const bool of_swings = given.march.course.duration > 0.0 || given.march.spectrum_periods;
+  return of_swings ? given : with_chosen_motion(given, many_swings, remark);
 }
 
 GearInertias inertias_of(const CaseInput& problem) {

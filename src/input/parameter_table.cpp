@@ -131,8 +131,8 @@ Records march_records() {
               "of the model dynamic, for `transient`, `periodic` and `sweep`: bodies have inertia, or are in balance "
               "with the "
               "forces of all contacts at every moment, which leaves out the swing after each entering contact; "
-              "`periodic` chooses the latter where the pair would swing more than 40 times in a mesh period and "
-              "no key needs the inertia"),
+              "`periodic` chooses the latter where the pair would swing more than 40 times in a mesh period, "
+              "`transient` more than 400 times, and no key needs the inertia"),
        choice("geometry", {"moving", "held"},
               "contacts that travel, enter and leave, or that are held at the start while their surfaces go on "
               "moving oil: a free oscillation"),

@@ -159,6 +159,12 @@ class Defaults(ProgramTest):
             run = self.run_program("periodic", case, *options, "-time_limit", 0.01)
             self.assertEqual(run.status, 3, run)
             self.assertNotIn("in balance", run.stdout)
+        # A march follows ten times as many swings.
+        for swings_in_march, balanced in ((399, False), (401, True)):
+            run = self.run_program("transient", case, "-pinion_speed_rpm", speed * swings / swings_in_march,
+                                   "-time_limit", 0.01)
+            self.assertEqual(run.status, 3, run)
+            self.assertEqual("in balance" in run.stdout, balanced, run)
 
     def test_pair_whose_ends_of_the_path_are_far_more_curved_has_films_there(self):
         case, _ = write_pair(self.folder / "pairs", 1, 38)  # R_x where it enters: a seventh of that at the pitch point
