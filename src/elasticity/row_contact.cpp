@@ -211,10 +211,11 @@ FaceContact RowContact::found(double force, double approach) const {
   return contact;
 }
 
+void RowContact::begin_anew() { std::ranges::fill(half_widths_, 1.0); }
+
 FaceContact RowContact::solve(double force, double relative_radius) {
   constexpr int most_turns = 100;
   constexpr double settled = 1e-6;
-  std::ranges::fill(half_widths_, 1.0);
   for (int row = 0; row < rows_.count(); ++row) loaded_[row] = !rows_.is_ambient(row);
   for (int turn = 0; turn < most_turns; ++turn) {
     find_influence();

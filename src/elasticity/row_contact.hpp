@@ -29,6 +29,8 @@ public:
 
   /// The contact under a force at a radius, from the one that was solved last. Throws SolveError where it is not found.
   FaceContact solve(double force, double relative_radius);
+  /// Lets the next one begin as the first did.
+  void begin_anew();
   /// The smallest gap of the rows.
   double nearest() const { return *std::ranges::min_element(gaps_); }
   /// Loads by unit length of the rows that were solved last.

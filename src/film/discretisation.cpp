@@ -37,6 +37,7 @@ RowContact& Discretisation::prepare_row_contact(const Scales& scales) {
     row_contact_ = std::make_unique<RowContact>(scales, grid_.row_axis());
     if (const auto ends = prepare_ends()) row_contact_->add_ends(*ends, grid_.h_x());
   }
+  row_contact_->begin_anew();  // runs that go on meet the same contacts
   return *row_contact_;
 }
 

@@ -33,7 +33,7 @@ public:
   template <class Real>
   const Deformation<Real>& prepare_deformation();
 
-  /// The dry contact on the rows of a whole face; of scales that have one.
+  /// The dry contact on the rows of a whole face, as if none had been solved; of scales that have one.
   RowContact& prepare_row_contact(const Scales& scales);
   /// Stresses in a section below films on this grid; there is one at a time.
   RowStress& prepare_stress(const RowStressOptions& options);

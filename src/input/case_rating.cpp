@@ -67,8 +67,7 @@ std::shared_ptr<const RatingModel> read_rating(const CaseInput& problem) {
   const ParameterValues& values = problem.parameters;
   const RatingLimits limits = read_limits(values);
   if (!limits.contact && !limits.root && !limits.scuffing && !limits.integral && !limits.film_ratio) {
-    for (const char* key :
-         {"rating.viscosity_40", "rating.roughness_depth", "rating.oil_temperature", "rating.cycles"}) {
+    for (const char* key : {"rating.viscosity_40", "rating.roughness_depth", "rating.oil_temperature"}) {
       if (values.given(key))
         values.refuse(key, "is given, but no limit by which the pair is rated; give one of rating");
     }
