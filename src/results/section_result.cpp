@@ -30,8 +30,8 @@ void write_stresses(ResultsFile& file, const std::string& group, const std::stri
                     const std::vector<Stress>& stresses) {
   constexpr std::array<const char*, stress_components> names = {"xx", "yy", "zz", "yz", "xz", "xy"};
   const auto write = [&](const std::string& name, const auto& value) {
-    std::vector<double> values;
-    for (const Stress& stress : stresses) values.push_back(value(stress));
+    std::vector<double> values(stresses.size());
+    std::ranges::transform(stresses, values.begin(), value);
     file.rows(group, name + ending, "Pa", depths, lines, values);
   };
   write("von_mises", [](const Stress& stress) { return von_mises(stress); });

@@ -111,10 +111,10 @@ TEST(Root, of_c14_is_that_of_the_public_rating) {
   // The outer points of single contact: the mate has just come in, or is about to leave.
   const RootFactors first = pinion.factors(line.radius_pinion(line.entry() + line.base_pitch())),
                     second = wheel.factors(line.radius_wheel(line.exit() - line.base_pitch()));
-  expect_relative(first.form, "fzg_c14_YF1", 1.0, 1e-4);
-  expect_relative(first.stress_correction, "fzg_c14_YS1", 1.0, 1e-4);
-  expect_relative(second.form, "fzg_c14_YF2", 1.0, 1e-4);
-  expect_relative(second.stress_correction, "fzg_c14_YS2", 1.0, 1e-4);
+  expect_relative(first.form, "fzg_c14_YF1", 1.0, 1e-3);
+  expect_relative(first.stress_correction, "fzg_c14_YS1", 1.0, 1e-3);
+  expect_relative(second.form, "fzg_c14_YF2", 1.0, 1e-3);
+  expect_relative(second.stress_correction, "fzg_c14_YS2", 1.0, 1e-3);
   expect_relative(pinion.root_thickness(), "fzg_c14_sFn_over_m_1");
   expect_relative(wheel.root_thickness(), "fzg_c14_sFn_over_m_2");
 }

@@ -211,7 +211,9 @@ TEST(Topography, goes_through_the_heights_of_a_profile) {
       largest = std::max(largest, std::abs(measured.along(s).value - wave));
     }
     EXPECT_LT(largest, 0.02 * height);
-    if (before > 0.0) EXPECT_NEAR(before / largest, 16.0, 3.0);
+    if (before > 0.0) {
+      EXPECT_NEAR(before / largest, 16.0, 3.0);
+    }
     before = largest;
   }
   const Topography measured({}, {}, sampled_wave(length / 20, 200), 1.0);
