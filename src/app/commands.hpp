@@ -13,7 +13,7 @@ void run_steady(MPI_Comm comm, const CaseInput& problem);
 /// The dry pair turned slowly through one mesh period.
 void run_static(MPI_Comm comm, const CaseInput& problem);
 /// The gear pair marched in time.
-void run_transient(MPI_Comm comm, const CaseInput& problem);
+void run_transient(MPI_Comm comm, const CaseInput& given);
 /// The periodic state of the lubricated pair.
 void run_periodic(MPI_Comm comm, const CaseInput& given);
 /// Natural frequencies of the dry pair and of the pair on its films.
