@@ -177,9 +177,9 @@ TEST(Scuffing, flash_temperatures_of_c14_are_those_of_the_reference) {
     largest = std::max(largest, flash);
     sum += flash / steps;
   }
-  expect_relative(flash_of_c14(line, line.entry()), "fzg_c14_flash_at_A_K", 1.0, 1e-4);
-  expect_relative(largest, "fzg_c14_flash_max_K", 1.0, 1e-4);
-  expect_relative(sum, "fzg_c14_flash_mean_over_path_K", 1.0, 1e-4);
+  expect_relative(flash_of_c14(line, line.entry()), "fzg_c14_flash_at_A_K", 1.0, 1e-3);
+  expect_relative(largest, "fzg_c14_flash_max_K", 1.0, 1e-3);
+  expect_relative(sum, "fzg_c14_flash_mean_over_path_K", 1.0, 1e-3);
 }
 
 TEST(Scuffing, safeties_are_one_at_their_limits) {
@@ -196,8 +196,8 @@ TEST(Micropitting, films_of_c14_are_those_of_the_reference) {
     const double u = 0.5 * speed * (line.radius_pinion(xi) + line.speed_ratio() * line.radius_wheel(xi));
     return micropitting_film({line.radius_x(xi), u, share * force() / 14e-3}, {13.28e-3, 20.47e-9, reduced_modulus});
   };
-  expect_relative(film(line.entry(), 0.5), "fzg_c14_h_ts22_min_um", 1e-6, 1e-4);
-  expect_relative(film(0.0, 1.0), "fzg_c14_h_ts22_at_pitch_um", 1e-6, 1e-4);
+  expect_relative(film(line.entry(), 0.5), "fzg_c14_h_ts22_min_um", 1e-6, 1e-3);
+  expect_relative(film(0.0, 1.0), "fzg_c14_h_ts22_at_pitch_um", 1e-6, 1e-3);
 }
 
 }  // namespace
