@@ -34,13 +34,13 @@ SpurGearPair fzg_c14() {
   pair.centre_distance = 91.5e-3;
   pair.face_width = 14e-3;
   pair.pinion = {.teeth = 16,
-                 .outer_radius = 41.32e-3,
+                 .outer_radius = 4.5e-3 * (8.0 + 1.0 + 0.1817),
                  .youngs_modulus = 206e9,
                  .poisson_ratio = 0.3,
                  .profile_shift = 0.1817,
                  .hob_tip_radius = 0.375 * 4.5e-3};
   pair.wheel = {.teeth = 24,
-                .outer_radius = 59.27e-3,
+                .outer_radius = 4.5e-3 * (12.0 + 1.0 + 0.1715),
                 .youngs_modulus = 206e9,
                 .poisson_ratio = 0.3,
                 .profile_shift = 0.1715,
@@ -111,10 +111,10 @@ TEST(Root, of_c14_is_that_of_the_public_rating) {
   // The outer points of single contact: the mate has just come in, or is about to leave.
   const RootFactors first = pinion.factors(line.radius_pinion(line.entry() + line.base_pitch())),
                     second = wheel.factors(line.radius_wheel(line.exit() - line.base_pitch()));
-  expect_relative(first.form, "fzg_c14_YF1", 1.0, 1e-3);
-  expect_relative(first.stress_correction, "fzg_c14_YS1", 1.0, 1e-3);
-  expect_relative(second.form, "fzg_c14_YF2", 1.0, 1e-3);
-  expect_relative(second.stress_correction, "fzg_c14_YS2", 1.0, 1e-3);
+  expect_relative(first.form, "fzg_c14_YF1");
+  expect_relative(first.stress_correction, "fzg_c14_YS1");
+  expect_relative(second.form, "fzg_c14_YF2");
+  expect_relative(second.stress_correction, "fzg_c14_YS2");
   expect_relative(pinion.root_thickness(), "fzg_c14_sFn_over_m_1");
   expect_relative(wheel.root_thickness(), "fzg_c14_sFn_over_m_2");
 }
@@ -170,16 +170,17 @@ double flash_of_c14(const LineOfAction& line, double xi) {
 
 TEST(Scuffing, flash_temperatures_of_c14_are_those_of_the_reference) {
   const LineOfAction line(fzg_c14());
-  double largest = 0.0, sum = 0.0;
+  const double at_A = flash_of_c14(line, line.entry());
+  double largest = at_A, sum = 0.0;
   constexpr int steps = 20000;
   for (int n = 0; n < steps; ++n) {
     const double flash = flash_of_c14(line, line.entry() + (line.exit() - line.entry()) * (n + 0.5) / steps);
     largest = std::max(largest, flash);
     sum += flash / steps;
   }
-  expect_relative(flash_of_c14(line, line.entry()), "fzg_c14_flash_at_A_K", 1.0, 1e-3);
-  expect_relative(largest, "fzg_c14_flash_max_K", 1.0, 1e-3);
-  expect_relative(sum, "fzg_c14_flash_mean_over_path_K", 1.0, 1e-3);
+  expect_relative(at_A, "fzg_c14_flash_at_A_K");
+  expect_relative(largest, "fzg_c14_flash_max_K");
+  expect_relative(sum, "fzg_c14_flash_mean_over_path_K");
 }
 
 TEST(Scuffing, safeties_are_one_at_their_limits) {
@@ -196,8 +197,8 @@ TEST(Micropitting, films_of_c14_are_those_of_the_reference) {
     const double u = 0.5 * speed * (line.radius_pinion(xi) + line.speed_ratio() * line.radius_wheel(xi));
     return micropitting_film({line.radius_x(xi), u, share * force() / 14e-3}, {13.28e-3, 20.47e-9, reduced_modulus});
   };
-  expect_relative(film(line.entry(), 0.5), "fzg_c14_h_ts22_min_um", 1e-6, 1e-3);
-  expect_relative(film(0.0, 1.0), "fzg_c14_h_ts22_at_pitch_um", 1e-6, 1e-3);
+  expect_relative(film(line.entry(), 0.5), "fzg_c14_h_ts22_min_um", 1e-6);
+  expect_relative(film(0.0, 1.0), "fzg_c14_h_ts22_at_pitch_um", 1e-6);
 }
 
 }  // namespace
