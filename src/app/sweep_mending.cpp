@@ -1,7 +1,6 @@
 #include "app/sweep_mending.hpp"
 
 #include "app/sweep_chain.hpp"
-#include "input/case_setup.hpp"
 #include "input/case_with_parameter.hpp"
 #include "results/sweep_point.hpp"
 
@@ -32,15 +31,14 @@ std::vector<BranchState> near(const std::vector<Known>& all, const SweepPoint& p
 }
 
 /// The record of a point with the state that is found from another; nothing where there is none.
-std::optional<Summary> mended(const CaseInput& problem, const Known& failed, const BranchState& from,
+std::optional<Summary> mended(const ProblemAt& problem_at, const Known& failed, const BranchState& from,
                               const DryWatch& watch) {
   const auto value = failed.result["value"].get<double>();
-  const std::optional<DryOrbit> orbit = follow_to_point(problems_of_sweep(cases_of_sweep(problem)), value, from, watch);
+  const std::optional<DryOrbit> orbit = follow_to_point(problem_at, value, from, watch);
   if (!orbit) return {};
-  const CaseInput here = case_with_parameter(problem, problem.sweep.parameter, value);
   Summary result = failed.result;
   result.erase("error");
-  add_dry_orbit(orbit_problem(here), {*orbit, from.parameter == value ? "other way" : "point beyond"}, result);
+  add_dry_orbit(problem_at(value), {*orbit, from.parameter == value ? "other way" : "point beyond"}, result);
   return result;
 }
 
@@ -49,6 +47,7 @@ std::optional<Summary> mended(const CaseInput& problem, const Known& failed, con
 void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop) {
   const DryWatch watch = counted(stop.check_in(comm));
+  const ProblemAt problem_at = problems_of_sweep(cases_of_sweep(problem));
   std::vector<Known> known;
   known.reserve(all.size());
   for (const SweepPoint& point : all) known.push_back({point, points.read(comm, point).value()});
@@ -57,7 +56,7 @@ void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& poin
     for (Known& failed : known) {
       if (failed.found()) continue;
       for (const BranchState& from : near(known, failed.point)) {
-        std::optional<Summary> result = mended(problem, failed, from, watch);
+        std::optional<Summary> result = mended(problem_at, failed, from, watch);
         if (!result) continue;
         failed.result = std::move(*result);
         points.write(comm, failed.point, failed.result);

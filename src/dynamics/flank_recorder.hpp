@@ -12,7 +12,8 @@
 
 namespace gearfilm {
 
-/// Of the pinion's flank and the wheel's, by the rows of the stress model.
+/// What the passage of a contact leaves: in each row of the stress model a history of the pinion's flank and one of the
+/// wheel's.
 using Passage = std::vector<std::array<FlankHistory, body_count>>;
 
 class FlankRecorder {

@@ -30,10 +30,8 @@ Swings resting(Eigen::Index freedoms) {
 }
 
 std::vector<ActiveContact> without_fields(const std::vector<ActiveContact>& contacts) {
-  std::vector<ActiveContact> bare;
-  bare.reserve(contacts.size());
-  for (const ActiveContact& contact : contacts)
-    bare.push_back({contact.number, contact.film, {}, contact.processes, contact.stress, contact.friction});
+  std::vector<ActiveContact> bare = contacts;
+  for (ActiveContact& contact : bare) contact.fields = {};
   return bare;
 }
 

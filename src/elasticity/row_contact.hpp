@@ -78,7 +78,7 @@ class FaceRows {
 public:
   FaceRows(const Face& face, const RowGrading& grading, double a);
 
-  /// Of a face with the same ends and kinks.
+  /// The dry contact along the scales' face, which has the same ends and kinks as that of the rows.
   RowContact contact(const Scales& scales) const;
 
 private:

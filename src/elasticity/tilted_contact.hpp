@@ -7,7 +7,7 @@ namespace gearfilm {
 
 class TiltedContact {
 public:
-  /// Of the scales' face.
+  /// For contacts along the face of these scales, which must outlive this.
   explicit TiltedContact(const Scales& scales);
 
   /// Tilted further by a slope, which opens the end at positive y. Throws SolveError where it is not found.

@@ -44,7 +44,7 @@ Stress SectionRecord::at(int depth, double x) const {
   return {.xx = found[0], .yy = found[1], .zz = found[2], .yz = found[4], .xz = found[3], .xy = found[5]};
 }
 
-SectionRecord at_points(SectionRecord record, const FlankPath& path, std::span<const double> points) {
+SectionRecord at_points(const SectionRecord& record, const FlankPath& path, std::span<const double> points) {
   std::vector<double> within;
   for (const double s : points) {
     const double x = path.place(s, record.xi);

@@ -39,9 +39,9 @@ struct SectionRecord {
 SectionRecord section_record(double xi, const SectionPlaces& places, const SectionStress& section, double stress_unit,
                              bool symmetric);
 
-/// The same at points of the flank at equal distances alone, where these are fewer than the lines over them: a history
-/// at a point is straight between lines, so that nothing is lost.
-SectionRecord at_points(SectionRecord record, const FlankPath& path, std::span<const double> points);
+/// A section thinned to points of the flank at equal distances, where these are fewer than its lines. Nothing is lost,
+/// since the history of a point is straight between lines.
+SectionRecord at_points(const SectionRecord& record, const FlankPath& path, std::span<const double> points);
 
 /// What a point of a flank feels, one state after the other.
 struct PointHistory {

@@ -13,8 +13,9 @@ void open_beside_middle(const Grid& grid, const Scales& scales, const UnevenProf
   const auto rows = static_cast<std::size_t>(grid.y_count());
   std::vector<double> y(rows);
   for (std::size_t j = 0; j < rows; ++j) y[j] = grid.y(static_cast<int>(j)) * scales.length;
+  std::vector<double> added;
   for (int i = 0; i < grid.nx(); ++i) {
-    const std::vector<double> added = profile.gap(grid.x(i) * scales.length, y);
+    if (i == 0 || profile.along) added = profile.gap(grid.x(i) * scales.length, y);
     double* line = gap.data() + static_cast<std::size_t>(i) * rows;
     for (std::size_t j = 0; j < rows; ++j) line[j] += added[j] / scales.thickness;
   }

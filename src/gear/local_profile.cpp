@@ -6,7 +6,7 @@ double LocalProfile::operator()(double x) const {
   if (!flanks) return 0.0;
   const auto beside = [&](std::size_t gear, double along) {
     const Flank& flank = (*flanks)[gear];
-    return flank.removed(rho[gear] + along * base_radius[gear] / rho[gear]) - flank.removed(rho[gear]);
+    return flank.removed(radius_beside(rho[gear], base_radius[gear], along)) - flank.removed(rho[gear]);
   };
   return beside(0, -x) + beside(1, x);
 }

@@ -11,6 +11,9 @@
 
 namespace gearfilm {
 
+/// The radius of curvature of a flank [m] whose contact, at rho, is left by so much towards larger radii [m].
+inline double radius_beside(double rho, double base_radius, double along) { return rho + along * base_radius / rho; }
+
 struct LocalProfile {
   std::shared_ptr<const std::array<Flank, 2>> flanks{};  ///< none: the gap is that of the involutes
   std::array<double, 2> rho{};                           ///< at the contact's place [m]

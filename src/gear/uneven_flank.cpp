@@ -29,8 +29,8 @@ void UnevenFlank::add(double rho, std::span<const double> y, std::span<double> v
 std::vector<double> UnevenProfile::gap(double x, std::span<const double> y) const {
   std::vector<double> sum(y.size(), 0.0);
   const double place = along ? x : 0.0;
-  (*flanks)[0].add(rho[0] - place * base_radius[0] / rho[0], y, sum);
-  (*flanks)[1].add(rho[1] + place * base_radius[1] / rho[1], y, sum);
+  (*flanks)[0].add(radius_beside(rho[0], base_radius[0], -place), y, sum);
+  (*flanks)[1].add(radius_beside(rho[1], base_radius[1], place), y, sum);
   return sum;
 }
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <span>
 
-#include "gear/monotone_cubic.hpp"
+#include "gear/local_profile.hpp"
 
 namespace gearfilm {
 
@@ -30,7 +30,7 @@ private:
   std::vector<MonotoneCubic> curves_;
 };
 
-/// Of a contact.
+/// What both flanks of a contact lack beside the middle of their faces.
 struct UnevenProfile {
   std::shared_ptr<const std::array<UnevenFlank, 2>> flanks{};  ///< none: alike all over the face
   std::array<double, 2> rho{};                                 ///< at the contact's place [m]

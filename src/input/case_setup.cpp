@@ -107,7 +107,7 @@ void require_one_pattern(const CaseInput& problem, const std::string& command) {
 }
 
 CaseInput periodic_case(const CaseInput& given, std::string& remark) {
-  constexpr double many_swings = 40.0;  // in a mesh period: those of another period begin anew
+  constexpr double many_swings = 40.0;  // of the pair in a mesh period
   require_inertia(given);
   require_moving_train(given, "periodic");
   CaseInput chosen = with_chosen_motion(given, many_swings, remark);
@@ -117,7 +117,7 @@ CaseInput periodic_case(const CaseInput& given, std::string& remark) {
 }
 
 CaseInput transient_case(const CaseInput& given, std::string& remark) {
-  constexpr double many_swings = 400.0;  // in a mesh period, of some 40 time steps each
+  constexpr double many_swings = 400.0;  // of the pair in a mesh period, each of some 40 time steps
   require_inertia(given);
   require_moving_train(given, "transient");
   const bool of_swings = given.march.course.duration > 0.0 || given.march.spectrum_periods;

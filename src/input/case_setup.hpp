@@ -37,7 +37,8 @@ void require_one_pattern(const CaseInput& problem, const std::string& command);
 /// The case whose periodic state is sought, with the motion that the program may choose (with_chosen_motion), which the
 /// remark then says. Throws InputError for a case that has none.
 CaseInput periodic_case(const CaseInput& given, std::string& remark);
-/// The case that is marched, likewise.
+/// The case that `transient` marches, with the motion that the program may choose, which the remark then says. Throws
+/// InputError for one without inertia, or whose drive train cannot move.
 CaseInput transient_case(const CaseInput& given, std::string& remark);
 /// The given ones, else those of two discs with the equivalent mass.
 GearInertias inertias_of(const CaseInput& problem);

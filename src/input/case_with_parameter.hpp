@@ -14,10 +14,11 @@ CaseInput case_with_parameter(const CaseInput& problem, const std::string& param
 
 /// The case of a point of its sweep: of basins all are of the case itself.
 CaseInput case_of_sweep(const CaseInput& problem, double value);
-/// The same, some of which are remembered. The case must outlive what is returned.
+/// The cases of the points of a sweep (case_of_sweep), by value; the last few are remembered. The sweep's case must
+/// outlive what is returned.
 using CaseAt = std::function<CaseInput(double value)>;
 CaseAt cases_of_sweep(const CaseInput& problem);
-/// The searches of these, likewise.
+/// Searches for the periodic states of such cases, by value; the last few are remembered.
 ProblemAt problems_of_sweep(const CaseAt& case_at);
 
 }  // namespace gearfilm

@@ -25,8 +25,8 @@ struct ShaftTilt {
   double slope() const { return slopes[0] + slopes[1]; }
 };
 
-/// Of scales with a face of the slope theta_0; gears that are not on two bearings do not tilt. Throws InputError where
-/// flanks would part by more than Hertz's contact allows for.
+/// The tilt by the load of these scales, whose face has the slope theta_0; gears not on two bearings do not tilt.
+/// Throws InputError where flanks would part by more than Hertz's contact allows for.
 ShaftTilt shaft_tilt(const Scales& scales, const std::array<std::optional<TwoBearings>, 2>& gears,
                      double pressure_angle);
 

@@ -77,7 +77,7 @@ struct SwingQuantities {
 };
 SwingQuantities quantities_of(const FilmSwing& swing, const Scales& scales);
 
-/// Of another mode of bodies on the same films.
+/// The rates s of another mode of bodies on the same films.
 struct ModeRates {
   std::complex<double> rate;
   std::optional<std::complex<double>> coarser{};  ///< on the coarser grid of the swing; nothing where it has none

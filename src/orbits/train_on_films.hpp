@@ -14,8 +14,8 @@ namespace gearfilm {
 /// s of a mode [1/s]; nothing where it is not found.
 using RateOnFilms = std::optional<std::complex<double>>;
 
-/// Of each mode, in the order of the train's modes; `lost` is told of those that are not found. The state is at rest.
-/// Collective.
+/// The rate of each mode, in the order of the train's modes; `lost` is told of those that are not found. The state is
+/// at rest. Collective.
 std::vector<RateOnFilms> train_on_films(const DampedTrain& train, LubricatedPair& pair, Vec state,
                                         const SwingOptions& options,
                                         const std::function<void(const std::string&)>& lost);

@@ -19,7 +19,7 @@ struct WorstSection {
   std::vector<Stress> stress;  ///< on the first process, [depth][line] [Pa]
 };
 
-/// Of passages whose depths the processes share by these ranges. Collective.
+/// The worst section of one body in passages whose depths the processes share by these ranges. Collective.
 WorstSection worst_section(MPI_Comm comm, std::span<const int> depth_ranges, const std::vector<Passage>& passages,
                            std::size_t body);
 

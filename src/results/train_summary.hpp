@@ -7,7 +7,7 @@
 
 namespace gearfilm {
 
-/// Absent where it was not found.
+/// What is known of a mode on films; absent where it was not found.
 using ModeOnFilms = std::optional<SwingQuantities>;
 
 /// Adds `modes` and what else follows from the train. on_films: of each mode; empty: modes of the dry pair.

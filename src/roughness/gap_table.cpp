@@ -16,6 +16,12 @@ struct Cubic {
         slope_by_a((1.0 - t) * (1.0 - 3.0 * t)),
         slope_by_b(t * (3.0 * t - 2.0)) {}
 
+  /// The value, and its slope in t.
+  GapFunction operator()(double a, double b, double rise_a, double rise_b) const {
+    return {a + to_b * (b - a) + by_a * rise_a + by_b * rise_b,
+            slope_b * (b - a) + slope_by_a * rise_a + slope_by_b * rise_b};
+  }
+
   double to_b, by_a, by_b, slope_b, slope_by_a, slope_by_b;
 };
 
@@ -53,9 +59,8 @@ GapValues GapTable::operator()(double z) const {
   const Point &a = points_[k], &b = points_[k + 1];
   const Cubic at(place - static_cast<double>(k));
   const auto interpolated = [&](Function f) -> GapFunction {
-    const double rise = b.value[f] - a.value[f];
-    return {a.value[f] + at.to_b * rise + at.by_a * a.rise[f] + at.by_b * b.rise[f],
-            (at.slope_b * rise + at.slope_by_a * a.rise[f] + at.slope_by_b * b.rise[f]) * (1.0 / step)};
+    const GapFunction by_place = at(a.value[f], b.value[f], a.rise[f], b.rise[f]);
+    return {by_place.value, by_place.slope * (1.0 / step)};
   };
   const GapFunction pressure = exponential(interpolated(log_pressure)), along = exponential(interpolated(log_along));
   return {pressure.value,
@@ -72,11 +77,7 @@ GapValues GapTable::far(double z) const {
   const Point &a = points_[first_far_ + k], &b = points_[first_far_ + k + 1];
   const Cubic at(place - static_cast<double>(k));
   // By the place, which changes by -place/z.
-  const auto interpolated = [&](Function f) -> GapFunction {
-    const double rise = b.value[f] - a.value[f];
-    return {a.value[f] + at.to_b * rise + at.by_a * a.rise[f] + at.by_b * b.rise[f],
-            at.slope_b * rise + at.slope_by_a * a.rise[f] + at.slope_by_b * b.rise[f]};
-  };
+  const auto interpolated = [&](Function f) -> GapFunction { return at(a.value[f], b.value[f], a.rise[f], b.rise[f]); };
   const auto times_z = [&](Function f) -> GapFunction {
     const GapFunction part = interpolated(f);
     return {z * part.value, part.value - place * part.slope};

@@ -8,13 +8,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace gearfilm {
+
+/// In the order xx yy zz yz xz xy.
+constexpr std::size_t stress_components = 6;
 
 struct Stress {
   double xx = 0.0, yy = 0.0, zz = 0.0, yz = 0.0, xz = 0.0, xy = 0.0;
 
-  std::array<double, 6> components() const { return {xx, yy, zz, yz, xz, xy}; }
+  std::array<double, stress_components> components() const { return {xx, yy, zz, yz, xz, xy}; }
   Stress& operator+=(const Stress& other);
 };
 

@@ -26,7 +26,7 @@ inline void distribute_sums(MPI_Comm comm, std::span<const int> ranges, std::siz
 /// each. Collective.
 inline std::vector<Stress> gather_stresses(MPI_Comm comm, std::span<const int> ranges, std::size_t size,
                                            std::span<const Stress> own) {
-  constexpr std::size_t components = 6;
+  constexpr std::size_t components = stress_components;
   std::vector<int> counts, offsets;
   for (std::size_t rank = 0; rank + 1 < ranges.size(); ++rank) {
     offsets.push_back(static_cast<int>(ranges[rank] * size * components));

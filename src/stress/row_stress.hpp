@@ -42,7 +42,7 @@ public:
   RowRange own_depths() const { return {depth_ranges_[rank_], depth_ranges_[rank_ + 1]}; }
   MPI_Comm comm() const { return comm_; }
 
-  /// By the options' rows, at the own depths. Collective.
+  /// Stresses below each of the options' rows, at the depths of this process. Collective.
   const std::vector<SectionStresses>& evaluate(const SurfaceLoads& loads);
 
 private:

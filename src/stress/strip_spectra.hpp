@@ -13,9 +13,6 @@
 
 namespace gearfilm {
 
-/// In the order of Stress: xx yy zz yz xz xy.
-constexpr std::size_t stress_components = 6;
-
 /// Whether the transform of a component is imaginary.
 constexpr bool is_odd_in_x(SurfaceLoad load, std::size_t component) {
   return (component >= 4) == (load == SurfaceLoad::pressure);
