@@ -85,14 +85,18 @@ std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
   return start;
 }
 
-/// What the pair settles on when it is pushed off the orbit of first order: that one itself, where it is stable.
+/// What the pair settles on when it is pushed off the orbit of first order: that one itself, where it is stable. Where
+/// it is not, Newton's method may return to it from a motion that has not settled yet: another push leads away.
 std::optional<Motion> find_beside_first_order(const DryMap& map) {
+  constexpr double same_orbit = 1e-4;  // distance of motions
   MeshModel simple = map.mesh();
   simple.order = 1;
   try {
-    const Motion first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch()).start;
+    const DryOrbit first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch());
+    const bool stable = largest_modulus(multipliers(first_order.monodromy)) < 1.0;
     for (const double push : pushes) {
-      if (auto start = shoot(map, settle(map, pushed(first_order, push, 0.0)))) return start;
+      const auto start = shoot(map, settle(map, pushed(first_order.start, push, 0.0)));
+      if (start && (stable || length(difference(*start, first_order.start)) > same_orbit)) return start;
     }
   } catch (const SolveError&) {  // there is none of first order
   }
