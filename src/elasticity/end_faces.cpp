@@ -1,7 +1,9 @@
 #include "elasticity/end_faces.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "elasticity/fftw.hpp"
@@ -25,6 +27,12 @@ struct FromEnd {
   std::vector<double> nodes, edges;
 
   int rows() const { return static_cast<int>(nodes.size()); }
+
+  /// But for round-off.
+  bool same_as(const FromEnd& other) const {
+    const double most = 1e-12 * edges.back();
+    return std::ranges::equal(nodes, other.nodes, [most](double a, double b) { return std::abs(a - b) <= most; });
+  }
 };
 
 /// The rows of the whole axis, mirror images included, as its upper or its lower end sees them.
@@ -180,30 +188,27 @@ EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& end
     : rows_(shape.rows()), lags_(shape.nx), values_(static_cast<std::size_t>(rows_) * rows_ * lags_, 0.0) {
   const RowAxis& axis = shape.row_axis;
   const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx, true) + 1;
-  const auto add = [&](bool upper, double share, EvenTransforms& added) {
-    add_seen_from_end(axis, upper, share, lags_, added, values_);
-  };
-  const auto add_end = [&](bool upper, auto fill, double share, int lags) {
+  const FromEnd upper = from_end(axis, true), lower = from_end(axis, false);
+  const bool alike = upper.same_as(lower);
+  const auto add_both_ends = [&](int lags, double share, auto fill) {
     EvenTransforms added(whole, whole, lags);
-    fill(added, from_end(axis, upper));
-    add(upper, share, added);
-    // Rows that are their own mirror image look alike from both ends.
-    if (axis.mirrored()) add(!upper, share, added);
+    fill(added, upper);
+    add_seen_from_end(axis, true, share, lags_, added, values_);
+    if (!alike) fill(added, lower);
+    add_seen_from_end(axis, false, share, lags_, added, values_);
   };
-  for (const bool upper : {true, false}) {
-    if (!upper && axis.mirrored()) continue;
-    if (ends.kind == EndFace::mirror) {
-      const auto fill = [&](EvenTransforms& added, const FromEnd& rows) {
-        fill_mirror(added, rows, lags_, shape.h_x(), ends.mirror_factor);
-      };
-      add_end(upper, fill, 1.0, lags_ + 1);
-    }
-    if (ends.kind != EndFace::free) continue;
-    for (const EndingBody& body : ends.bodies) {
-      const auto fill = [&](EvenTransforms& added, const FromEnd& rows) {
-        fill_free_end(added, rows, count, shape.h_x(), body.poisson_ratio);
-      };
-      add_end(upper, fill, body.share, count);
+  if (ends.kind == EndFace::mirror) {
+    add_both_ends(lags_ + 1, 1.0, [&](EvenTransforms& added, const FromEnd& rows) {
+      fill_mirror(added, rows, lags_, shape.h_x(), ends.mirror_factor);
+    });
+  }
+  if (ends.kind == EndFace::free) {
+    std::map<double, double> shares;  // by Poisson's ratio
+    for (const EndingBody& body : ends.bodies) shares[body.poisson_ratio] += body.share;
+    for (const auto& [poisson_ratio, share] : shares) {
+      add_both_ends(count, share, [&](EvenTransforms& added, const FromEnd& rows) {
+        fill_free_end(added, rows, count, shape.h_x(), poisson_ratio);
+      });
     }
   }
   leave_out_rigid_part(shape);

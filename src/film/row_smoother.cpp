@@ -41,9 +41,9 @@ RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deform
 
 // Column by column, for all lines at once; then the coupled nodes' rows of it.
 template <class Real>
-void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix) {
+void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix) {
   const std::vector<int>& coupled = rows_[j].coupled;
-  std::array<Vector, neighbour_count> v, u;
+  std::array<std::vector<Real>, neighbour_count> v, u;
   for (int n = 0; n < neighbour_count; ++n) {
     v[n].resize(nx_);
     u[n].resize(nx_);
@@ -52,13 +52,12 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix&
       u[n][i] = linear.by_thickness[n].row(i)[j];
     }
   }
-  const auto count = static_cast<Eigen::Index>(coupled.size());
-  matrix.resize(count, count);
-  Vector column(nx_);
+  matrix.resize(coupled.size() * coupled.size());
+  Real* out = matrix.data();
+  std::vector<Real> column(nx_);
   const Real *u_ww = u[west_west].data(), *u_w = u[west].data(), *u_c = u[centre].data(), *u_e = u[east].data(),
              *u_s = u[south].data(), *u_n = u[north].data();
-  for (Eigen::Index m = 0; m < count; ++m) {
-    const int k = coupled[m];
+  for (const int k : coupled) {
     const Part *own = influence(own_row, j) - k, *before = influence(row_before, j) - k,
                *after = influence(row_after, j) - k;
     for (int i = coupled.front(); i <= coupled.back(); ++i) {
@@ -69,7 +68,7 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, Matrix&
     if (k > 0) column[k - 1] += v[east][k - 1];
     if (k + 1 < nx_) column[k + 1] += v[west][k + 1];
     if (k + 2 < nx_) column[k + 2] += v[west_west][k + 2];
-    for (Eigen::Index r = 0; r < count; ++r) matrix(r, m) = column[coupled[r]];
+    for (const int i : coupled) *out++ = column[i];
   }
 }
 
@@ -103,11 +102,11 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
         if (this->coupled_.row(i)[j] != 0.0) rows_[j].coupled.push_back(i);
       }
     }
-    Matrix matrix;
+    std::vector<Real> matrix;
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       if (rows_[j].coupled.empty()) continue;
       assemble(linear, static_cast<int>(j), matrix);
-      rows_[j].factors.compute(matrix);
+      rows_[j].factors.compute(matrix, static_cast<int>(rows_[j].coupled.size()));
     }
     use_ = {shift, relaxations_for_factors * nx_};
   }
@@ -134,13 +133,13 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const std::vector<int>& coupled = rows_[j].coupled;
     if (coupled.empty()) continue;
-    values_.resize(static_cast<Eigen::Index>(coupled.size()));
+    values_.resize(coupled.size());
     for (std::size_t m = 0; m < coupled.size(); ++m) {
-      values_[static_cast<Eigen::Index>(m)] = residual.row(coupled[m])[j] * Real(this->coupled_.row(coupled[m])[j]);
+      values_[m] = residual.row(coupled[m])[j] * Real(this->coupled_.row(coupled[m])[j]);
     }
-    values_ = rows_[j].factors.solve(values_);
+    rows_[j].factors.solve(values_);
     for (std::size_t m = 0; m < coupled.size(); ++m) {
-      change.row(coupled[m])[j] += values_[static_cast<Eigen::Index>(m)] * Real(this->coupled_.row(coupled[m])[j]);
+      change.row(coupled[m])[j] += values_[m] * Real(this->coupled_.row(coupled[m])[j]);
     }
   }
 }

@@ -11,10 +11,10 @@
 // from there on every further use would make the average grow.
 #pragma once
 
-#include <Eigen/LU>
 #include <array>
 #include <vector>
 
+#include "film/row_factors.hpp"
 #include "film/smoother.hpp"
 
 namespace gearfilm {
@@ -31,8 +31,6 @@ public:
   void relax(Field<Real>& residual, Field<Real>& change) override;
 
 private:
-  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-  using Vector = Eigen::VectorX<Real>;
   enum At { row_before, own_row, row_after, places };
 
   /// Deformation at one of three rows by unit pressure on an own row, at distances of -nx..nx lines; [0] is in the
@@ -40,13 +38,14 @@ private:
   const Part* influence(At at, int j) const {
     return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
   }
-  void assemble(const FilmStencil<Real>& linear, int j, Matrix& matrix);
+  /// Of the coupled nodes of row j, column by column.
+  void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
   /// Whether the present factors serve a linearisation about this state as well.
   bool serve(ShiftOf<Real> shift) const;
 
   struct Row {
     std::vector<int> coupled;  ///< lines of the nodes that were coupled when its factors were made
-    Eigen::PartialPivLU<Matrix> factors;
+    RowFactors<Real> factors;
   };
   /// What the present factors have been used for.
   struct Use {
@@ -64,7 +63,7 @@ private:
   Field<Part> factored_;          ///< coupled() when factors were made
   Field<Real> inverse_scale_;     ///< of nodes that factors are not used for, else 0
   Use use_;
-  Vector values_;
+  std::vector<Real> values_;  ///< of the coupled nodes of a row
 };
 
 extern template class RowSmoother<float>;
