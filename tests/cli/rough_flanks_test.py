@@ -119,6 +119,20 @@ class Waves(RestartTest):
                                   "-grid_nx", 385, "-time_dt", 0.011)
             self.assertLess(numpy.abs(film - waves).max(), 0.1 * amplitude)
 
+    def test_what_is_shorter_than_the_cutoff_belongs_to_the_asperities(self):
+        """Of waves of half the cutoff the Gaussian filter leaves a sixteenth to the heights."""
+        info, amplitude = self.pair(20, 10), 1e-7
+        cutoff = 3 * info["a"]
+        s = 5e-3 + cutoff / 80 * numpy.arange(1601)
+        z = amplitude * numpy.cos(4 * math.pi * s / cutoff)
+        rows = (f"{place:.12e} {height:.12e}\n" for place, height in zip(s, z))
+        (self.folder / "short").write_text("".join(rows), encoding="utf-8")
+        self.run_well("transient", self.case, "-roughness_model", "both", "-pinion_surface", self.folder / "short",
+                      "-roughness_cutoff", cutoff, "-mesh_periods", 0.02, "-output_dir", "fine")
+        contacts = table_in(self.folder / "fine", "history/contacts")
+        roughness = contacts["h_min"] / contacts["lambda"]
+        self.assertAlmostEqual(roughness[-1], 15 / 16 * amplitude / math.sqrt(2), delta=5e-3 * amplitude)
+
     def test_a_measured_profile_is_a_profile_of_the_same_depth(self):
         """Given as heights along the flank, or as what the flank lacks of its involute; the filter leaves 0.926."""
         info, amplitude, base = self.pair(20, 10), 1e-8, 60e-3 * math.cos(math.radians(20))
