@@ -35,7 +35,7 @@ struct WavyContact {
   std::shared_ptr<const std::array<Topography, 2>> flanks;
 };
 
-GridShape inner(int nx) { return rectangle(nx, 5, -0.6, 0.6, 0.4); }
+GridShape inner(int nx) { return rectangle(nx, 9, -0.6, 0.6, 0.4); }
 
 // Waves of flanks that roll keep their height in any number of nodes: nothing is missing that had to be added.
 TEST(CarriedHeights, of_flanks_that_roll_need_no_transport) {
