@@ -71,7 +71,7 @@ friction_coefficient_boundary | - | the asperities' part of friction_coefficient
 friction_force_boundary | N | the asperities' part of friction_force
 power_boundary | W | the asperities' part of power_sliding
 asperity_load_share_max | - | largest part of a contact's force that asperities carry
-asperity_load_share_mean | - | force that the asperities of all contacts carry over the static force, mean in time
+asperity_load_share_mean | - | part of the force on all contacts together that asperities carry, mean in time
 wear_depth_pinion_max | m | largest wear of the pinion's flank in one mesh
 wear_depth_wheel_max | m | largest wear of the wheel's flank in one mesh
 wear_rate_pinion_mean | m^3/s | volume that the pinion loses by time, mean

@@ -1,5 +1,6 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
 #include <algorithm>
+#include <array>
 #include <iomanip>
 
 #include "app/commands.hpp"
@@ -10,6 +11,8 @@
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
+#include "input/case_with_parameter.hpp"
+#include "orbits/settled_march.hpp"
 #include "output/screen.hpp"
 #include "output/screen_table.hpp"
 #include "results/flank_result.hpp"
@@ -123,6 +126,39 @@ void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrb
   warn_of_validity(comm, problem, summary);
 }
 
+/// No state has been found from the dry pair's orbit, but one of the pair at another speed.
+struct StateBeside {
+  double speed_rpm = 0.0;
+  Motion motion;  ///< where it begins, in the units of the case
+  std::string why;
+};
+
+/// Beyond a speed at which two states meet and end, searches linger where they were. States at other speeds that
+/// searches find lead past that.
+std::optional<StateBeside> state_beside(MPI_Comm comm, const CaseInput& problem, const std::string& why,
+                                        const StopCheck& check_stop) {
+  constexpr std::array speeds = {1.02, 0.98};  // over that of the case
+  const std::string speed = "pinion.speed_rpm";
+  if (problem.dry() || problem.pair.train || problem.march.start_motion) return {};
+  if (problem.march.motion == PairMotion::quasi_static) return {};
+  for (const double ratio : speeds) {
+    const double beside = ratio * problem.parameters.real(speed);
+    try {
+      OrbitProblem search = orbit_problem(case_with_parameter(problem, speed, beside));
+      search.search.with_multipliers = false;
+      const DescribedOrbit found =
+          find_orbit(search, discretise(comm, search), dry_start(search.mesh), {.check_stop = check_stop}).own;
+      const PairState start{found.orbit.start.motion, {}};
+      return StateBeside{beside, rescaled(start, search.mesh.scales, problem.scales).motion, why};
+    } catch (const SolveError&) {
+      // The other speed may have one.
+    } catch (const InputError&) {
+      // That speed may not be given.
+    }
+  }
+  return {};
+}
+
 void search(MPI_Comm comm, const CaseInput& given) {
   std::string remark;
   const CaseInput problem = periodic_case(given, remark);
@@ -138,7 +174,11 @@ void search(MPI_Comm comm, const CaseInput& given) {
   try {
     found = find_orbit_with_errors(search, problem.dry() ? nullptr : films, watch_of(comm, run, output));
     if (search.mesh.fatigue) flanks = flank_results(search, films, found.own.orbit, run.stop().check_in(comm));
-  } catch (const Unfinished&) {
+  } catch (const Unfinished& error) {
+    if (dynamic_cast<const NoPeriodicState*>(&error) != nullptr) {
+      const auto beside = state_beside(comm, problem, error.what(), run.stop().check_in(comm));
+      if (beside) throw StateBeside(*beside);
+    }
     Summary summary = march_summary(problem, search.mesh, output.statistics());
     summary["completed"] = false;
     output.finish();
@@ -146,6 +186,31 @@ void search(MPI_Comm comm, const CaseInput& given) {
     throw;
   }
   write_state(problem, search.mesh, found, flanks, run, output);
+}
+
+/// From the dry pair's orbit; where none is found, from a state at another speed.
+void search_anywhere(MPI_Comm comm, const CaseInput& given) {
+  const std::array<std::string, 2> start = {"start.H0", "start.V0"};
+  ParameterValues values = given.parameters;
+  const auto begin_at = [&](const std::array<std::string, 2>& motion) {
+    for (std::size_t k : {0, 1}) values.set(start[k], motion[k], "the start that the program chose");
+    return make_case(values);
+  };
+  // A run that began again there goes on there.
+  if (given.run.restart && !given.march.start_motion) {
+    const auto H0 = parameter_of_kept_run(comm, given.run.directory, start[0]),
+               V0 = parameter_of_kept_run(comm, given.run.directory, start[1]);
+    if (H0 && V0) return search(comm, begin_at({*H0, *V0}));
+  }
+  try {
+    search(comm, given);
+  } catch (const StateBeside& found) {
+    say(comm, found.why, ": the search begins again from the state at ", found.speed_rpm, " rpm");
+    CaseInput again =
+        begin_at({worded(std::setprecision(10), found.motion.H0()), worded(std::setprecision(10), found.motion.V0())});
+    again.run.restart = false;
+    search(comm, again);
+  }
 }
 
 }  // namespace
@@ -158,17 +223,17 @@ void run_periodic(MPI_Comm comm, const CaseInput& given) {
   values.set(whole_face, "yes", "the choice of rows by the program");
   // A run that began again over the whole face goes on there.
   if (given.run.restart && !asked_for && parameter_of_kept_run(comm, given.run.directory, whole_face) == "yes") {
-    search(comm, make_case(values));
+    search_anywhere(comm, make_case(values));
     return;
   }
   try {
-    search(comm, given);
+    search_anywhere(comm, given);
   } catch (const EdgesReached& error) {
     if (asked_for) throw;
     say(comm, error.what(), ": the search begins again with films over the whole face (", whole_face, ": yes)");
     CaseInput over_the_face = make_case(values);
     over_the_face.run.restart = false;
-    search(comm, over_the_face);
+    search_anywhere(comm, over_the_face);
   }
 }
 

@@ -143,11 +143,8 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
          RequiredModel::asperities,
          Reduced{"asperity_load_share_max", Reduction::largest, units::number,
                  "largest part of a contact's force that asperities carry", ShownIn::everywhere}),
-     quantity::of_film<&FilmQuantities::asperity_integral>(
-         "asperity_force", "F_a", units::newton, "force that asperities carry", RequiredModel::asperities,
-         Reduced{"asperity_load_share_mean", Reduction::mean, units::static_force,
-                 "force that the asperities of all contacts carry over the static force, mean in time",
-                 ShownIn::everywhere}),
+     quantity::of_film<&FilmQuantities::asperity_integral>("asperity_force", "F_a", units::newton,
+                                                           "force that asperities carry", RequiredModel::asperities),
      quantity::of<QuantityInputs>(pinion_wear, "wear_depth_pinion", "", units::si_metre,
                                   "wear of the pinion's flank by one passage of the contact, where it is largest",
                                   RequiredModel::wear,

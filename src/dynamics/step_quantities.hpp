@@ -36,6 +36,12 @@ inline constexpr auto step_quantities = std::to_array<Quantity<StepRecord>>(
                  "largest force on all contacts together over the static force", ShownIn::march},
          Reduced{"total_force_ratio_min", Reduction::smallest, units::static_force,
                  "smallest force on all contacts together over the static force", ShownIn::sweep}),
+     quantity::of_step<&StepRecord::asperity_load_share>(
+         "asperity_load_share", "L_a", units::number, "part of the force that asperities carry",
+         RequiredModel::asperities,
+         Reduced{"asperity_load_share_mean", Reduction::mean, units::number,
+                 "part of the force on all contacts together that asperities carry, mean in time",
+                 ShownIn::everywhere}),
      quantity::of_step<&StepRecord::back_force>(
          "force_back", "w_b", units::newton, "force on reverse flanks, against that on the contacts",
          RequiredModel::nothing,

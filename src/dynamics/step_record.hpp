@@ -37,6 +37,11 @@ struct StepRecord {
   bool replayed = false;  ///< computed by an earlier program (run_store.hpp): its films are not at hand
 
   double pressure_integral() const { return sum_of("force"); }
+  /// Part of it that asperities carry; none where nothing is carried.
+  double asperity_load_share() const {
+    const double carried = pressure_integral();
+    return carried > 0.0 ? sum_of("asperity_force") / carried : 0.0;
+  }
   /// Lost by sliding and by rolling [W].
   double power_sliding() const { return sum_of("power_sliding"); }
   double power_rolling() const { return sum_of("power_rolling"); }

@@ -342,9 +342,11 @@ Records solver_records() {
                                                 "bound on the root mean square of the scaled residual")),
        preset(standard.newton.max_iterations,
               whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
-       preset(standard.newton.krylov_tolerance,
-              number("krylov_tolerance", "", "-", right_open(1e-15, 1),
-                     "relative, of each linear solve; no more than to three tenths of Newton's tolerance")),
+       preset(
+           standard.newton.krylov_tolerance,
+           number("krylov_tolerance", "", "-", right_open(1e-15, 1),
+                  "relative, of each linear solve; no more than to three tenths of Newton's tolerance; between rough "
+                  "surfaces from the third on 1e-3 at most")),
        preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
        preset(standard.multigrid.levels,

@@ -10,6 +10,7 @@ from films import BARBIERI, CIRCULAR, summary_in
 from program import SOURCE, ProgramTest
 from restarts import SMALL
 from script import plot
+from vibration import table_in
 
 HEAT = ["-friction_law", "eyring", "-thermal_model", "friction", "-lubricant_temperature_viscosity", 0.04]
 OF_FRICTION = {"friction_force", "friction_coefficient", "power_sliding", "power_rolling", "flash_temperature"}
@@ -122,6 +123,14 @@ class Friction(ProgramTest):
         for name in ("power_loss", "film_temperature_max", "surface_temperature_pinion_max"):
             self.assertAlmostEqual(together[name] / alone[name], 1, delta=1e-4, msg=name)
 
+    def test_energy_closes_where_asperities_rub_too(self):
+        rough, _ = self.summary("periodic", BARBIERI, *SMALL, *HEAT[:2], "-periodic_multipliers", "no",
+                                "-friction_in_motion", "yes", "-roughness_model", "stochastic", "-pinion_roughness",
+                                1.5e-6, "-wheel_roughness", 1e-6)
+        self.check_energy(rough)
+        self.assertGreater(table_in(self.folder / "out", "history/contacts")["power_boundary"].max(),
+                           0.1 * rough["power_loss"])
+
     def check_energy(self, summary):
         """What the pinion's torque brings in goes out by the wheel's or is lost; and it is what the case asks for."""
         self.run_program("info", BARBIERI, "-output_dir", "info")
@@ -143,7 +152,9 @@ class Friction(ProgramTest):
         given = speeds[0] * mean(rows["force"] * radii[0] - drags[0] * (radii[0] * tangent + rows["xi"]))
         taken = speeds[1] * mean(rows["force"] * radii[1] + drags[1] * (radii[1] * tangent - rows["xi"]))
         self.assertAlmostEqual((taken + summary["power_loss"]) / given, 1, delta=1e-9)
-        self.assertAlmostEqual(given / summary["transmitted_power"], 1, delta=1e-3)
+        # Both gears together are slowed by what is lost; less than half of it is the lighter one's, the pinion's.
+        asked = summary["transmitted_power"]
+        self.assertAlmostEqual(given / asked, 1, delta=0.5 * summary["power_loss"] / asked)
 
     def test_a_bare_contact_slides_as_it_is_told(self):
         summary, _ = self.summary("steady", CIRCULAR, "-friction_law", "newtonian", "-contact_sliding_velocity", 0.1,

@@ -88,6 +88,17 @@ class Waves(RestartTest):
             crossings = T[ups] - level[ups] * (T[ups + 1] - T[ups]) / (level[ups + 1] - level[ups])
             self.assertAlmostEqual(numpy.diff(crossings).mean(), length / speed, delta=0.01 * length)
 
+    def test_waves_along_the_rolling_stand_in_a_contact_at_rest(self):
+        """A crest in the middle of the face raises the pressure there, by twice as much if it is twice as high."""
+        pressures = []
+        for amplitude in (0, 1e-7, 2e-7):
+            self.run_well("steady", FIRST_GEAR, *GROUND, "-roughness_model", "both", "-roughness_direction",
+                          "longitudinal", "-roughness_amplitude_1", amplitude, "-roughness_wavelength_1", "16e-3",
+                          "-grid_nx", 65, "-grid_ny", 65, "-output_dir", "ridges")
+            pressures.append(summary_in(self.folder / "ridges")["p_central"])
+        self.assertGreater(pressures[1], 1.0005 * pressures[0])
+        self.assertAlmostEqual((pressures[2] - pressures[0]) / (pressures[1] - pressures[0]), 2, delta=0.02)
+
     def test_a_measured_profile_makes_the_film_of_its_heights(self):
         """A sine of three times the cutoff, in a file of points and in one of ISO 25178-71."""
         info = self.pair(20, 10)
@@ -107,6 +118,20 @@ class Waves(RestartTest):
             _, film = self.middle(info, 1.5, "-pinion_surface", self.folder / name, "-roughness_cutoff", length / 3,
                                   "-grid_nx", 385, "-time_dt", 0.011)
             self.assertLess(numpy.abs(film - waves).max(), 0.1 * amplitude)
+
+    def test_what_is_shorter_than_the_cutoff_belongs_to_the_asperities(self):
+        """Of waves of half the cutoff the Gaussian filter leaves a sixteenth to the heights."""
+        info, amplitude = self.pair(20, 10), 1e-7
+        cutoff = 3 * info["a"]
+        s = 5e-3 + cutoff / 80 * numpy.arange(1601)
+        z = amplitude * numpy.cos(4 * math.pi * s / cutoff)
+        rows = (f"{place:.12e} {height:.12e}\n" for place, height in zip(s, z))
+        (self.folder / "short").write_text("".join(rows), encoding="utf-8")
+        self.run_well("transient", self.case, "-roughness_model", "both", "-pinion_surface", self.folder / "short",
+                      "-roughness_cutoff", cutoff, "-mesh_periods", 0.02, "-output_dir", "fine")
+        contacts = table_in(self.folder / "fine", "history/contacts")
+        roughness = contacts["h_min"] / contacts["lambda"]
+        self.assertAlmostEqual(roughness[-1], 15 / 16 * amplitude / math.sqrt(2), delta=5e-3 * amplitude)
 
     def test_a_measured_profile_is_a_profile_of_the_same_depth(self):
         """Given as heights along the flank, or as what the flank lacks of its involute; the filter leaves 0.926."""
@@ -149,8 +174,8 @@ class Waves(RestartTest):
 
 
 class Wear(RestartTest):
-    def worn(self, *options, processes=1):
-        self.run_well("wear", *WORN, "-wear_cycles", 3.5e4, "-output_dir", "worn", *options, processes=processes)
+    def worn(self, *options, cycles=3.5e4, processes=1):
+        self.run_well("wear", *WORN, "-wear_cycles", cycles, "-output_dir", "worn", *options, processes=processes)
         return summary_in(self.folder / "worn")
 
     def test_flanks_lose_what_asperities_rub_off(self):
@@ -172,17 +197,19 @@ class Wear(RestartTest):
         self.assertLess(middle["depth"][at_pitch], 0.2 * middle["depth"].max())
 
     def test_a_run_goes_on_to_the_bit_on_other_processes_nearly(self):
-        whole = self.worn()
+        runs_in = ["-wear_final_roughness", "0.2e-6", "-wear_running_in_work", 3e7]
+        whole = self.worn(*runs_in, cycles=3e3)
         steps = sorted((self.folder / "worn/points").iterdir())
         self.assertGreater(len(steps), 2)
         for last in steps[-2:]:
             last.unlink()
-        again = self.worn()
-        for name in ("worn_depth_pinion", "worn_depth_wheel", "worn_volume_pinion"):
+        again = self.worn(*runs_in, cycles=3e3)
+        for name in ("worn_depth_pinion", "worn_depth_wheel", "worn_volume_pinion", "roughness"):
             self.assertEqual(again[name], whole[name])
         for step in steps:
             step.unlink()
-        self.assertAlmostEqual(self.worn(processes=2)["worn_depth_pinion"] / whole["worn_depth_pinion"], 1, delta=1e-6)
+        together = self.worn(*runs_in, cycles=3e3, processes=2)
+        self.assertAlmostEqual(together["worn_depth_pinion"] / whole["worn_depth_pinion"], 1, delta=1e-6)
 
     def test_roughness_runs_in_and_unloads_asperities(self):
         worn = self.worn("-wear_final_roughness", "0.2e-6", "-wear_running_in_work", 3e7)

@@ -63,6 +63,21 @@ TEST(MarchStatistics, work_is_summed_over_the_steps_of_a_period) {
   EXPECT_EQ(period["wall_time"], 1.0);
 }
 
+// Forces on all contacts are twice and half the static one, of which asperities carry 1/4 and all.
+TEST(MarchStatistics, asperities_carry_a_part_of_the_force_of_the_moment) {
+  const auto rough = [](double force, double by_asperities) {
+    ContactRecord record = contact(0, 0.0, force);
+    record.quantities["asperity_force"] = by_asperities;
+    return record;
+  };
+  const MarchStatistics statistics =
+      statistics_of({step(0.0, 0.0, {rough(20.0, 5.0)}), step(0.5, 0.5, {rough(12.0, 1.0), rough(8.0, 4.0)}),
+                     step(0.5, 0.0, {rough(5.0, 5.0)}), step(1.0, 0.5, {rough(5.0, 5.0)})},
+                    {.asperities = true});
+  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["asperity_load_share_mean"].value(), 0.5 * (0.25 + 1.0));
+  EXPECT_EQ(step(0.0, 0.0, {}).asperity_load_share(), 0.0);
+}
+
 TEST(MarchStatistics, extremes_are_kept_by_contact_and_of_the_sum) {
   const MarchStatistics statistics =
       statistics_of({step(0.25, 0.25, {contact(0, 0.0, 8.0, 3.0)}),

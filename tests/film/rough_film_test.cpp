@@ -101,6 +101,30 @@ TEST(RoughFilm, is_the_same_on_any_number_of_processes) {
   EXPECT_TRUE(together.result.quantities.finite);
 }
 
+// From 1 to 1/1000 of the speed in thirds of a decade: from films that carry nearly all of the load to dry asperities.
+TEST(RoughFilm, follows_from_its_neighbour_in_eight_iterations_on_the_average) {
+  const FilmCase contact = rough(moes_contact(200.0, 10.0, 0.5), 0.05);
+  const Grid grid(PETSC_COMM_WORLD, contact.shape(65, 33));
+  ContactFilm film(discretise(grid, contact.scales), contact.scales, MultigridOptions{});
+  const LoadCondition load = LoadCondition::force(contact.scales.static_force);
+  StationaryResult last = solve_stationary(film, load, {});
+  const double first_share = last.quantities.asperity_integral / last.quantities.pressure_integral;
+  constexpr int count = 9;
+  int iterations = 0;
+  for (int n = 1; n <= count; ++n) {
+    move_surfaces(film, {.entrainment = std::pow(10.0, -n / 3.0)});
+    const std::optional<StationaryResult> next = improve_stationary(film, load, {}, last.solution);
+    ASSERT_TRUE(next) << "at the speed 10^-" << n / 3.0;
+    iterations += next->counts.newton;
+    EXPECT_GT(next->quantities.asperity_integral, last.quantities.asperity_integral);
+    last = *next;
+  }
+  EXPECT_LT(first_share, 0.3);
+  EXPECT_GT(last.quantities.asperity_integral / last.quantities.pressure_integral, 0.9);
+  EXPECT_LE(iterations, 8 * count);
+  report("  %.1f Newton iterations a film", static_cast<double>(iterations) / count);
+}
+
 // D = c y.
 TEST(ContactSurfaces, part_by_what_flanks_lack_beside_the_middle_of_the_face) {
   const FilmCase contact = moes_contact(200.0, 10.0, 0.5);
