@@ -124,5 +124,5 @@ def add_options(parser):
 
 
 def draw_folder(folder, at=0.0):
-    """Of `gearfilm steady`, or of a march the stored film that is nearest to a position [mm]."""
+    """Draws `gearfilm steady`, or the stored film of a march that is nearest to a position [mm]."""
     return draw(read_film(folder, at))
