@@ -78,7 +78,7 @@ class Manual(unittest.TestCase):
     def test_defaults_are_those_of_the_program(self):
         rows = [(cells[0], cells[4].removeprefix("default ")) for cells in rows_of("parameters")
                 if cells[4].startswith("default ")]
-        self.assertEqual(defaults.KNOWN, dict(rows), "write the table of scripts/gearfilm/defaults.py anew")
+        self.assertEqual(defaults.KNOWN, dict(rows), "write the table of scripts/gearfilm/defaults.py again")
 
     def test_numbers_are_shown_in_units_that_fit(self):
         headings, rows = main_results({"h_min": 1.7904e-6, "h_min_error": 2.536e-7, "h_min_extrapolated": 2.044e-6,
