@@ -151,15 +151,15 @@ class Studies(unittest.TestCase):
 class Documents(unittest.TestCase):
     def test_parameter_page_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/parameters.md"), output_of("parameters"),
-                         "write docs/parameters.md anew: gearfilm parameters > docs/parameters.md")
+                         "write docs/parameters.md again: gearfilm parameters > docs/parameters.md")
 
     def test_page_of_constants_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/constants.md"), output_of("constants"),
-                         "write docs/constants.md anew: gearfilm constants > docs/constants.md")
+                         "write docs/constants.md again: gearfilm constants > docs/constants.md")
 
     def test_figure_page_is_what_the_program_prints(self):
         self.assertEqual(read(SOURCE / "docs/results.md"), output_of("figures"),
-                         "write docs/results.md anew: gearfilm figures > docs/results.md")
+                         "write docs/results.md again: gearfilm figures > docs/results.md")
 
     def test_symbols_have_keys_and_names_that_exist(self):
         keys = set(re.findall(r"^\| `(\S+)`", output_of("parameters"), re.MULTILINE))

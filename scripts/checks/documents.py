@@ -68,7 +68,7 @@ def long_lines(page):
 
 
 def table_faults(page, update):
-    """Tables in the page that are not those of the studies; written anew where asked for."""
+    """Tables in the page that are not those of the studies; written again where asked for."""
     text = page.read_text(encoding="utf-8")
     faults = []
 

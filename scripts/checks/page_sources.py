@@ -39,7 +39,8 @@ def linked(found, page, pages):
         return found[0]
     place, _, anchor = target.partition("#")
     other = posixpath.normpath(posixpath.join(posixpath.dirname(page), place)) if place else page
-    return f"[{text}](@ref {label(other, anchor)})" if other in pages else text
+    # Doxygen shows the marks of code in such a link as text.
+    return f"[{text.replace('`', '')}](@ref {label(other, anchor)})" if other in pages else text
 
 
 def with_formulas(line, display):
@@ -80,6 +81,7 @@ def page_source(page, text, pages):
         line = LINK.sub(lambda found: linked(found, page, pages), line)
         if number in titles:
             level, _, anchor = titles[number]
+            line = line.replace("`", "")  # Doxygen shows the marks of code in a heading as text
             of_page = level == 1 and first
             if not of_page or page != FIRST:
                 line = f"{line} {{#{label(page, '' if of_page else anchor)}}}"

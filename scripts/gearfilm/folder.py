@@ -33,7 +33,7 @@ class Film:
     pressure: numpy.ndarray     # [GPa]
 
     def dataset(self):
-        """As an xarray.Dataset with named dimensions."""
+        """The film as an xarray.Dataset with named dimensions."""
         xarray = _optional("xarray")
         fields = {"thickness": (("x", "y"), self.thickness, {"units": "um"}),
                   "pressure": (("x", "y"), self.pressure, {"units": "GPa"})}
@@ -71,7 +71,7 @@ def _parameter(text):
 
 
 def _place_of(contact):
-    """Of the group of a contact: its place on the line of action [mm]."""
+    """Place of a contact on the line of action, from its group [mm]."""
     return 1e3 * float(contact.attrs.get("xi", 0.0))
 
 
@@ -171,7 +171,7 @@ class RunFolder:
         return {name.removeprefix("history/"): self.table(name) for name in self.tables() if name.startswith("history/")}
 
     def forces(self):
-        """Of every contact, by its number: position on the line of action from the pitch point [mm], force [N]."""
+        """Position on the line of action from the pitch point [mm] and force [N] of every contact, by its number."""
         rows = self.table("history/contacts")
         return {int(number): (1e3 * rows["xi"][rows["contact"] == number], rows["force"][rows["contact"] == number])
                 for number in numpy.unique(rows["contact"])}

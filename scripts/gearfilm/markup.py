@@ -41,7 +41,7 @@ def _has_numbers(text):
 
 
 def table(rows, headings=()):
-    """Of texts; a cell of two is words with a name under which results have them."""
+    """A table of texts; a cell of two texts has words, and the name that they have in the results."""
     numeric = [any(_has_numbers(row[n]) for row in rows if not isinstance(row[n], tuple)) for n in range(len(rows[0]))]
     looks = ["number" if number else "words" for number in numeric]
     if "unit" in headings:

@@ -15,12 +15,12 @@ DEBIAN = "/usr/bin/python3"                         # has all of them after scri
 
 
 def missing(packages):
-    """Those that this Python lacks, by the names under which they are installed."""
+    """The packages that this Python lacks, by the names under which they are installed."""
     return [DISTRIBUTED_AS.get(name, name) for name in packages if importlib.util.find_spec(name) is None]
 
 
 def other_python(packages):
-    """One that has them all, the variable PYTHON or Debian's; None where neither does."""
+    """A Python that has them all, the variable PYTHON or Debian's; None where neither does."""
     for python in (os.environ.get("PYTHON"), DEBIAN):
         try:
             if python and subprocess.run([python, "-c", f"import {', '.join(packages)}"], capture_output=True,

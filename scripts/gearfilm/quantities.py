@@ -1,4 +1,4 @@
-"""Units and meanings of the figures in summaries, as the manual has them, and the units in which a page shows them."""
+"""Units and meanings of the quantities in summaries, and the units in which a page shows them."""
 from typing import NamedTuple
 
 # Name, unit in the summary, meaning. The first part is that of `gearfilm figures`.
@@ -283,7 +283,7 @@ SHOWN = {"m": ((0.9999e-4, 1e3, "mm"), (0.0, 1e6, "µm")), "Pa": ((1e7, 1e-9, "G
 
 
 class Quantity(NamedTuple):
-    """A figure of a summary; the unit is empty for what is no number."""
+    """A quantity of a summary; the unit is empty for what is no number."""
     unit: str
     meaning: str
 
@@ -298,7 +298,7 @@ KNOWN = dict(_read(TABLE))
 
 
 def quantity(name):
-    """By its name; of errors and extrapolated values as of what they belong to. None of an unknown one."""
+    """The quantity of a name; errors and extrapolated values are as what they belong to. None of an unknown name."""
     for ending in ("_error", "_extrapolated"):
         if name not in KNOWN and name.endswith(ending):
             name = name.removesuffix(ending)

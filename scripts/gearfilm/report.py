@@ -1,4 +1,4 @@
-"""One HTML page of a run: main figures with errors, pictures, formulas, how to repeat it; the solver's figures below.
+"""One HTML page of a run: main results with errors, pictures, formulas, how to repeat it; the work of the solver last.
 
 The page stands alone: pictures are inside it, nothing is fetched when it is opened. Names and units are the manual's.
 """
@@ -79,7 +79,7 @@ def _is_row(summary, name, value):
     return name not in BARE and not derived and (numbers or not isinstance(value, (list, dict)))
 
 
-def main_figures(summary):
+def main_results(summary):
     """Headings, and rows of name, value, unit, error, and value that finer grids lead to, as far as there are such."""
     names = [name for name, value in summary.items() if _is_row(summary, name, value) and name not in INTERNAL]
     endings = {"error": "_error", "finer grids": "_extrapolated"}
@@ -87,10 +87,10 @@ def main_figures(summary):
                if any(summary.get(name + ending) is not None for name in names)}
     rows = [_row(name, summary[name], **{ending: summary.get(name + ending) for ending in endings.values()})
             for name in names]
-    return ["figure", "value", "unit", *endings], rows
+    return ["quantity", "value", "unit", *endings], rows
 
 
-def internal_figures(summary):
+def internal_results(summary):
     """Rows of name, value, unit of what tells of the solver and its grid."""
     return [_row(name, value) for name, value in summary.items()
             if _is_row(summary, name, value) and name in INTERNAL]
@@ -212,11 +212,11 @@ def page(run):
     version = html.escape(attributes.get("version", "of unknown version"))
     text.write(f"<h1>{html.escape(title)}</h1>\n<p>gearfilm {version}</p>\n")
     if not summary.get("completed", True):
-        text.write(markup.warning("This run is not complete: figures are of what was computed until it ended."))
+        text.write(markup.warning("This run is not complete: the page shows what was computed until it ended."))
     if summary.get("stable") is False:
         text.write(markup.warning("The periodic state is unstable: no march stays on it."))
-    headings, main = main_figures(summary)
-    section("Main figures", rows(main, headings))
+    headings, main = main_results(summary)
+    section("Main results", rows(main, headings))
     section("What fails first", rows(verdicts(summary), HEADINGS))
     for kind, content, trouble in figures(run):
         section(CAPTIONS.get(kind, kind), markup.picture(content, CAPTIONS.get(kind, kind)) if content else
@@ -230,8 +230,8 @@ def page(run):
                 f"<pre>{html.escape(command)}</pre>\n<p>with this case file, which has what was given in a file or by "
                 f"options, but for the program's defaults:</p>\n<pre>{html.escape(case)}</pre>")
     section("Internals", "<p>Of the solver, its grid and the program.</p>")
-    section("Grid and solver", rows(internal_figures(summary), ("figure", "value", "unit")), 3)
-    section("Time steps", rows(convergence(run), ("figure", "value", "unit")), 3)
+    section("Grid and solver", rows(internal_results(summary), ("quantity", "value", "unit")), 3)
+    section("Time steps", rows(convergence(run), ("quantity", "value", "unit")), 3)
     made_with = [(key, value) for key, value in attributes.items() if key not in ("x_min", "x_max", "y_half")]
     section("Made with", rows([(key, str(value)) for key, value in made_with]), 3)
     section("All parameters", rows(case_of(run), ("parameter", "value", "unit")), 3)

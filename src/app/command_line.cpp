@@ -1,5 +1,7 @@
 #include "app/command_line.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 
@@ -27,6 +29,14 @@ namespace {
 bool starts_option(const std::string& word) {
   const std::size_t letter = word.starts_with("--") ? 2 : 1;
   return word.starts_with("-") && word.size() > letter && std::isalpha(static_cast<unsigned char>(word[letter]));
+}
+
+constexpr const char* prefix_hint = "; options of PETSc's solvers have a prefix here, as in -steady_snes_monitor";
+
+/// Whether PETSc would read the option of a solver that has no prefix.
+bool of_a_solver(const std::string& option) {
+  const auto begins = [&](const char* kind) { return option.starts_with(kind); };
+  return std::ranges::any_of(std::array{"-snes_", "-ksp_", "-pc_", "-ts_", "-eps_"}, begins);
 }
 
 /// The libraries that this program works with, a line each.
@@ -80,7 +90,7 @@ void run_on_case(MPI_Comm comm, const Command& command, const CommandLine& comma
     say(working.comm(), reason.what());
   }
   for (const std::string& option : unused_options()) {
-    warn(working.comm(), "option " + option + " was not used");
+    warn(working.comm(), "option ", option, " was not used", of_a_solver(option) ? prefix_hint : "");
   }
 }
 

@@ -37,7 +37,7 @@ std::string constants_markdown() {
   std::string text =
       "# Tuned constants\n\nThis page is the output of `gearfilm constants`.\n\n"
       "Constants of the algorithms that were chosen by measurement. The option `-NAME` gives one another value; such "
-      "values\nare written into the results. No result may hang on them by more than its error bar: "
+      "values\nare written into the results. No result may change with them by more than its error bar: "
       "`scripts/studies/scan_constants/run`\ntries half and twice of each. Lengths and times without unit are "
       "dimensionless.\n\n| Name | Default | Kind | Meaning |\n|---|---|---|---|\n";
   for (const auto& [name, constant] : sorted)

@@ -12,7 +12,7 @@ namespace gearfilm {
 using SweepChain = std::vector<SweepPoint>;
 
 /// Computes the points that are still missing, writes each when it is done, and prints a line on it. A point without a
-/// periodic state is recorded with its error; the next one starts anew, one of the dry pair from the last that was
+/// periodic state is recorded with its error; the next one starts again, one of the dry pair from the last that was
 /// found. Throws Stopped. Collective on the group.
 void run_chain(MPI_Comm group, const CaseInput& problem, const SweepPoints& points, const SweepChain& chain,
                const StopRequest& stop);

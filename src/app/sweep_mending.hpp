@@ -9,7 +9,7 @@
 
 namespace gearfilm {
 
-/// Over and over until no further one is found; each is written anew, with a line on the screen. all: in the order of
+/// Over and over until no further one is found; each is written again, with a line on the screen. all: in the order of
 /// the sweep. Throws Stopped. Collective.
 void mend_sweep(MPI_Comm comm, const CaseInput& problem, const SweepPoints& points, const std::vector<SweepPoint>& all,
                 const StopRequest& stop);

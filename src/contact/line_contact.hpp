@@ -31,7 +31,7 @@ double moes_line_central(const ContactSolids& solids, const Lubricant& oil, doub
 /// Load by unit length of an operation, whether of a line contact or of a face [N/m].
 double load_per_length(const ContactSolids& solids, const ContactOperation& operation);
 
-/// By the formula of the contact's kind: of a line, a face, or an ellipse.
+/// Central film by the formula of the contact's kind: of a line, a face, or an ellipse.
 double expected_central_film(const ContactSolids& solids, const Lubricant& oil, const ContactOperation& operation);
 
 }  // namespace gearfilm

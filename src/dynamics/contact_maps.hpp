@@ -35,7 +35,7 @@ using ContactMapPair = std::array<ContactMap, 2>;
 
 class ContactMaps {
 public:
-  /// The mesh must outlive it. period: T of a motion that is sought, after which maps begin anew; absent: they never
+  /// The mesh must outlive it. period: T of a motion that is sought, after which maps begin again; absent: they never
   /// do.
   ContactMaps(const MeshModel& mesh, int points, std::optional<double> period = {});
 

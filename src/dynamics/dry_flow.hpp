@@ -59,10 +59,10 @@ public:
   /// The motion at a time from that at another. Nothing is kept from call to call. Throws SolveError where it is not
   /// finite, as do the others.
   Motion between(const Motion& start, double T_begin, double T_end) const;
-  /// From T = 0 on.
+  /// Follows the motion from T = 0 on.
   DryFlowEnd operator()(const Motion& start, int mesh_periods) const;
 
-  /// The same motion without derivatives, which for long would grow beyond bounds. The observer may throw.
+  /// Follows the motion without derivatives, which would grow beyond bounds in a long march. The observer may throw.
   static void march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,
                     const std::function<void(const DryPeriod&)>& observer);
 

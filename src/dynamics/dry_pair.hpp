@@ -19,7 +19,7 @@ public:
   /// march.
   DryMarch(MeshModel mesh, double dT, StepObserver observer, double damping = 0.0, RunStore* store = nullptr);
 
-  /// At rest at a time.
+  /// The motion in which the pair is at rest at a time.
   static Motion balance(const MeshModel& mesh, const DryForce& force, double T);
 
   /// Starts at the given motion, or at rest in balance.
@@ -32,7 +32,7 @@ public:
   const Motion& motion() const { return motion_; }
 
 private:
-  /// With these contacts.
+  /// Calls the observer with these contacts.
   void observe(double dT, double wall_seconds, const std::vector<int>& numbers) const;
 
   MeshModel mesh_;

@@ -22,7 +22,7 @@ struct FlankPlaces {
 
   double s(int k) const { return begin + (end - begin) * k / (along - 1); }
   double y(int j) const { return half_width * (2.0 * j / (across - 1) - 1.0); }
-  /// Of the flank that belongs to a place, half as much at an end [m^2].
+  /// Area of the flank that belongs to a place, half as much at an end [m^2].
   double area(int k, int j) const {
     const auto part = [](int n, int count) { return n == 0 || n == count - 1 ? 0.5 : 1.0; };
     return part(k, along) * (end - begin) / (along - 1) * part(j, across) * 2.0 * half_width / (across - 1);

@@ -76,7 +76,7 @@ public:
   std::vector<ContactRecord> records(double T, const std::vector<FilmQuantities>& quantities) const;
 
 private:
-  /// Of the dry contacts of these forces at T [-].
+  /// Stiffness of the dry contacts under these forces at T [-].
   double contact_stiffness(double T, const std::vector<FilmQuantities>& quantities) const;
   BodyEquations bodies_at(double T) const;
   /// None without a backlash.

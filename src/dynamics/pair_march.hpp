@@ -10,7 +10,7 @@ namespace gearfilm {
 
 class PairMarch {
 public:
-  /// On films of a discretisation.
+  /// A march on films of a discretisation.
   PairMarch(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
             StepObserver observer, RunStore* store = nullptr)
       : march_(make_march(mesh, numerics, films, std::move(observer), store)) {}
@@ -18,7 +18,7 @@ public:
   PairMarch(const MeshModel& mesh, double dT, double damping_ratio, StepObserver observer, RunStore* store = nullptr)
       : march_(DryMarch(mesh, dT, std::move(observer), dry_damping(mesh, damping_ratio), store)) {}
 
-  /// At the given motion, or at rest.
+  /// Starts at the given motion, or at rest.
   void start(const std::optional<Motion>& motion) {
     std::visit([&](auto& march) { march.start(motion); }, march_);
   }

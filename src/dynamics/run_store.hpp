@@ -1,6 +1,6 @@
 // Stored runs, by which a march that was stopped with its program goes on without computing its steps again.
 //
-// A march is a series of runs; between two runs its state may be set anew (a jump of the motion, another period of a
+// A march is a series of runs; between two runs its state may be set again (a jump of the motion, another period of a
 // search). A run is a series of segments, between which contacts enter or leave, or the grid is widened, and the time
 // scheme starts afresh: the points at which a march can be taken up with not a bit changed. A program that is started
 // again asks for the same runs in the same order. What is kept of a run is taken over; the rest is computed.

@@ -18,7 +18,7 @@ const Tuned<double> largest_step("step_largest_step", 4.0, "largest controlled s
 const Tuned<double> smallest_step("step_smallest_step", 1e-4, "smallest controlled step");
 const Tuned<double> longest_growth("step_longest_growth", 2.0, "largest growth of a controlled step");
 const Tuned<double> longest_fall("step_longest_fall", 0.2, "largest fall of a controlled step");
-const Tuned<int> short_steps("step_short_steps", 4, "short steps that guess the end of a whole one");
+const Tuned<int> short_steps("step_short_steps", 4, "short steps that give the first guess of a whole one");
 const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short step before that is given up");
 
 // Motion is fitted to a swing of circular frequency w where w dT is above the first: below there is nothing to fit. It

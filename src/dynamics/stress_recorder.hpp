@@ -1,7 +1,7 @@
 // The stresses below the film of one contact, as it goes on in time. Only reads the film.
 //
 // They are computed once the material has moved so far since they were computed last (StressModel::every); in between
-// the numbers of the last time stand. After every event they are computed anew, so that a march that goes on from a
+// the numbers of the last time stand. After every event they are computed again, so that a march that goes on from a
 // kept state has the same ones.
 #pragma once
 

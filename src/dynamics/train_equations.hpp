@@ -24,7 +24,7 @@ BodyEquations equation_of_motion(const MeshTrain& train, const TrainLoad& load, 
 ReverseFlankForce reverse_flanks_in(const MeshTrain& train, double static_force,
                                     std::function<ReverseFlankForce::Value(double approach)> law);
 
-/// Of the train on contacts of this stiffness [-], by the symmetric part of K.
+/// Swings of the train on contacts of this stiffness [-], by the symmetric part of K.
 Swings swings_of(const MeshTrain& train, double contact_stiffness);
 
 /// Whether the contacts hold the flanks by as much as masses and shafts do, where states change by `shift` a time: of

@@ -17,7 +17,7 @@ struct LoadedContacts {
   const std::vector<double>& forces;
 };
 
-/// Of a mesh with a train, whose contacts are these at T.
+/// Acceleration of a mesh with a train, whose contacts are these at T.
 TrainAcceleration train_acceleration(const MeshModel& mesh, const LoadedContacts& loaded, double T,
                                      const Motion& motion, double damping, bool derivatives);
 

@@ -32,10 +32,10 @@ struct EndFaces {
   bool act() const { return kind != EndFace::half_space; }
 };
 
-/// Those of a face.
+/// The end faces of a face.
 EndFaces ends_of(const Face& face);
 
-/// By target row, source row and distance in lines; rows and sources of the stored axis, images included. Without C_h.
+/// Compliance by target row, source row and distance in lines; rows of the stored axis, images included. Without C_h.
 class EndFaceCompliance {
 public:
   EndFaceCompliance(const GridShape& shape, const EndFaces& ends);

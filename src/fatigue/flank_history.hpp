@@ -59,7 +59,7 @@ public:
   const FlankPath& path() const { return path_; }
   void clear() { records_.clear(); }
 
-  /// At a point s [m] and a depth of this process, while the point lies in the contact's section [Pa].
+  /// Stresses at a point s [m] and a depth of this process while the contact's section holds the point [Pa].
   PointHistory at(double s, int depth) const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace gearfilm {
 
-/// Of points of the flank and the depths of this process, [point][depth], in Pa.
+/// Stresses of the flank's points at the depths of this process, [point][depth], in Pa.
 struct FlankMap {
   std::vector<double> dang_van;
   std::vector<double> von_mises;             ///< largest of the history

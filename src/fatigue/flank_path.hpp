@@ -12,7 +12,7 @@ namespace gearfilm {
 
 class FlankPath {
 public:
-  /// Of the pinion's flank or the wheel's.
+  /// The path on the pinion's flank or on the wheel's.
   FlankPath(const LineOfAction& line, bool pinion);
 
   /// rho and s of the point at the middle of the contact at xi [m].

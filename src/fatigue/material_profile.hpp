@@ -43,7 +43,7 @@ struct FlankMaterial {
   bool has_hardness() const { return hardening.has_value() || hardness_table.has_value(); }
   /// [HV]; needs a hardness.
   double hardness(double z) const;
-  /// In x and y [Pa].
+  /// Residual stress in x and y [Pa].
   double residual_stress(double z) const;
   /// Down to where hardness and residual stress are known [m]; infinity for formulas.
   double known_to() const;

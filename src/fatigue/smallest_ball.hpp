@@ -19,7 +19,7 @@ struct Ball {
   double radius = 0.0;
 };
 
-/// Of at least one point; its radius to a relative 1e-9.
+/// The smallest ball around at least one point; its radius is right to a relative 1e-9.
 Ball smallest_ball(std::span<const DeviatorPoint> points);
 
 }  // namespace gearfilm

@@ -19,7 +19,7 @@ public:
   using SolveError::SolveError;
 };
 
-/// By what the edges follow.
+/// The rule by which the edges follow a contact.
 struct MarginRule {
   double inlet = 1.0;                                     ///< between the ellipse and X_min [a]
   double side = 1.06;                                     ///< half the width, of the ellipse's half-axis

@@ -1,4 +1,4 @@
-// What errors are to be expected of a film on a grid, and the steps with which they stay within an accuracy.
+// The errors that are expected of a film on a grid, and the steps with which they stay within an accuracy.
 //
 // Laws of r_x = h_x/l and r_y = h_y/l, l = H^(2/3) the length over which pressure rises in the inlet (grid/domain.hpp);
 // h_x in units of the half-axis a, h_y of b; H = h_c R_x/a^2 by the film formula, L of Moes, kappa = a/b. Fitted to 42
@@ -30,7 +30,7 @@ struct Steps {
   double y = 0.0;
 };
 
-/// Relative errors to be expected of a film on such steps.
+/// Relative errors that are expected of a film on such steps.
 struct FilmErrors {
   double central = 0.0;
   double smallest = 0.0;  ///< infinite where the film tears

@@ -31,7 +31,7 @@ public:
   virtual void displacement_column(std::span<double> column) const = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.
   virtual void apply(std::span<const double> residual, std::span<double> change) = 0;
-  /// The same by one relaxation on the finest level.
+  /// Approximate solution as above, by one relaxation on the finest level.
   virtual void relax(std::span<const double> residual, std::span<double> change) = 0;
   virtual int levels() const = 0;
 };

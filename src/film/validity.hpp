@@ -17,7 +17,7 @@ namespace gearfilm {
 void check_domain(const Grid& grid, const Scales& scales, const ContactConditions& conditions, double pressure_integral,
                   const std::string& where);
 
-/// Throws SolveError naming `where`, what is wrong and the remedy, if the film may not be believed.
+/// Throws SolveError naming `where`, what is wrong and the remedy, if the film must not be believed.
 void check_validity(const ContactFilm& film, const FilmQuantities& quantities, const std::string& where);
 
 /// Runs `solve`; an error of it that says what failed gets `where` in front.

@@ -32,7 +32,7 @@ public:
   /// they cover the path of contact with positive shares.
   static LoadSharing table(const LineOfAction& line, const std::vector<std::pair<double, double>>& points);
 
-  /// The same with every jump, and nothing else, spread over a length [m] behind it. Throws InputError where a piece is
+  /// A copy with every jump, and nothing else, spread over a length [m] behind it. Throws InputError where a piece is
   /// shorter.
   LoadSharing with_jumps_over(double length) const;
 

@@ -13,7 +13,7 @@ using FlankCurve = std::vector<std::pair<double, double>>;
 
 class MonotoneCubic {
 public:
-  /// At least one point, ascending.
+  /// The curve through at least one point, ascending.
   explicit MonotoneCubic(FlankCurve points);
 
   double operator()(double at) const;

@@ -47,7 +47,7 @@ public:
   Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<GearFlanks, 2> flanks,
         const ComplianceOptions& compliance, ProfileAction action = ProfileAction::offset);
 
-  /// The same without pitch errors.
+  /// A copy without pitch errors.
   Teeth without_pitch_errors() const;
 
   bool perfect() const { return perfect_; }
@@ -55,7 +55,7 @@ public:
 
   /// e_k of a contact at xi [m].
   double gap(int contact, double xi) const;
-  /// Beside a contact at xi; none where flanks act as one gap.
+  /// Profile beside a contact at xi; none where flanks act as one gap.
   LocalProfile local(double xi) const;
   /// Beside the middle of the face, of a contact at xi; none where flanks are alike all over it.
   UnevenProfile beside_middle(double xi) const;

@@ -21,7 +21,7 @@ struct ToothSpace {
   std::optional<double> implied_backlash;   ///< j_n by both profile shifts; absent unless both are given
 };
 
-/// By the profile shifts and root radii that are given, and those that are assumed for the others (gear_pair.hpp).
+/// The space by given profile shifts and root radii, and by those assumed for the others (gear_pair.hpp).
 ToothSpace tooth_space(const SpurGearPair& pair);
 
 /// Overlap of the teeth by given profile shifts beyond which they cannot mesh, over the module: more than a drawing's

@@ -100,7 +100,7 @@ public:
   int fewest_coarse_rows() const;
   /// Every second node; a coarse row belongs to the process that owns the same fine row.
   Grid coarsened(Coarsening along = Coarsening::both) const;
-  /// The same grid, whole on every process.
+  /// This grid, whole on every process.
   Grid gathered() const;
 
 private:

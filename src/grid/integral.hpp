@@ -11,7 +11,7 @@ namespace gearfilm {
 /// Int Int of one field over the whole domain, from its compact own nodes: the sum over all processes of the values,
 /// each times h_x and the weight of its row (RowAxis::weight). Collective.
 double integral(const Grid& grid, std::span<const double> values);
-/// The same of each of some fields, one after the other.
+/// The integrals of some fields, one after the other.
 std::vector<double> integrals(const Grid& grid, std::span<const double> values, std::size_t fields);
 
 }  // namespace gearfilm

@@ -56,7 +56,7 @@ public:
   int mirror_row() const { return mirrored() ? 0 : -1; }
   /// Whether P = 0 in this row.
   bool is_ambient(int row) const { return !single() && (row == count() - 1 || (row == 0 && !mirrored())); }
-  /// Those of the given rows in which P is an unknown.
+  /// The given rows in which P is an unknown.
   RowRange inner(RowRange rows) const;
   /// Rows from a row to the mirror image of another one, where there is an image.
   std::optional<int> distance_to_image(int row, int source) const;
@@ -67,7 +67,7 @@ public:
   /// The row nearest a place, and that nearest Y = 0.
   int nearest(double y) const;
   int central() const { return nearest(0.0); }
-  /// From Y = 0 to the nearer ambient edge.
+  /// Distance from Y = 0 to the nearer ambient edge.
   double half_width() const;
 
   /// Rows of the whole domain, the stored row at the place of one of them or of its mirror image, and its Y.

@@ -176,9 +176,9 @@ std::string thin_film_remark(const CaseInput& problem) {
   const double expected = problem.scales.thickness * ExpectedFilm(problem.scales).film;
   if (problem.scales.solids.rough || expected >= thinnest_film || (values.has("grid.nx") && values.has("grid.ny")))
     return "";
-  return worded(std::setprecision(2), "the film to be expected is ", 1e9 * expected,
-                " nm; films between smooth surfaces below ", 1e9 * thinnest_film,
-                " nm are no films: the grid is chosen for ", 1e9 * thinnest_film,
+  return worded(std::setprecision(2), "the expected film is ", 1e9 * expected,
+                " nm; between smooth surfaces no continuous film is thinner than ", 1e9 * thinnest_film,
+                " nm: the grid is chosen for ", 1e9 * thinnest_film,
                 " nm, and errors are larger than grid.accuracy; give grid.nx and grid.ny for another");
 }
 

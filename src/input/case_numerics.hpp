@@ -16,7 +16,7 @@ void set_time_steps(CaseInput& result);
 /// The thinnest film [m] that the program chooses a grid for. Molecules of oil are 1 to 2 nm long; oil between walls
 /// less than about ten of them apart is no continuum any more.
 constexpr double thinnest_film = 10e-9;
-/// What is to be said where the film to be expected is thinner and the grid chosen; else empty.
+/// What is to be said where the expected film is thinner and the grid chosen; else empty.
 std::string thin_film_remark(const CaseInput& problem);
 
 /// The pair has inertia, and it is part of its motion.

@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// Of a pair of gears with its scales and heat; null without any limit. Throws InputError.
+/// The ratings of a pair of gears with its scales and heat; null without any limit. Throws InputError.
 std::shared_ptr<const RatingModel> read_rating(const CaseInput& problem);
 
 }  // namespace gearfilm

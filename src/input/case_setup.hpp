@@ -13,7 +13,7 @@ void require_tooth_force(const CaseInput& problem, const std::string& what);
 GridShape case_grid(const CaseInput& problem);
 /// What all films of a case share. Collective.
 SharedDiscretisation discretise(MPI_Comm comm, const CaseInput& problem);
-/// On another grid than the case's.
+/// A discretisation on another grid than the case's.
 SharedDiscretisation discretise(const Grid& grid, const CaseInput& problem);
 /// Most contacts that a march of the case has at a time: those of a pair share its grid, one that is followed by itself
 /// is alone.
@@ -47,7 +47,7 @@ GearInertias inertias_of(const CaseInput& problem);
 /// one.
 MeshModel mesh_model(const CaseInput& problem, double start, MeshGeometry geometry = MeshGeometry::moving,
                      const SpeedCourse& course = {});
-/// The same, where a contact has just left at T = 0.
+/// The mesh of a case in which a contact has just left at T = 0.
 MeshModel mesh_after_leaving(const CaseInput& problem);
 /// A march of the case's lubricated pair.
 MeshMarch make_march(const CaseInput& problem, const SharedDiscretisation& films, const MeshModel& mesh,

@@ -9,7 +9,7 @@
 
 namespace gearfilm {
 
-/// On the grid that the case has by itself. Throws InputError where there is no such pair.
+/// The case with another value, on the grid that it has by itself. Throws InputError where there is no such pair.
 CaseInput case_with_parameter(const CaseInput& problem, const std::string& parameter, double value);
 
 /// The case of a point of its sweep: of basins all are of the case itself.

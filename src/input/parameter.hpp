@@ -50,7 +50,7 @@ struct Parameter {
   std::string section() const;
   /// "-pinion_teeth" for "pinion.teeth".
   std::string option() const;
-  /// The same for the former key; empty without one.
+  /// The option of the former key; empty without one.
   std::string former_option() const;
   /// Whether the choices are yes and no, which may also be written true and false.
   bool is_yes_or_no() const;
@@ -64,7 +64,7 @@ const Parameter* find_parameter(std::string_view name);
 
 /// The record whose key is spelled most like name (edit distance; a forgotten section counts little).
 const Parameter& nearest_parameter(std::string_view name);
-/// The same for an option such as "-grid_nz".
+/// The nearest parameter to an option such as "-grid_nz".
 const Parameter& nearest_parameter_by_option(std::string_view option);
 
 using ParameterValue = std::variant<int, double, std::string>;

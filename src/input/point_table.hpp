@@ -13,14 +13,14 @@ namespace gearfilm {
 std::vector<std::pair<double, double>> read_points(const ParameterValues& values, const std::string& name,
                                                    const std::string& what);
 
-/// The same, and their first numbers must grow; at least two.
+/// Reads points whose first numbers must grow; at least two.
 std::vector<std::pair<double, double>> read_ascending_points(const ParameterValues& values, const std::string& name,
                                                              const std::string& what);
 
 /// The numbers of a list, separated by commas or blanks, within a range; what: what each of them is. Throws InputError.
 std::vector<double> read_numbers(const ParameterValues& values, const std::string& name, double smallest,
                                  double largest, const std::string& what);
-/// The same of the file that a parameter names; # begins a remark.
+/// Reads numbers from the file that a parameter names; # begins a remark.
 std::vector<double> read_numbers_in_file(const ParameterValues& values, const std::string& name, double smallest,
                                          double largest, const std::string& what);
 

@@ -6,7 +6,7 @@
 
 namespace gearfilm {
 
-/// Of "order amplitude phase" or "300Hz amplitude phase"; nothing where they are no such numbers.
+/// Reads "order amplitude phase" or "300Hz amplitude phase"; nothing where they are no such numbers.
 std::optional<WrittenHarmonic> read_harmonic(const std::string& words);
 
 /// Adds the torques that keys give, and on a side without any the one that balances the static force: of the motor or

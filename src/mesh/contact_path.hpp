@@ -44,7 +44,7 @@ public:
   /// The last time up to T at which one did; -infinity where none does.
   double last_event(double T) const;
 
-  /// At the first speed.
+  /// Mesh period at the first speed [s].
   double mesh_period() const { return line_.base_pitch() / velocity_; }
   /// Mesh periods that have passed at T, and when so many have.
   double mesh_periods(double T) const { return course_.phase(T) / mesh_period(); }

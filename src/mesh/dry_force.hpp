@@ -34,7 +34,7 @@ public:
   void stand_for(const std::vector<double>& forces, const std::vector<double>& displacements);
   /// Pressure integrals of the contacts [-]; zero where the bodies are apart.
   std::vector<double> forces(double H0) const;
-  /// The same where forces nearby are known.
+  /// Forces as above, where forces nearby are known.
   std::vector<double> forces_near(double H0, const std::vector<double>& guess) const;
   double total_force(double H0) const;
   /// Approach of the contact that a rigid pair would press most; negative where all are apart [-].
@@ -52,7 +52,7 @@ private:
 
   /// Forces of at most two ellipses that stay in contact, from nearby; false, and as they were, where these are none.
   bool follow(double H0, std::vector<double>& forces) const;
-  /// Of a contact at H_0, less what the others' forces take of it.
+  /// Approach of a contact at H_0, less what the others' forces take of it.
   double approach(std::size_t contact, double H0, const std::vector<double>& forces) const;
 
   std::vector<Contact> contacts_;

@@ -78,7 +78,7 @@ struct MeshModel {
   double stiffness_si() const { return scales.force(stiffness) / scales.thickness; }
   /// f_n of the pair on that stiffness [1/t*].
   double frequency() const { return natural_frequency(stiffness, inertia); }
-  /// The same [Hz].
+  /// That frequency in Hz.
   double frequency_si() const { return frequency() / scales.time; }
   /// Weight of V_0 in the norm of a motion: half a free oscillation, in which V_0 becomes a way, or 1 where that is
   /// less.

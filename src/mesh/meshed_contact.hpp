@@ -14,7 +14,7 @@ struct MeshedContact {
   ContactConditions conditions;
 };
 
-/// In SI.
+/// Velocities of both surfaces in SI.
 SurfaceVelocities velocities_of(const Scales& scales, const MeshedContact& contact);
 
 /// Beyond either end of the path of contact the conditions are those of the end.

@@ -46,7 +46,7 @@ inline Motion motion_from(std::span<const double> x) {
 inline Motion moved(const Motion& from, double by, const Motion& step) {
   return {from.q + by * step.q, from.v + by * step.v};
 }
-/// The same displacements with so many times the velocities.
+/// A motion of the same displacements, its velocities multiplied by a factor.
 inline Motion weighted(const Motion& motion, double velocity_weight) { return {motion.q, velocity_weight * motion.v}; }
 inline Motion difference(const Motion& a, const Motion& b) { return {a.q - b.q, a.v - b.v}; }
 /// The largest part of either.

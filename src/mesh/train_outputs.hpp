@@ -39,7 +39,7 @@ struct TrainPowers {
 
 class TrainOutputs {
 public:
-  /// Of a mesh with a train, which must outlive them.
+  /// The outputs of a mesh with a train, which must outlive them.
   explicit TrainOutputs(const MeshModel& mesh);
 
   /// Nodes first, then elements.

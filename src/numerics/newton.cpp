@@ -14,11 +14,11 @@ const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");
 const Tuned<double> astray("newton_astray", 1000.0,
-                           "growth of the norm from the first guess on after which iterations lead nowhere");
+                           "growth of the norm over that of the first guess at which the iteration is given up");
 const Tuned<int> early_solves("newton_early_solves", 2, "linear solves before the late tolerance");
 const Tuned<double> loosest_solve("newton_loosest_solve", 0.2, "loosest relative tolerance of the last linear solves");
 const Tuned<double> left_over("newton_left_over", 0.3, "part of Newton's tolerance that a linear solve may leave");
-const Tuned<int> relaxations("newton_relaxations", 8, "halvings of a full step that leads up");
+const Tuned<int> relaxations("newton_relaxations", 8, "halvings of a full step that increases the merit");
 const Tuned<double> growth_of_relaxed("newton_growth_of_relaxed", 3.0,
                                       "growth of the merit that a relaxed step may bring");
 const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part of a full step of Newton's method");

@@ -39,7 +39,7 @@ struct MapValue {
 /// method converges, and the multipliers. Throws SolveError where there is no value.
 using BranchMap = std::function<MapValue(const BranchState& at, int order)>;
 
-/// In u.
+/// A vector in u.
 using BranchVector = Eigen::VectorXd;
 
 struct BranchPoint {
@@ -80,7 +80,7 @@ public:
   /// The periodic motion on the plane through the predicted state. Its tangent makes an acute angle with the normal.
   /// Nothing where Newton's method does not converge.
   std::optional<Corrected> correct(const BranchVector& predicted, const BranchVector& normal) const;
-  /// The same at the parameter of the guess.
+  /// Corrects at the parameter of the guess.
   std::optional<Corrected> at_parameter(const BranchState& guess) const;
 
 private:

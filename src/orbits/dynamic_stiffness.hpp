@@ -41,7 +41,7 @@ public:
   DynamicStiffness(LubricatedPair& pair, Vec state, const SwingOptions& options);
   ~DynamicStiffness();
 
-  /// At s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
+  /// K at s, from linear solutions of a relative tolerance. Throws SolveError where one does not converge. Collective.
   std::complex<double> at(std::complex<double> s, double krylov_tolerance);
 
   int solutions() const;          ///< of linear systems, all films

@@ -40,7 +40,7 @@ private:
   double H0_ = 0.0;
 };
 
-/// On a grid with steps that are longer by a ratio.
+/// The mode on a grid with steps that are longer by a ratio.
 struct CoarserSwing {
   SwingingMode mode;
   double ratio = 2.0;

@@ -25,7 +25,7 @@ public:
   ModeSolver(const ModeSolver&) = delete;
   ModeSolver& operator=(const ModeSolver&) = delete;
 
-  /// From what change holds, in the place of zero.
+  /// Solves from what `change` holds, in the place of zero.
   void use_guesses() { petsc_check(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE)); }
 
   /// Returns its iterations. Throws SolveError where the solution does not converge. Collective.

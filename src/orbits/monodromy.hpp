@@ -32,7 +32,7 @@ Multipliers multipliers(const Monodromy& monodromy);
 std::complex<double> largest_multiplier(const Multipliers& multipliers);
 inline double largest_modulus(const Multipliers& multipliers) { return std::abs(largest_multiplier(multipliers)); }
 
-/// From two multipliers, the mesh frequency f_m and the linear natural frequency f_n [Hz]. Real multipliers do not
+/// The oscillation by two multipliers, mesh frequency f_m and natural frequency f_n [Hz]. Real multipliers do not
 /// oscillate.
 std::optional<FreeOscillation> free_oscillation(const Multipliers& multipliers, double mesh_frequency,
                                                 double natural_frequency);

@@ -23,7 +23,7 @@ public:
 
   /// A state has been found, here or by a program before.
   void keep(ChainLink found);
-  /// None has been found: the next one is sought anew.
+  /// None has been found: the next one is sought again.
   void forget();
   const std::optional<ChainLink>& last() const { return last_; }
   std::optional<ChainLink>& last() { return last_; }

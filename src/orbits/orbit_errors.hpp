@@ -18,7 +18,7 @@ struct OrbitError {
   Unit unit;
   std::optional<Estimate> bar;  ///< dimensionless; nothing where nothing is known of it
 
-  /// In the same unit as quantities of summaries.
+  /// The estimate in the unit of summaries.
   std::optional<Estimate> in_si(const Scales& scales) const;
 };
 

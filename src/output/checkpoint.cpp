@@ -152,12 +152,12 @@ bool Checkpoint::complete(KeptState& state, const StepLogMark& steps_before) {
   const std::optional<StateFile> found = read_state(grid_.comm(), file(state));
   if (!found) return false;
   if (!same_lattice(grid_.shape(), found->shape)) {
-    throw InputError("'" + file(state).string() + "' is of a grid of other steps; start anew, without -restart");
+    throw InputError("'" + file(state).string() + "' is of a grid of other steps; start again without -restart");
   }
   const Summary& description = found->description;
   if (description["figures"] != quantity_names()) {
     throw InputError("'" + folder_.string() +
-                     "' was kept by a program with other quantities; start anew, without -restart");
+                     "' was kept by a program with other quantities; start again without -restart");
   }
   state.T = description["T"].get<double>();
   state.with_snapshots = !description["snapshots"].empty();
@@ -201,7 +201,7 @@ std::optional<StoredRun> Checkpoint::begin_run(double T, const Motion& motion) {
     const bool last = state + 1 == end;
     if (!last && !state->with_snapshots) continue;
     const std::optional<StateFile> found = read_state(grid_.comm(), file(*state));
-    if (!found) throw InputError("'" + file(*state).string() + "' is gone; start anew, without -restart");
+    if (!found) throw InputError("'" + file(*state).string() + "' is gone; start again without -restart");
     const Summary& description = found->description;
     if (!same_run_begin(description["begin"], run_begin_)) {
       forget_from(static_cast<std::size_t>(first - kept_.begin()));  // the march has taken another way

@@ -38,7 +38,7 @@ public:
   enum class Begin { anew, where_it_stopped };
 
   /// Creates the folder, or takes over what it holds, which must be of the grid or of one that was widened from it.
-  /// Begun anew, what this program wrote in the folder goes. Throws OutputError, and InputError where the folder holds
+  /// Begun again, what this program wrote in the folder goes. Throws OutputError, and InputError where the folder holds
   /// anything else. Collective.
   Checkpoint(const Grid& grid, std::filesystem::path folder, Begin begin);
 
@@ -58,7 +58,7 @@ public:
   /// The snapshots of this run are not wanted.
   void drop_snapshots();
 
-  /// In a folder within, begun as this one was.
+  /// A store in a folder within, begun as this one was.
   std::unique_ptr<RunStore> within(const std::string& name, const Grid& grid) const override {
     return std::make_unique<Checkpoint>(grid, folder_ / name, begin_);
   }

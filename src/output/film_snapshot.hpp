@@ -32,7 +32,7 @@ struct FilmSnapshot {
 /// The fields that follow from a film (field::pressure, thickness, traction), of friction and heat those that there
 /// are; null without friction.
 std::vector<NamedField> film_fields(const ContactFilm& film, const TractionFields* traction);
-/// Those of stresses below it, where a model asks for whole fields; with the sections below some rows. Collective.
+/// Fields of stresses below a film, where a model asks for them; with the sections below some rows. Collective.
 std::vector<NamedField> stress_fields(const std::optional<StressModel>& model, const ContactFilm& film,
                                       const TractionFields* traction, const std::vector<int>& rows);
 

@@ -10,7 +10,7 @@ void require_restart_format(const Summary& content, const std::filesystem::path&
   if (found != content.end() && *found == restart_format) return;
   const std::string theirs = found == content.end() ? "no format version" : "format version " + one_line(found->dump());
   throw InputError("'", file.string(), "' has ", theirs, ", and this gearfilm goes on from version ", restart_format,
-                   " alone; go on with the gearfilm that wrote it, or begin anew in another folder (-output_dir)");
+                   " alone; go on with the gearfilm that wrote it, or begin again in another folder (-output_dir)");
 }
 
 }  // namespace gearfilm

@@ -37,7 +37,7 @@ private:
 /// throws OutputError.
 std::filesystem::path part_of(const std::filesystem::path& path);
 void finish_part(MPI_Comm comm, const std::filesystem::path& path);
-/// The same for a text, which the first process writes.
+/// Writes a text whole, by the first process.
 void write_whole(MPI_Comm comm, const std::filesystem::path& path, const std::string& text);
 
 /// Writes bytes into a new file, or behind those of an old one; for the process that writes alone. Throws

@@ -24,7 +24,7 @@ protected:
   bool prints() const { return prints_; }
   bool on_terminal() const { return terminal_; }
   double elapsed() const { return MPI_Wtime() - start_; }  ///< since it was made [s]
-  /// On a terminal in the place of the line before, otherwise a line of its own.
+  /// Shows a text: on a terminal in the place of the line before, otherwise in a line of its own.
   void renew(const std::string& text);
 
 private:

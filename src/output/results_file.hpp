@@ -35,7 +35,7 @@ public:
   void attribute(const std::string& group, const std::string& name, const std::string& value);
   void attribute(const std::string& group, const std::string& name, double value);
   void attribute(const std::string& group, const std::string& name, int value);
-  /// The same on a dataset, which must exist.
+  /// An attribute of a dataset, which must exist.
   void dataset_attribute(const std::string& dataset, const std::string& name, const std::string& value);
 
   /// Coordinates of a contact's grid [m].

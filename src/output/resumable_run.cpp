@@ -60,7 +60,7 @@ void ResumableRun::refuse_restart() const {
     require_same_identity(*before, whole_identity_, complete);
     throw NothingLeft(folder +
                       " holds this run, which is complete: nothing is left to do (without -restart it is "
-                      "computed anew)");
+                      "computed again)");
   }
   throw InputError(folder + " has nothing to go on from: no run was begun there; start without -restart");
 }

@@ -15,7 +15,7 @@ namespace gearfilm {
 
 class ResumableRun {
 public:
-  /// Begins anew, without what an earlier run has left in the folder; or goes on (restart). Throws InputError where
+  /// Begins again, without what an earlier run has left in the folder; or goes on (restart). Throws InputError where
   /// there is nothing to go on from, or another run, and NothingLeft where the same run is complete. free_sections:
   /// parameters that may differ from it.
   ResumableRun(const CaseInput& problem, const Grid& grid, const std::string& command,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gearfilm/error.hpp"
-#include "parallel/petsc.hpp"
 #include "input/plain_text.hpp"
+#include "parallel/petsc.hpp"
 
 namespace gearfilm {
 
@@ -13,7 +13,7 @@ void say(MPI_Comm comm, const Parts&... parts) {
   petsc_check(PetscPrintf(comm, "%s\n", worded(parts...).c_str()));
 }
 
-/// The same on stderr.
+/// A warning on stderr, of words and numbers.
 template <class... Parts>
 void warn(MPI_Comm comm, const Parts&... parts) {
   petsc_check(PetscFPrintf(comm, stderr, "gearfilm: warning: %s\n", one_line(worded(parts...)).c_str()));

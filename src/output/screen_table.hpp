@@ -18,12 +18,12 @@ public:
 
   /// A quantity times a factor, with its error where there is one (`KEY_error`); nothing where the summary has none.
   ScreenTable& add(const std::string& label, const std::string& key, double factor = 1.0, const std::string& unit = "");
-  /// The same of another summary.
+  /// Adds a value of another summary.
   ScreenTable& add(const Summary& summary, const std::string& label, const std::string& key, double factor = 1.0,
                    const std::string& unit = "");
   ScreenTable& text(const std::string& label, const std::string& value);
 
-  /// On the first process; then the files of the results.
+  /// Prints the table on the first process, then the files of the results.
   void print(MPI_Comm comm, const std::filesystem::path& folder) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// Of the contacts whose stresses were computed at this step; nothing where there are none. Collective.
+/// Sections below the contacts whose stresses were computed at this step; nothing where there are none. Collective.
 std::optional<FilmSnapshot> section_snapshot(const MeshModel& mesh, const StepRecord& record,
                                              const std::vector<ActiveContact>& contacts);
 

@@ -86,7 +86,7 @@ std::vector<StepRecord> StepLog::read(std::uint64_t begin, std::uint64_t end) co
   std::string reason;
   if (rank_in(comm_) == 0) {
     values = values_between(begin, end);
-    if (values.size() < count) reason = path_.string() + " lacks steps that were there; start anew, without -restart";
+    if (values.size() < count) reason = path_.string() + " lacks steps that were there; start again without -restart";
   }
   broadcast(comm_, reason);
   if (!reason.empty()) throw InputError(reason);

@@ -89,7 +89,7 @@ void require_written(MPI_Comm comm, const std::filesystem::path& path, const std
   const std::string reason = first_reason(comm, own_reason.empty() ? own_reason : cause(path, own_reason));
   if (reason.empty()) return;
   throw OutputError("cannot write '" + path.string() + "': " + reason +
-                    "; mend that and run again (a march or a search goes on with -restart)");
+                    "; correct that and run again (a march or a search goes on with -restart)");
 }
 
 }  // namespace gearfilm

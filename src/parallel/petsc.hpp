@@ -173,7 +173,7 @@ OwnedMat shell_matrix(MPI_Comm comm, PetscInt rows, PetscInt columns, Context& c
   return matrix;
 }
 
-/// The same, square, cut among context.comm() as context.local_size() says.
+/// A square shell matrix as above, cut among context.comm() as context.local_size() says.
 template <auto multiply, class Context>
 OwnedMat shell_matrix(Context& context) {
   const PetscInt size = context.local_size();

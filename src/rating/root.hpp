@@ -25,11 +25,11 @@ struct RootFactors {
 
 class ToothRoot {
 public:
-  /// Of a gear of the pair with the profile shift x, cut by the rack that its root circle and tool say. Throws
+  /// The root of a gear with the profile shift x, cut by the rack that its root circle and tool say. Throws
   /// InputError where such a rack has no tangent at 30 degrees.
   ToothRoot(const SpurGear& gear, const SpurGearPair& pair, double profile_shift);
 
-  /// Of a force on the flank where its radius of curvature is rho [m].
+  /// Factors for a force on the flank where its radius of curvature is rho [m].
   RootFactors factors(double rho) const;
   /// sigma_F [Pa] of a force along the line of action [N] there.
   double stress(double force, double rho) const;

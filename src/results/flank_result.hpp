@@ -32,7 +32,7 @@ struct FlankResults {
 /// grid: of its films, wide enough for them. Collective.
 FlankResults flank_results(const Grid& grid, const MeshModel& rest, const std::vector<Passage>& passages);
 
-/// Of a periodic motion, which is marched once more. Throws SolveError and Stopped. Collective.
+/// Results of a periodic motion, which is marched once more. Throws SolveError and Stopped. Collective.
 FlankResults flank_results(const OrbitProblem& problem, const SharedDiscretisation& films, const PeriodicOrbit& orbit,
                            const StopCheck& check_stop);
 
@@ -42,7 +42,7 @@ void write_flanks(ResultsFile& file, const FatigueModel& fatigue, const FlankRes
 
 /// Largest values and least safeties added to a summary; null where nothing is known.
 void add_flanks(const MeshModel& mesh, const std::optional<FlankResults>& results, Summary& summary);
-/// Those of its keys that are columns in the table of a sweep.
+/// The keys that are columns in the table of a sweep.
 std::vector<TableColumn> flank_columns();
 /// All of them in the manual's Markdown.
 std::string flank_markdown();

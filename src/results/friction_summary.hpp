@@ -18,7 +18,7 @@ constexpr double assumed_temperature_viscosity = 0.035;
 Summary heating_predictions(const CaseInput& problem, const ContactSolids& solids, const ContactOperation& operation,
                             double slide_ratio);
 
-/// The same at the reference contact.
+/// Heating at the reference contact.
 Summary heating_at_pitch(const CaseInput& problem);
 
 /// Adds efficiency and mean friction coefficient to a summary that has the losses of whole mesh periods.

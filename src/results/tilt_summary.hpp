@@ -8,7 +8,7 @@ namespace gearfilm {
 
 /// Nothing where no gear is on two bearings at a distance.
 void add_tilt(const CaseInput& problem, Summary& summary);
-/// The same for the screen; empty where there is nothing.
+/// A line for the screen; empty where there is nothing.
 std::string tilt_line(const CaseInput& problem);
 
 /// The table of the manual, in Markdown.

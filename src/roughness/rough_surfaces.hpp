@@ -31,7 +31,7 @@ public:
   /// Of both flanks together: the mean of ln gamma, weighted by the squares of their roughness (an assumption).
   double lay() const { return lay_; }
   bool isotropic() const { return lay_ == 1.0; }
-  /// Of the softer surface [Pa].
+  /// Hardness of the softer surface [Pa].
   double hardness() const { return options_.asperities.hardness; }
   const AsperityLaw& asperities() const { return asperities_; }
 

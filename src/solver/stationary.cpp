@@ -24,7 +24,7 @@ const Tuned<double> pseudo_step_growth("stationary_pseudo_step_growth", 4.0,
                                        "growth of pseudo-time steps until one fails");
 const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "growth of pseudo-time steps once one has failed");
 const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
-                                    "tolerance of films that are only a way to others");
+                                    "tolerance of films from which only others are computed");
 const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");
 
 const Tuned<double> parting("stationary_parting", 0.1,

@@ -23,11 +23,11 @@ struct StationaryResult {
 /// Film on film.grid() under the load condition, from nothing. Throws SolveError naming the step that failed.
 StationaryResult solve_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options);
 
-/// The same from a film that is near, on its own grid; from nothing where that fails.
+/// Solves from a film that is near, on its own grid; from nothing where that fails.
 StationaryResult continue_stationary(ContactFilm& film, const LoadCondition& load, const SolverOptions& options,
                                      const FilmSolution& guess);
 
-/// The same by Newton's method alone; nothing where that fails.
+/// Solves by Newton's method alone from a film that is near; returns nothing where that fails.
 std::optional<StationaryResult> improve_stationary(ContactFilm& film, const LoadCondition& load,
                                                    const SolverOptions& options, const FilmSolution& guess);
 

@@ -79,7 +79,7 @@ public:
   WorstNode worst(std::size_t film) const { return system_.worst_node(residual_, film); }
 
 private:
-  /// From the present state.
+  /// Iterates from the present state.
   bool iterate();
   std::vector<double> mass_of_state();
   long convolutions();

@@ -12,7 +12,7 @@
 
 namespace gearfilm {
 
-/// In the order xx yy zz yz xz xy.
+/// Components in the order xx yy zz yz xz xy.
 constexpr std::size_t stress_components = 6;
 
 struct Stress {

@@ -12,7 +12,7 @@ public:
 
   /// [component][own row][wave], with the factor of the inverse transform.
   std::size_t size() const { return stress_components * own_.size() * lattice_.waves(); }
-  /// At the place y and the depth z [a], the images of mirrored rows included.
+  /// Kernels at the place y and the depth z [a], the images of mirrored rows included.
   void at(double y, double z, SurfaceLoad load, double poisson_ratio, std::span<double> kernels);
 
 private:

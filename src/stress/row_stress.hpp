@@ -25,7 +25,7 @@ struct RowStressOptions {
   bool operator==(const RowStressOptions&) const = default;
 };
 
-/// Of both bodies.
+/// The sections of both bodies.
 using SectionStresses = std::array<SectionStress, body_count>;
 
 class RowStress {
@@ -46,7 +46,7 @@ public:
   const std::vector<SectionStresses>& evaluate(const SurfaceLoads& loads);
 
 private:
-  /// Of one body, by depth (RowKernels).
+  /// The kernels of one body, by depth (RowKernels).
   struct OfBody {
     std::vector<double> pressure, shear;
   };

@@ -6,7 +6,7 @@
 
 namespace gearfilm {
 
-/// Of one body, by depth, common to all processes. In p_h.
+/// Stresses of one body by depth, common to all processes, in p_h.
 struct StressProfile {
   std::vector<double> von_mises;         ///< largest over x
   std::vector<double> largest_shear;     ///< largest over x
@@ -16,7 +16,7 @@ struct StressProfile {
 
 using StressProfiles = std::array<StressProfile, body_count>;
 
-/// Of both bodies. Collective.
+/// Largest stresses in the sections of both bodies. Collective.
 StressProfiles stress_profiles(const RowStress& row, const SectionStresses& sections);
 
 /// Largest values over depths, in p_h, and their depths in a.

@@ -18,7 +18,7 @@ struct Peak {
   double at = 0.0;
 };
 
-/// Of values at increasing places, the first one at `from` or beyond. Throws std::invalid_argument where there is none.
+/// The largest of values at increasing places, at `from` or beyond. Throws std::invalid_argument where there is none.
 Peak largest_between(std::span<const double> places, std::span<const double> values, double from = 0.0);
 
 }  // namespace gearfilm

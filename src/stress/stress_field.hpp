@@ -8,7 +8,7 @@
 
 namespace gearfilm {
 
-/// At a depth [a] beneath the nodes of the own rows, in p_h: [nx][own rows] of both bodies. Collective.
+/// Stresses at a depth [a] beneath the nodes of the own rows, in p_h: [nx][own rows] of both bodies. Collective.
 std::array<std::vector<Stress>, body_count> stress_field(const Grid& grid, const SurfaceLoads& loads, double depth,
                                                          const std::array<double, body_count>& poisson_ratio);
 

@@ -16,7 +16,7 @@ namespace gearfilm {
 /// The two bodies of a contact in arrays.
 constexpr std::size_t pinion_body = 0, wheel_body = 1, body_count = 2;
 
-/// At the own nodes of a grid, [nx][own rows].
+/// Loads at the own nodes of a grid, [nx][own rows].
 struct SurfaceLoads {
   std::vector<double> pressure;
   std::array<std::vector<double>, body_count> shear;  ///< q along x, on the body
@@ -28,7 +28,7 @@ struct FilmPressures {
   std::vector<double> of_oil;
 };
 
-/// Of a film: its pressures, h/2 [a] and shear stress (empty: none).
+/// The loads of a film: its pressures, h/2 [a] and shear stress (empty: none).
 SurfaceLoads surface_loads(const Grid& grid, FilmPressures pressures, std::span<const double> half_thickness,
                            std::span<const double> shear_stress);
 

@@ -19,9 +19,9 @@ const Tuned<double> small_change("energy_small_change", 0.02,
 const Tuned<int> most_iterations("energy_most_iterations", 240,
                                  "iterations for the temperatures across the film at most");
 // Where a band of shear is as narrow as the points are apart, Newton's method may throw it from one to the next for
-// ever: so many iterations in turn are Newton's, and resisted.
+// ever: so many iterations are Newton's, then so many are damped, and so on.
 const Tuned<int> patience("energy_patience", 20,
-                          "iterations across the film that are Newton's in turn, and then resisted in turn");
+                          "iterations across the film that are Newton's at one time and damped at the next");
 const Tuned<int> profile_iterations("energy_profile_iterations", 3,
                                     "iterations across the film after which the velocity profile stays as it is");
 

@@ -51,7 +51,7 @@ struct FilmSections {
 
 /// The stored rows below which a march has stresses. On a wider grid all rows are the same and more at its edges.
 std::vector<int> stress_rows(const StressModel& model, const RowAxis& axis);
-/// Of the sections below rows.
+/// Options for the sections below rows.
 RowStressOptions row_options(const StressModel& model, const std::vector<int>& rows);
 
 /// What a film does to its surfaces: its pressure, the oil's, and the gap that the oil fills.

@@ -14,7 +14,7 @@ namespace gearfilm {
 
 class MovingSource {
 public:
-  /// On lines of nodes h_x [m] apart.
+  /// A source on lines of nodes h_x [m] apart.
   MovingSource(int lines, double h_x);
 
   /// w_0 [m^0.5]: of the heat at the place itself.

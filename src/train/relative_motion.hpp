@@ -16,7 +16,7 @@ struct RelativeMotion {
   Eigen::MatrixXd motions;      ///< Z
   Eigen::VectorXd rigid{};      ///< phi_0, its largest entry as a length 1; empty: nothing turns freely
 
-  /// Of M, C or K.
+  /// The projection of M, C or K.
   Eigen::MatrixXd projected(const Eigen::MatrixXd& matrix) const { return motions.transpose() * matrix * motions; }
 };
 

@@ -19,7 +19,7 @@ struct TrainMode {
   std::vector<double> element_shares;  ///< in the order of the train's elements
 
   double frequency() const;  ///< [Hz]
-  /// Of the damping C, where it is small: v^T C v/(2 w).
+  /// Damping ratio by the damping C, where it is small: v^T C v/(2 w).
   double damping_ratio(const Eigen::MatrixXd& damping) const { return shape.dot(damping * shape) / (2.0 * rate); }
 };
 

@@ -229,7 +229,8 @@ class Texts(ProgramTest):
     def test_unused_petsc_option_is_a_warning(self):
         run = self.run_program("info", CIRCULAR, "-ksp_tpye", "cg")
         self.assertEqual(run.status, 0, run)
-        self.assertEqual(run.stderr, "gearfilm: warning: option -ksp_tpye cg was not used\n")
+        self.assertEqual(run.stderr, "gearfilm: warning: option -ksp_tpye cg was not used; options of PETSc's "
+                         "solvers have a prefix here, as in -steady_snes_monitor\n")
 
 
 if __name__ == "__main__":

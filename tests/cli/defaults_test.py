@@ -63,7 +63,7 @@ class Defaults(ProgramTest):
         # A tenth of the velocity: 4.4 nm.
         case = self.write_case(SLENDER.replace("velocity: 0.0676816", "velocity: 0.00676816"))
         run = self.run_program("info", case, "-output_dir", "out")
-        self.assertRegex(run.stderr, r"(?m)^gearfilm: warning: the film to be expected is 4\.\d nm; .* for 10 nm, .*grid\.nx")
+        self.assertRegex(run.stderr, r"(?m)^gearfilm: warning: the expected film is 4\.\d nm; .* for 10 nm, .*grid\.nx")
         found = json.loads((self.folder / "out/summary.json").read_text(encoding="utf-8"))
         self.assertLess(found["nx"] * found["ny"], 400e3)
         self.assertGreater(found["expected_error_h_central"], 0.02)

@@ -53,7 +53,7 @@ class Friction(ProgramTest):
         self.assertEqual(drawn.returncode, 0, drawn.stderr)
 
     def test_a_film_that_feels_its_shear_obeys_reynolds_equation_of_that_oil(self):
-        """Rows of the film that was written, with the flow of Eyring's law integrated anew."""
+        """Rows of the film that was written, with the flow of Eyring's law integrated again."""
         summary, run = self.summary("steady", BARBIERI, "-friction_law", "eyring", "-friction_in_film", "yes",
                                     "-grid_nx", 129, "-grid_ny", 65, "-steady_position", 0.005)
         self.assertIn("shear thinning", run.stdout)

@@ -89,7 +89,7 @@ def expected_events(pair, derived):
 
 
 class RandomPairs(ProgramTest):
-    """Film at the pitch point and a march of each pair, held against equations written anew."""
+    """Film at the pitch point and a march of each pair, held against equations written again."""
 
     def test_random_pairs_obey_the_laws_of_the_model(self):
         compared = []

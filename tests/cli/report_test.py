@@ -19,7 +19,7 @@ sys.path.insert(0, str(SOURCE / "scripts"))
 import gearfilm  # noqa: E402  pylint: disable=wrong-import-position
 from gearfilm import defaults, quantities  # noqa: E402  pylint: disable=wrong-import-position
 from gearfilm.folder import ResultsError  # noqa: E402  pylint: disable=wrong-import-position
-from gearfilm.report import BARE, main_figures, page, write_report  # noqa: E402  pylint: disable=wrong-import-position
+from gearfilm.report import BARE, main_results, page, write_report  # noqa: E402  pylint: disable=wrong-import-position
 
 COARSE = {"grid_nx": 65, "grid_ny": 33, "grid_y_half": 1.4}
 DRY = ["-model", "dry", "-dry_damping_ratio", 0.02]
@@ -78,13 +78,13 @@ class Manual(unittest.TestCase):
     def test_defaults_are_those_of_the_program(self):
         rows = [(cells[0], cells[4].removeprefix("default ")) for cells in rows_of("parameters")
                 if cells[4].startswith("default ")]
-        self.assertEqual(defaults.KNOWN, dict(rows), "write the table of scripts/gearfilm/defaults.py anew")
+        self.assertEqual(defaults.KNOWN, dict(rows), "write the table of scripts/gearfilm/defaults.py again")
 
     def test_numbers_are_shown_in_units_that_fit(self):
-        headings, rows = main_figures({"h_min": 1.7904e-6, "h_min_error": 2.536e-7, "h_min_extrapolated": 2.044e-6,
+        headings, rows = main_results({"h_min": 1.7904e-6, "h_min_error": 2.536e-7, "h_min_extrapolated": 2.044e-6,
                                        "p_max": 3.2976e9, "mesh_period": 1.4286e-4, "force_ratio_max": 1.2886,
                                        "te_harmonics": [1.2e-5, 8.5e-6], "stable": True, "newton_iterations": 7})
-        self.assertEqual(headings, ["figure", "value", "unit", "error", "finer grids"])
+        self.assertEqual(headings, ["quantity", "value", "unit", "error", "finer grids"])
         self.assertEqual([[name[1], *rest] for name, *rest in rows],
                          [["h_min", "1.7904", "µm", "0.25", "2.044"], ["p_max", "3.2976", "GPa", "", ""],
                           ["mesh_period", "142.86", "µs", "", ""], ["force_ratio_max", "1.2886", "-", "", ""],
@@ -136,7 +136,7 @@ class Report(ProgramTest):
                 inside = Scrolled(text).inside
                 self.assertTrue(inside and all(inside))
                 below = text.index("<h2>Internals</h2>")
-                self.assertLess(text.index("<h2>Main figures</h2>"), below)
+                self.assertLess(text.index("<h2>Main results</h2>"), below)
                 if run.parameters:
                     self.assertLess(text.index("<h2>How to repeat it</h2>"), below)
                 for name in ("newton_iterations", "residual", "defect", "wall_time", "petsc"):

@@ -143,7 +143,7 @@ class Refused(RestartTest):
         before = {path.name: path.read_bytes() for path in (self.folder / "run").iterdir()}
         run = self.run_well(*MARCH, "-output_dir", "run", "-restart")
         self.assertEqual(run.stdout, "'run' holds this run, which is complete: nothing is left to do (without "
-                         "-restart it is computed anew)\n")
+                         "-restart it is computed again)\n")
         self.assertEqual({path.name: path.read_bytes() for path in (self.folder / "run").iterdir()}, before)
         self.assert_refused(["grid.nx", "another run"], *[81 if word == 65 else word for word in MARCH], "-restart")
 

@@ -347,7 +347,7 @@ TEST(Parameters, help_names_every_option) {
 
 TEST(Parameters, page_in_the_manual_is_the_generated_one) {
   EXPECT_EQ(content(source_dir + "/docs/parameters.md"), parameter_markdown())
-      << "write docs/parameters.md anew with `gearfilm parameters`";
+      << "write docs/parameters.md again with `gearfilm parameters`";
 }
 
 }  // namespace

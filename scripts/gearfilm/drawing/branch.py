@@ -20,7 +20,7 @@ MARKS = {1: ("fold", "s"), 2: ("flip", "o"), 3: ("Neimark-Sacker", "D"), 4: ("gr
 
 
 class Continuation(NamedTuple):
-    """All points, and what is varied."""
+    """All points of a continuation, and what it varies."""
     table: numpy.ndarray
     varied: Quantity
 
@@ -98,6 +98,6 @@ def add_options(parser):
 
 
 def draw_folder(folder, marches=()):
-    """Of `gearfilm continuation`; with the marches in other folders as dots."""
+    """Draws `gearfilm continuation`, with the marches in other folders as dots."""
     continuation = read_continuation(folder / "results.h5")
     return draw(continuation, [read_marches(place, continuation.varied) for place in marches])

@@ -24,7 +24,7 @@ def read_modes(folder):
 
 
 def frequency_of(mode):
-    """On films, or of the dry mesh where no other was found [Hz]."""
+    """Frequency of a mode on films, or of the dry mesh where no other was found [Hz]."""
     return mode["frequency_dry"] if mode.get("frequency") is None else mode["frequency"]
 
 
@@ -61,7 +61,7 @@ def draw_harmonics(axes, summary, fastest, highest):
 
 
 def draw_folder(folder):
-    """Of `gearfilm info` or `eigen` of a case with a drive train."""
+    """Draws `gearfilm info` or `eigen` of a case with a drive train."""
     summary = read_modes(folder)
     fastest, highest = limits_of(summary)
     norm = LogNorm(FELT, 1)

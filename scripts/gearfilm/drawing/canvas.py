@@ -70,7 +70,7 @@ def read_table(results, name, columns):
 
 
 def of_last_period(results, rows):
-    """Of the rows of a history, those of the last whole period of a periodic state; of a march all."""
+    """Rows of the last whole period in the history of a periodic state; all rows of a march."""
     begin, end = (results["history"].attrs.get(name, limit)
                   for name, limit in (("periodic_from", -numpy.inf), ("periodic_to", numpy.inf)))
     rows = rows[(rows["T"] >= begin - 1e-9) & (rows["T"] <= end + 1e-9)]
@@ -78,7 +78,7 @@ def of_last_period(results, rows):
 
 
 def by_contact(rows):
-    """One array a contact, of rows of the contacts' history."""
+    """Rows of the contacts' history as one array a contact."""
     return [rows[rows["contact"] == number] for number in numpy.unique(rows["contact"])]
 
 

@@ -65,7 +65,7 @@ def draw_flanks(flanks):
 
 
 def panels_of(names):
-    """Of the columns that there are: columns with scale, label and colour, by panel."""
+    """Panels of the columns that there are: each column with its scale, label and colour."""
     panels = [("von Mises stress [MPa]", [(f"von_mises_max_{gear}", 1e-6, gear, colour)
                                           for gear, colour in zip(GEARS, (BLUE, GREEN))]),
               ("contact stress [MPa]", [("p_max", 1e-6, "largest pressure", VERMILLION),
@@ -85,7 +85,7 @@ def read_path(results):
 
 
 def sections_of(results):
-    """Of both gears: x, z, von Mises stress and what loads the surface."""
+    """The sections of both gears: x, z, von Mises stress and what loads the surface."""
     for gear in GEARS:
         group, ending = (results["contact0/section"], f"_{gear}") if "contact0" in results else (results[f"section/{gear}"], "")
         zz, xz, stress = (group[name + ending][()] for name in ("sigma_zz", "sigma_xz", "von_mises"))
@@ -116,7 +116,7 @@ def draw_section(results):
 
 
 def draw_folder(folder, path=False, section=False):
-    """Of `gearfilm periodic`, `transient` or `steady`, with stress.model or limits of rating."""
+    """Draws `gearfilm periodic`, `transient` or `steady`, with stress.model or limits of rating."""
     with open_results(folder / "results.h5", "periodic, transient or steady", LACK) as results:
         if section and "contact0" not in results and "section" not in results:
             raise Foreign("it has no section of its worst moment; give fatigue.criterion")

@@ -21,7 +21,7 @@ MARCHED = {"force_ratio_max": "force_ratio_max", "H0_after_leaving": "H0", "V0_a
 
 
 def varied_quantity(results, key, known):
-    """Of an open results file: which of the known quantities its parameter says is varied."""
+    """The known quantity that is varied, as the parameters of an open results file say."""
     name = read_text(results["parameters"].attrs[key])
     if name not in known:
         raise Foreign(f"unknown {key} '{name}'")

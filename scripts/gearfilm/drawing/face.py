@@ -31,7 +31,7 @@ class Rows(NamedTuple):
 
 
 def rows_of(film, y):
-    """On the places y along the face; what lies beyond the film's own domain is not loaded."""
+    """Rows at the places y along the face; what lies beyond the film's own domain is not loaded."""
     line_load = 1e3 * numpy.trapz(film.pressure, film.x, axis=0)
     return Rows(numpy.interp(y, film.y, film.pressure.max(axis=0), left=0, right=0),
                 numpy.interp(y, film.y, film.thickness.min(axis=0), left=math.nan, right=math.nan),
@@ -39,7 +39,7 @@ def rows_of(film, y):
 
 
 def roll_angles(flank):
-    """Of the pinion at the points of its flank, 2 s/rho [degrees]."""
+    """Roll angles of the pinion at the points of its flank, 2 s/rho [degrees]."""
     return numpy.degrees(2 * flank["s"] / flank["rho"])
 
 
@@ -85,7 +85,7 @@ def draw_contact(figure, panels, film):
 
 
 def draw_pattern(figure, panels, flank):
-    """Over the face and the roll angle."""
+    """Draws one map over the face and the roll angle."""
     y, angles = 1e3 * flank["y"], roll_angles(flank)
     known = [entry for entry in PATTERN if entry[0] in flank]
     film = 1e6 * flank["h_min"].reshape(angles.size, y.size)
@@ -107,7 +107,7 @@ def draw_pattern(figure, panels, flank):
 
 
 def draw_folder(folder):
-    """Of `gearfilm steady`, or of a periodic state or a march on films."""
+    """Draws `gearfilm steady`, or a periodic state or a march on films."""
     with open_results(folder / "results.h5", "steady, periodic or transient on films", "films are missing") as results:
         run = RunFolder(folder)
         flank = None

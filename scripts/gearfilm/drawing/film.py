@@ -12,6 +12,7 @@ from .canvas import BLUE, VERMILLION, Foreign, fill, open_results
 
 THICKEST_SHOWN = 1.5  # times the central film
 SLENDER = 0.15         # length of the domain over its width, below which its axes have unequal scales
+WIDE = 2.0             # width of a map over its height from which it stands above the sections
 SAME_LENGTH = 1e-6     # relative, of a half-axis found at both ends of a domain
 
 
@@ -113,8 +114,11 @@ def draw(film):
     centre = (abs(film.x).argmin(), abs(film.y).argmin())
     figure = pyplot.figure(figsize=(8, 5), constrained_layout=True)
     grid = figure.add_gridspec(2, 2)
-    draw_map(figure, figure.add_subplot(grid[0, :]), film, centre)
-    draw_sections(figure.add_subplot(grid[1, 0]), figure.add_subplot(grid[1, 1]), film, centre)
+    # A map that is not much wider than high stands beside the sections, a wider one above them.
+    beside = numpy.ptp(film.y) < WIDE * numpy.ptp(film.x)
+    places = (grid[:, 0], grid[0, 1], grid[1, 1]) if beside else (grid[0, :], grid[1, 0], grid[1, 1])
+    draw_map(figure, figure.add_subplot(places[0]), film, centre)
+    draw_sections(figure.add_subplot(places[1]), figure.add_subplot(places[2]), film, centre)
     return figure
 
 
@@ -124,5 +128,5 @@ def add_options(parser):
 
 
 def draw_folder(folder, at=0.0):
-    """Of `gearfilm steady`, or of a march the stored film that is nearest to a position [mm]."""
+    """Draws `gearfilm steady`, or the stored film of a march that is nearest to a position [mm]."""
     return draw(read_film(folder, at))

@@ -35,7 +35,7 @@ def read_contacts(results):
 
 
 def read_profile(results, wanted):
-    """Of the stored contact nearest to a position [m]; None where no temperatures are stored."""
+    """Profile of the stored contact nearest to a position [m]; None where no temperatures are stored."""
     best = None
     for snapshot in results.get("snapshots", {}).values():
         mesh = snapshot.attrs["mesh"]
@@ -69,7 +69,7 @@ def draw_results(path, wanted):
 
 
 def draw_over_line(axes, contacts, lines):
-    """One line a figure: column, scale, label and colour."""
+    """Draws one line for each quantity: column, scale, label and colour."""
     for column, scale, label, colour in lines:
         for rows in contacts:
             axes.plot(1e3 * rows["xi"], scale * rows[column], color=colour, linewidth=1.4, label=label)
@@ -108,7 +108,7 @@ def draw(contacts, profile):
 
 
 def draw_across(figure, axes, profile):
-    """Temperature over x and the place across the film, and where pressure is a tenth of its largest."""
+    """Draws the temperature over x and the place across the film, and where pressure is a tenth of its largest."""
     height = numpy.linspace(0, 1, profile.across.shape[1])
     image = axes.pcolormesh(1e3 * profile.x, height, profile.across.T, cmap="inferno", shading="gouraud", rasterized=True)
     loaded = profile.x[profile.pressure > 0.1 * profile.pressure.max()]

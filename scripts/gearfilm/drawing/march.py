@@ -33,7 +33,7 @@ def read_march(path):
 
 
 def draw_motion(axes, march, column, scale):
-    """One line, which ends where time is missing and begins anew behind it."""
+    """One line, which ends where time is missing and begins again behind it."""
     rows = gaps(march.steps)
     axes.plot(broken(march.over[0], rows), broken(scale * march.steps[column], rows), color=DARK, linewidth=1.2)
 
@@ -80,5 +80,5 @@ def draw(march):
 
 
 def draw_folder(folder):
-    """Of `gearfilm transient` or `periodic`."""
+    """Draws `gearfilm transient` or `periodic`."""
     return draw(read_march(folder / "results.h5"))

@@ -52,7 +52,7 @@ def read_march(results):
 
 
 def panels_of(names):
-    """Of the columns that there are: columns with scale, label and colour, by panel."""
+    """Panels of the columns that there are: each column with its scale, label and colour."""
     panels = [("load carried by asperities [-]", [("asperity_load_share", 1.0, "", BLUE)])]
     if "friction_coefficient" in names:
         panels.append(("friction coefficient [-]", [("friction_coefficient", 1.0, "all", DARK),
@@ -90,7 +90,7 @@ def draw_film(contact):
 
 
 def draw_folder(folder):
-    """Of `gearfilm sweep` over the speed, `periodic`, `transient` or `steady`, with roughness.model."""
+    """Draws `gearfilm sweep` over the speed, `periodic`, `transient` or `steady`, with roughness.model."""
     with open_results(folder / "results.h5", "sweep, periodic, transient or steady", LACK) as results:
         if "sweep" in results:
             rows = read_sweep(results)

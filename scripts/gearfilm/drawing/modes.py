@@ -21,7 +21,7 @@ def bars_of(mode):
 
 
 def draw_folder(folder):
-    """Of `gearfilm info` or `eigen` of a case with a drive train; its lowest modes."""
+    """Draws the lowest modes of `gearfilm info` or `eigen` of a case with a drive train."""
     modes = read_modes(folder)["modes"][:MOST]
     columns = min(4, len(modes))
     rows = -(-len(modes) // columns)

@@ -167,6 +167,6 @@ def add_options(parser):
 
 
 def draw_folder(folder, periods=1):
-    """Of `gearfilm periodic`, or of `transient` with this number of mesh periods."""
+    """Draws `gearfilm periodic`, or the last mesh periods of `transient`, so many of them."""
     require_periods(periods)
     return draw(read_orbit(folder, periods))

@@ -41,5 +41,5 @@ def draw(table):
 
 
 def draw_folder(folder):
-    """Of `gearfilm transient`."""
+    """Draws `gearfilm transient`."""
     return draw(read_points(folder / "results.h5"))

@@ -53,7 +53,7 @@ def draw_period(axes, loads, column, scale):
 
 
 def draw_swing(axes, loads):
-    """Harris curve."""
+    """Draws the swing of the transmission error over the load."""
     axes.plot([load.ratio for load in loads], [1e6 * numpy.ptp(load.rows["te"]) for load in loads], color=BLUE,
               marker="o", markersize=5, linewidth=1.2)
     axes.set_xlabel("load ratio [-]")
@@ -86,5 +86,5 @@ def draw(loads):
 
 
 def draw_folder(folder):
-    """Of `gearfilm static`."""
+    """Draws `gearfilm static`."""
     return draw(read_static(folder / "results.h5"))

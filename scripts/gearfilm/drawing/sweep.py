@@ -68,7 +68,7 @@ def draw_points(axes, branch, varied, response):
 
 
 def draw_marks(axes, branch, varied, response):
-    """Around or over the points that are special; at the bottom of the panel for those that failed."""
+    """Draws marks around or over special points, and at the bottom of the panel for those that failed."""
     def mark(points, heights, label, **style):
         if points.any():
             axes.plot(branch.rows[varied.column][points], heights[points], linestyle="none", label=label, **style)
@@ -105,7 +105,7 @@ def draw(sweep):
 
 
 def draw_diagram(folder):
-    """Of a sweep of marches: its motion once a mesh period, at the end of every march."""
+    """Draws a sweep of marches: the motion once a mesh period, at the end of every march."""
     with open_results(folder / "results.h5", "sweep", "it has no table of points") as results:
         varied = varied_quantity(results, "sweep.over", VARIED | {"equivalent_mass": MASS})
     rows = read_marches(folder, varied)
@@ -124,7 +124,7 @@ def draw_diagram(folder):
 
 
 def draw_basins(table):
-    """Where marches lead from every start of a grid."""
+    """Draws where marches lead from every start of a grid."""
     H0, V0 = numpy.unique(table["H0"]), numpy.unique(table["V0"])
     leads_to = table["attractor"].reshape(H0.size, V0.size)
     figure, axes = pyplot.subplots(figsize=(7, 6), constrained_layout=True)
@@ -148,7 +148,7 @@ def draw_basins(table):
 
 
 def draw_folder(folder):
-    """Of `gearfilm sweep` of any kind."""
+    """Draws `gearfilm sweep` of any kind."""
     path = folder / "results.h5"
     with open_results(path, "sweep", "it has no table of points") as results:
         basins = read_table(results, "basins", BASIN_COLUMNS) if "basins" in results else None

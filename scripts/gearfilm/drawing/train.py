@@ -114,6 +114,6 @@ def add_options(parser):
 
 
 def draw_folder(folder, periods=1):
-    """Of `gearfilm periodic`, or of `transient` with this number of mesh periods, of a case with a drive train."""
+    """Draws `gearfilm periodic`, or the last mesh periods of `transient`, of a case with a drive train."""
     require_periods(periods)
     return draw(read_motion(folder, periods))

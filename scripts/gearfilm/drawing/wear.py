@@ -30,7 +30,7 @@ def draw(flanks):
 
 
 def draw_folder(folder):
-    """Of `gearfilm wear`."""
+    """Draws `gearfilm wear`."""
     lack = "it has no worn flanks; run gearfilm wear"
     with open_results(folder / "results.h5", "wear", lack) as results:
         if "wear" not in results:

@@ -5,10 +5,11 @@ import sys
 from studies.common.contacts import case_text
 from studies.common.oils import pressure_viscosity
 from studies.common.pairs import logarithmic
-from studies.common.runs import RunError, attempt
+from studies.common.runs import LAUNCHER, RunError, attempt
 
 VISCOSITIES = (0.009, 0.075)   # Pa s
-TIME_LIMIT = 120               # s
+TIME_LIMIT = 120               # s of the processor, which other programs hardly change
+LIMITED = ("sh", "-c", f'ulimit -t {TIME_LIMIT}; exec "$@"', "sh", *LAUNCHER)
 
 
 class Solver:
@@ -27,7 +28,7 @@ class Solver:
         if key not in self.known:
             case = self.folder / "case.yaml"
             case.write_text(text, encoding="utf-8")
-            run = attempt(command, case, self.folder, *options, time_limit=TIME_LIMIT)
+            run = attempt(command, case, self.folder, *options, launcher=LIMITED)
             if run.status == 1:
                 raise RunError(run.message)
             if run.status != 0:

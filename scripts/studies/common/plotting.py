@@ -16,7 +16,7 @@ try:
                                          add_grid, add_legend, fill, open_results, read_summary, read_table, read_text,
                                          save, write_figure)
 except ImportError as missing:
-    sys.exit(f"{STUDY}: {missing}; install h5py, matplotlib, numpy and pillow anew")
+    sys.exit(f"{STUDY}: {missing}; install h5py, matplotlib, numpy and pillow again")
 
 __all__ = ["BLUE", "DARK", "GREEN", "GREY", "PALE", "PURPLE", "VERMILLION", "Foreign", "PlotError", "add_grid",
            "add_legend", "fill", "numpy", "open_results", "pyplot", "read_summary", "read_table", "read_text", "save",
