@@ -135,8 +135,6 @@ LineOfAction::LineOfAction(const SpurGearPair& pair) {
                      base_radii, " m: the base circles overlap; enlarge gear_centre_distance or reduce gear_module");
   }
   working_pressure_angle_ = std::acos(base_radii / pair.centre_distance);
-  tangent_pinion_ = base_radius_pinion_ * std::tan(working_pressure_angle_);
-  tangent_wheel_ = base_radius_wheel_ * std::tan(working_pressure_angle_);
   speed_ratio_ = static_cast<double>(pair.pinion.teeth) / pair.wheel.teeth;
   base_pitch_ = 2.0 * pi * base_radius_pinion_ / pair.pinion.teeth;
 
@@ -155,9 +153,13 @@ LineOfAction::LineOfAction(const SpurGearPair& pair) {
       crowning > 0.0 ? pair.face_width * pair.face_width / (8.0 * crowning) : std::numeric_limits<double>::infinity();
 }
 
-double LineOfAction::radius_pinion(double xi) const { return tangent_pinion_ + xi; }
+double LineOfAction::radius_pinion(double xi) const {
+  return base_radius_pinion_ * std::tan(working_pressure_angle_) + xi;
+}
 
-double LineOfAction::radius_wheel(double xi) const { return tangent_wheel_ - xi; }
+double LineOfAction::radius_wheel(double xi) const {
+  return base_radius_wheel_ * std::tan(working_pressure_angle_) - xi;
+}
 
 std::array<double, 2> LineOfAction::involute_lengths(double xi) const {
   const double pinion = radius_pinion(xi), wheel = radius_wheel(xi);

@@ -59,8 +59,6 @@ private:
   double base_radius_pinion_ = 0.0;
   double base_radius_wheel_ = 0.0;
   double working_pressure_angle_ = 0.0;
-  double tangent_pinion_ = 0.0;  ///< R_b1 tan alpha' [m]
-  double tangent_wheel_ = 0.0;
   double speed_ratio_ = 0.0;
   double base_pitch_ = 0.0;
   double entry_ = 0.0;

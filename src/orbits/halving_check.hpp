@@ -13,7 +13,7 @@
 
 namespace gearfilm {
 
-inline const Tuned<double> most_halved("search_most_halved", 0.1,
+inline const Tuned<double> most_halved("search_most_halved", 0.05,
                                        "part of the first time steps on a coarser grid that may have to be halved");
 
 /// Thrown by the check.

@@ -155,7 +155,7 @@ class DryMotion(TrainTest):
         """From all displacements and velocities, not from those of the flanks alone; basins start from these."""
         sweep = ["sweep", self.write_case(RELIEF), "-model", "dry", "-dry_damping_ratio", 0.05, "-sweep_kind",
                  "marches", "-sweep_values", "15000, 15100, 15200", "-sweep_direction", "up", "-sweep_march_periods", 3,
-                 "-sweep_kept_periods", 1, *self.damped_bearings(1e9)]
+                 "-sweep_kept_periods", 2, *self.damped_bearings(1e9)]
         self.run_well(*sweep, "-output_dir", "whole")
         stopped = stopped_after(1, [*sweep, "-output_dir", "parts"], self.folder)
         self.assertEqual(stopped.status, 3, stopped)
