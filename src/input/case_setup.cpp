@@ -93,7 +93,7 @@ void require_repeating_torques(const CaseInput& problem, const std::string& comm
 
 void require_one_pattern(const CaseInput& problem, const std::string& command) {
   const long pattern = whole_pattern(problem);
-  if (problem.pair.train && problem.dry()) require_repeating_torques(problem, command);
+  if (problem.pair.train) require_repeating_torques(problem, command);
   if (pattern <= problem.search.max_pattern) return;
   std::string name;
   for (const char* key :

@@ -381,9 +381,10 @@ class Ripple(TrainTest):
                                  ("0Hz 0.1 0", ["no order > 0 or frequency"]),
                                  ("300Hz 0.1 0", ["has 300 Hz; this and the mesh, 7000 Hz", "after 70 mesh periods",
                                                   "raise that to 70, give an order"])):
-            with self.subTest(harmonics=harmonics):
-                self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
-                                  "-motor_torque_harmonics", harmonics)
+            for model in ("dry", "dynamic"):
+                with self.subTest(harmonics=harmonics, model=model):
+                    self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", model, *SHAFTS,
+                                      "-motor_torque_harmonics", harmonics)
         self.assert_wrong(["motor.torque_harmonics", "has 300 Hz, which is no order of a shaft"], "sweep",
                           self.write_case(RELIEF), "-model", "dry", *SHAFTS, "-motor_torque_harmonics", "300Hz 0.1 0",
                           "-sweep_values", 15000)
