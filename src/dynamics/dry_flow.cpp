@@ -64,7 +64,7 @@ public:
 
   /// From s on.
   DryFlowRun(const DryFlow& flow, const Motion& start, Kind kind, double s = 0.0)
-      : flow_(flow), values_(beginning(start, kind == Kind::map)), size_(2 * start.freedoms()), kind_(kind), s_(s) {
+      : flow_(&flow), values_(beginning(start, kind == Kind::map)), size_(2 * start.freedoms()), kind_(kind), s_(s) {
     forget_extremes();
     petsc_check(
         VecCreateSeqWithArray(PETSC_COMM_SELF, 1, static_cast<PetscInt>(values_.size()), values_.data(), state_.put()));
@@ -83,12 +83,22 @@ public:
     petsc_check(TSSetFromOptions(ts_));
   }
 
+  /// Anew, as one that was made with these: one of the same kind.
+  void begin(const DryFlow& flow, const Motion& start, double s) {
+    flow_ = &flow;
+    const VecWriting x(state_);
+    std::ranges::copy(beginning(start, kind_ == Kind::map), x.values().begin());
+    petsc_check(TSSetStepNumber(ts_, 0));
+    forces_.clear();
+    s_ = s;
+    step_ = 0.0;
+  }
+
   void run(double s_end) {
-    const ContactPath& path = flow_.here_.mesh.path;
-    const double T_m = flow_.here_.period;
+    const double T_m = flow_->here_.period;
     while (s_ < s_end - 1e-9) {
-      contacts_ = path.contacts_after(s_ * T_m);
-      const double end = std::min(s_end, path.next_event(s_ * T_m) / T_m);
+      contacts_ = flow_->here_.mesh.path.contacts_after(s_ * T_m);
+      const double end = std::min(s_end, next_stop(s_ * T_m) / T_m);
       begins_ = true;
       petsc_check(TSSetTime(ts_, s_));
       petsc_check(TSSetMaxTime(ts_, end));
@@ -105,6 +115,7 @@ public:
     }
   }
 
+  Eigen::Index freedoms() const { return size_ / 2; }
   Motion motion() const { return motion_in(values_.data()); }
   Eigen::MatrixXd by_start() const { return Eigen::Map<const RowMajor>(values_.data() + size_, size_, size_); }
   Motion by_parameter() const { return motion_in(values_.data() + size_ * (size_ + 1)); }
@@ -115,6 +126,15 @@ public:
   }
 
 private:
+  /// Where contacts enter and leave; of a drive train also where reliefs begin, about which steps would be short.
+  double next_stop(double T) const {
+    const MeshModel& mesh = flow_->here_.mesh;
+    double next = mesh.path.next_event(T);
+    if (!mesh.train) return next;
+    for (const double xi : mesh.teeth.relief_places()) next = std::min(next, mesh.path.next_passage(xi, T));
+    return next;
+  }
+
   /// Derivatives say how fast Newton's method converges, and the multipliers: they need not be as accurate as the
   /// motion itself. Their kinks where gaps close are sharper than its own, and would cost most of the steps.
   void set_tolerances(double of_motion) {
@@ -143,7 +163,7 @@ private:
   }
 
   void rates(TS, PetscReal s, Vec in, Vec out) {
-    const DryFlow::Pair& here = flow_.here_;
+    const DryFlow::Pair& here = flow_->here_;
     const VecReading x(in);
     const VecWriting rate(out);
     if (here.mesh.train) {
@@ -160,41 +180,54 @@ private:
       rate[first] = here.period * x[second];
       rate[second] = slope * x[first] - here.period * here.damping * x[second];
     }
-    if (!flow_.beside_) return;
-    rate[6] += (flow_.beside_->period - here.period) * V0 / flow_.part_;
-    rate[7] += (acceleration(*flow_.beside_, s, H0, V0, nullptr) - rate[1]) / flow_.part_;
+    if (!flow_->beside_) return;
+    rate[6] += (flow_->beside_->period - here.period) * V0 / flow_->part_;
+    rate[7] += (acceleration(*flow_->beside_, s, H0, V0, nullptr) - rate[1]) / flow_->part_;
   }
 
-  TrainAcceleration acceleration(const DryFlow::Pair& pair, double s, const Motion& motion, bool derivatives) {
-    const double T = s * pair.period;
-    const DryContacts contacts(pair.force, pair.mesh, contacts_, T);
-    forces_ = contacts.forces_near(motion.H0(), forces_);
-    return train_acceleration(pair.mesh, {contacts, forces_}, T, motion, pair.damping, derivatives);
+  DryContacts contacts_of(const DryFlow::Pair& pair, double s) const {
+    return {pair.force, pair.mesh, contacts_, s * pair.period};
+  }
+
+  static TrainAcceleration acceleration(const DryFlow::Pair& pair, double s, const LoadedContacts& loaded,
+                                        const Motion& motion, bool derivatives) {
+    return train_acceleration(pair.mesh, loaded, s * pair.period, motion, pair.damping, derivatives);
   }
 
   /// x' of a pair in a drive train, and below it the rates of Phi and w, as of a pair alone.
   void train_rates(double s, const double* x, double* rate) {
-    const DryFlow::Pair& here = flow_.here_;
+    const DryFlow::Pair& here = flow_->here_;
     const Motion motion = motion_in(x);
     const Eigen::Index n = motion.freedoms();
     const bool map = kind_ == Kind::map;
-    const TrainAcceleration forced = acceleration(here, s, motion, map);
+    const DryContacts contacts = contacts_of(here, s);
+    forces_ = contacts.forces_near(motion.H0(), forces_);
+    const TrainAcceleration forced = acceleration(here, s, {contacts, forces_}, motion, map);
     Eigen::Map<Eigen::VectorXd> of_motion(rate, size_);
     of_motion << here.period * motion.v, here.period * forced.value;
     if (!map) return;
-    Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(size_, size_);
-    slope.topRightCorner(n, n).setIdentity();
-    slope.bottomRows(n) << forced.by_displacement, forced.by_velocity;
-    slope *= here.period;
-    Eigen::Map<RowMajor>(rate + size_, size_, size_) = slope * Eigen::Map<const RowMajor>(x + size_, size_, size_);
+    // Phi, and w as a column of its own: the upper half of the slope is that of q' = v.
+    const Eigen::MatrixXd by_q = here.period * forced.by_displacement, by_v = here.period * forced.by_velocity;
+    const auto apply = [&](const auto& of, auto&& to) {
+      to.topRows(n) = here.period * of.bottomRows(n);
+      to.bottomRows(n) = by_q.lazyProduct(of.topRows(n)) + by_v.lazyProduct(of.bottomRows(n));
+    };
+    apply(Eigen::Map<const RowMajor>(x + size_, size_, size_), Eigen::Map<RowMajor>(rate + size_, size_, size_));
     const Eigen::Index w = size_ * (size_ + 1);
     Eigen::Map<Eigen::VectorXd> of_parameter(rate + w, size_);
-    of_parameter = slope * Eigen::Map<const Eigen::VectorXd>(x + w, size_);
-    if (!flow_.beside_) return;
-    const DryFlow::Pair& beside = *flow_.beside_;
-    of_parameter.head(n) += (beside.period - here.period) / flow_.part_ * motion.v;
-    of_parameter.tail(n) +=
-        (beside.period * acceleration(beside, s, motion, false).value - here.period * forced.value) / flow_.part_;
+    apply(Eigen::Map<const Eigen::VectorXd>(x + w, size_), of_parameter);
+    if (!flow_->beside_) return;
+    of_parameter.head(n) += (flow_->beside_->period - here.period) / flow_->part_ * motion.v;
+    of_parameter.tail(n) += (beside_acceleration(s, contacts, motion) - here.period * forced.value) / flow_->part_;
+  }
+
+  /// T_m times the acceleration of the pair beside, where the contacts of this one are these.
+  Eigen::VectorXd beside_acceleration(double s, const DryContacts& contacts, const Motion& motion) const {
+    const DryFlow::Pair& beside = *flow_->beside_;
+    if (flow_->same_contacts_) return beside.period * acceleration(beside, s, {contacts, forces_}, motion, false).value;
+    const DryContacts others = contacts_of(beside, s);
+    const std::vector<double> forces = others.forces_near(motion.H0(), forces_);
+    return beside.period * acceleration(beside, s, {others, forces}, motion, false).value;
   }
 
   void step_done(TS, PetscInt, PetscReal s, Vec state) {
@@ -210,20 +243,20 @@ private:
 
   /// H_0 has its extremes between steps.
   void look_between(double s, const Motion& motion) {
-    const double ds = s - seen_s_, dT = ds * flow_.here_.period;
+    const double ds = s - seen_s_, dT = ds * flow_->here_.period;
     const Cubic cubic{seen_.H0(), motion.H0(), dT * seen_.V0(), dT * motion.V0()};
     if (const std::optional<double> part = cubic.turning()) look_at(seen_s_ + *part * ds, cubic(*part));
   }
 
   void look_at(double s, double H0) {
-    const DryContacts contacts(flow_.here_.force, flow_.here_.mesh, contacts_, s * flow_.here_.period);
+    const DryContacts contacts(flow_->here_.force, flow_->here_.mesh, contacts_, s * flow_->here_.period);
     const std::vector<double> forces = contacts.forces(H0);
     extremes_.largest_force = std::max(extremes_.largest_force, *std::ranges::max_element(forces));
     extremes_.smallest_force = std::min(extremes_.smallest_force, std::accumulate(forces.begin(), forces.end(), 0.0));
     extremes_.least_approach = std::min(extremes_.least_approach, contacts.largest_approach(H0));
   }
 
-  const DryFlow& flow_;
+  const DryFlow* flow_;
   std::vector<double> values_;
   Eigen::Index size_;  ///< of q and v
   Kind kind_;
@@ -239,20 +272,48 @@ private:
   DryExtremes extremes_;
 };
 
+namespace {
+
+/// At the same parts of a mesh period, as places all over it tell.
+template <class Pair>
+bool have_same_contacts(const Pair& one, const Pair& other) {
+  constexpr int places = 16;
+  for (int n = 0; n < places; ++n) {
+    const double s = (n + 0.5) / places;
+    const auto contacts = [s](const Pair& pair) {
+      const double T = s * pair.period;
+      return DryContacts(pair.force, pair.mesh, pair.mesh.path.contacts_after(T), T);
+    };
+    if (!contacts(one).same_as(contacts(other))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+DryFlow::DryFlow(Pair here, std::optional<Pair> beside, double part)
+    : here_(std::move(here)),
+      beside_(std::move(beside)),
+      part_(part),
+      same_contacts_(beside_ && here_.mesh.train && have_same_contacts(here_, *beside_)) {}
+
 DryFlow::DryFlow(const MeshModel& mesh, const MeshModel& beside, double part, double damping_ratio)
-    : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()),
-      beside_(Pair(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period())),
-      part_(part) {}
+    : DryFlow(Pair(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()),
+              Pair(beside, dry_damping(beside, damping_ratio), beside.path.mesh_period()), part) {}
 
 DryFlow::DryFlow(const MeshModel& mesh, double damping_ratio)
-    : here_(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()), part_(1.0) {}
+    : DryFlow(Pair(mesh, dry_damping(mesh, damping_ratio), mesh.path.mesh_period()), {}, 1.0) {}
 
 DryFlow DryFlow::in_time(const MeshModel& mesh, double damping) { return {Pair(mesh, damping, 1.0), {}, 1.0}; }
 
 Motion DryFlow::between(const Motion& start, double T_begin, double T_end) const {
-  DryFlowRun run(*this, start, DryFlowRun::Kind::step, T_begin);
-  run.run(T_end);
-  return run.motion();
+  if (steps_ && steps_->freedoms() == start.freedoms()) {
+    steps_->begin(*this, start, T_begin);
+  } else {
+    steps_ = std::make_shared<DryFlowRun>(*this, start, DryFlowRun::Kind::step, T_begin);
+  }
+  steps_->run(T_end);
+  return steps_->motion();
 }
 
 void DryFlow::march(const MeshModel& mesh, double damping_ratio, const Motion& start, int mesh_periods,

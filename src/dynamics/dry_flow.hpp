@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -46,6 +47,8 @@ struct DryFlowEnd {
   DryExtremes extremes;
 };
 
+class DryFlowRun;
+
 class DryFlow {
 public:
   /// A pair and the same pair at a parameter that is greater by a part of its unit. damping_ratio: dry_damping() of it
@@ -56,7 +59,7 @@ public:
   DryFlow(const MeshModel& mesh, double damping_ratio);
   /// A pair for between() alone, in time itself; damping: c.
   static DryFlow in_time(const MeshModel& mesh, double damping);
-  /// The motion at a time from that at another. Nothing is kept from call to call. Throws SolveError where it is not
+  /// The motion at a time from that at another. No call depends on those before. Throws SolveError where it is not
   /// finite, as do the others.
   Motion between(const Motion& start, double T_begin, double T_end) const;
   /// Follows the motion from T = 0 on.
@@ -78,12 +81,13 @@ private:
     double period;   ///< T_m, or 1 for a motion that knows no periods
   };
 
-  DryFlow(Pair here, std::optional<Pair> beside, double part)
-      : here_(std::move(here)), beside_(std::move(beside)), part_(part) {}
+  DryFlow(Pair here, std::optional<Pair> beside, double part);
 
   Pair here_;
   std::optional<Pair> beside_;
   double part_;
+  bool same_contacts_;                           ///< of both pairs: the parameter leaves them alone
+  mutable std::shared_ptr<DryFlowRun> steps_{};  ///< with which between() integrates
 };
 
 }  // namespace gearfilm

@@ -79,6 +79,7 @@ Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<Gear
     check_pitch_errors(flanks[gear].pitch_errors, line.base_pitch(), names[gear]);
     own[gear] = Flank(modification, start[gear], tip[gear]);
     check_removed(own[gear], pair, gear, {start[gear], tip[gear]});
+    add_relief_places(modification, gear, start[gear], tip[gear]);
     errors_[gear] = std::move(flanks[gear].pitch_errors);
     if (!errors_[gear].empty()) pattern_ = std::lcm(pattern_, static_cast<long>(teeth[gear]));
     perfect_ = perfect_ && own[gear].perfect() && errors_[gear].empty();
@@ -90,6 +91,14 @@ Teeth::Teeth(const SpurGearPair& pair, const LineOfAction& line, std::array<Gear
   }
   set_compliance(pair, line, compliance);
   set_backlash(pair, line);
+}
+
+void Teeth::add_relief_places(const FlankModification& modification, int gear, double start, double tip) {
+  const auto add = [&](const Relief& relief, double rho) {
+    if (relief.amount != 0.0) relief_places_.push_back(gear == 0 ? rho - at_pitch_pinion_ : at_pitch_wheel_ - rho);
+  };
+  add(modification.tip, tip - modification.tip.length);
+  add(modification.root, start + modification.root.length);
 }
 
 void Teeth::set_compliance(const SpurGearPair& pair, const LineOfAction& line, const ComplianceOptions& options) {

@@ -69,10 +69,13 @@ public:
   std::vector<double> back_positions(double xi) const;
   /// E_1 + E_2 at xi [m]; of reverse flanks too, which are taken to be modified alike.
   double removed(double xi) const;
+  /// Where reliefs begin [m], at which e_k has kinks; those of measured profiles are not among them.
+  const std::vector<double>& relief_places() const { return relief_places_; }
   /// After how many mesh periods the same teeth meet again that errors can tell apart.
   long pattern() const { return pattern_; }
 
 private:
+  void add_relief_places(const FlankModification& modification, int gear, double start, double tip);
   void set_compliance(const SpurGearPair& pair, const LineOfAction& line, const ComplianceOptions& options);
   void set_backlash(const SpurGearPair& pair, const LineOfAction& line);
 
@@ -86,6 +89,7 @@ private:
   std::shared_ptr<const std::array<UnevenFlank, 2>> beside_middle_;  ///< null: alike all over the face
   ProfileAction action_ = ProfileAction::offset;
   std::array<std::vector<double>, 2> errors_;
+  std::vector<double> relief_places_;
   double low_ = 0.0, high_ = 0.0;  ///< the path of contact
   Chebyshev<32> own_;              ///< c_kk over it [m/N]
   std::vector<std::pair<double, double>> table_;

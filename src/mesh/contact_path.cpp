@@ -40,6 +40,12 @@ double ContactPath::next_event(double T) const {
   return std::min(leaving, entry_time(next));
 }
 
+double ContactPath::next_passage(double xi, double T) const {
+  if (geometry_ == MeshGeometry::held) return std::numeric_limits<double>::infinity();
+  const double first = phase_at(xi, 0), passed = (meshing_phase(T) + tolerance() - first) / mesh_period();
+  return course_.time(first + (std::floor(passed) + 1.0) * mesh_period());
+}
+
 double ContactPath::last_event(double T) const {
   const std::vector<int> contacts = contacts_after(T);
   if (geometry_ != MeshGeometry::moving || contacts.empty()) return -std::numeric_limits<double>::infinity();

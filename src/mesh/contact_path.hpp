@@ -44,6 +44,9 @@ public:
   /// The last time up to T at which one did; -infinity where none does.
   double last_event(double T) const;
 
+  /// The next time after T at which a contact passes xi; infinity where the contacts stand.
+  double next_passage(double xi, double T) const;
+
   /// Mesh period at the first speed [s].
   double mesh_period() const { return line_.base_pitch() / velocity_; }
   /// Mesh periods that have passed at T, and when so many have.

@@ -36,6 +36,21 @@ DryContacts::DryContacts(const DryForce& force, const MeshModel& mesh, const std
   }
 }
 
+bool DryContacts::same_as(const DryContacts& others) const {
+  constexpr double round_off = 1e-12;
+  if (contacts_.size() != others.contacts_.size()) return false;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Contact &one = contacts_[k], &other = others.contacts_[k];
+    if (std::abs(one.gap - other.gap) > round_off * std::max(1.0, std::abs(one.gap))) return false;
+    if (std::abs(one.law.approach(1.0) / other.law.approach(1.0) - 1.0) > round_off) return false;
+    for (std::size_t j = 0; j < contacts_.size(); ++j) {
+      const double c = compliance_(k, j);
+      if (std::abs(others.compliance_(k, j) - c) > round_off * c) return false;
+    }
+  }
+  return true;
+}
+
 void DryContacts::stand_for(const std::vector<double>& forces, const std::vector<double>& displacements) {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     if (forces[k] <= 0.0) continue;

@@ -29,6 +29,9 @@ class DryContacts {
 public:
   DryContacts(const DryForce& force, const MeshModel& mesh, const std::vector<int>& numbers, double T);
 
+  /// Whether others answer alike, but for round-off.
+  bool same_as(const DryContacts& others) const;
+
   /// Takes gaps with which the contacts have these forces where they are displaced like this: those of films, which
   /// keep their thickness.
   void stand_for(const std::vector<double>& forces, const std::vector<double>& displacements);

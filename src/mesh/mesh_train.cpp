@@ -99,8 +99,10 @@ Eigen::VectorXd MeshTrain::torque_acceleration(const ContactPath& path, double T
 
 Eigen::VectorXd MeshTrain::acceleration(const Motion& motion, double pull, double back_force, const ContactPath& path,
                                         double T) const {
-  return by_force * pull + by_back_force * back_force + by_displacement * motion.q + by_velocity * motion.v +
-         torque_acceleration(path, T);
+  Eigen::VectorXd sum = torque_acceleration(path, T);
+  sum += by_force * pull + by_back_force * back_force;
+  sum += by_displacement.lazyProduct(motion.q) + by_velocity.lazyProduct(motion.v);
+  return sum;
 }
 
 MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const FlankRows& rows,

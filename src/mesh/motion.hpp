@@ -39,7 +39,8 @@ inline Eigen::VectorXd to_vector(const Motion& motion) {
 inline Motion to_motion(const Eigen::VectorXd& x) { return {x.head(x.size() / 2), x.tail(x.size() / 2)}; }
 
 inline Motion motion_from(std::span<const double> x) {
-  return to_motion(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+  const Eigen::Map<const Eigen::VectorXd> all(x.data(), static_cast<Eigen::Index>(x.size()));
+  return {all.head(all.size() / 2), all.tail(all.size() / 2)};
 }
 
 /// A motion and a multiple of a step.

@@ -7,6 +7,7 @@
 #include "film/expected_errors.hpp"
 #include "gearfilm/error.hpp"
 #include "numerics/tuned.hpp"
+#include "orbits/halving_check.hpp"
 #include "parallel/agreement.hpp"
 
 namespace gearfilm {
@@ -145,6 +146,8 @@ public:
   }
 
   bool has_twice_the_step() const { return doubles_the_step_; }
+  /// Whether a search there was given up for its halved steps.
+  bool has_too_many_halved() const { return too_many_halved_; }
   /// What an orbit with the step of the case itself has with a longer one. Nothing where it has none that is found
   /// about as soon.
   std::optional<DescribedOrbit> with_longer_step(const DescribedOrbit& found) {
@@ -170,9 +173,15 @@ private:
     const std::string place = place_of(coarse.numerics);
     const std::unique_ptr<RunStore> store = store_within(watch_.store, name, films_->grid());
     try {
-      return march(on_the_way(watch_, store.get()));
+      SearchWatch own = on_the_way(watch_, store.get());
+      own.on_step = halving_check(coarse.mesh);
+      return march(own);
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(place + error.what());
+    } catch (const TooManyHalved& error) {
+      too_many_halved_ = true;
+      watch_.on_trouble(place + error.what());
+      return {};
     } catch (const SolveError& error) {
       watch_.on_trouble(place + error.what());
       return {};
@@ -184,6 +193,7 @@ private:
   const SearchWatch& watch_;
   bool doubles_the_step_;
   bool with_multipliers_;
+  bool too_many_halved_ = false;
   NewtonOptions newton_of_decay_;
   SharedDiscretisation films_;
 };
@@ -254,7 +264,7 @@ std::optional<DescribedOrbit> first_coarse_orbit(CoarseSearch& search, const Dry
   };
   if (std::optional<DescribedOrbit> found = found_from("coarse", dry)) return found;
   const MeshModel& mesh = search.problem().mesh;
-  if (mesh.inertia == 0.0) return {};
+  if (mesh.inertia == 0.0 || search.has_too_many_halved()) return {};
   const double expected = expected_film_damping(mesh);
   const auto found_at_damping = [&](const std::string& name, double damping) {
     const std::optional<DryOrbit> start = find_dry_orbit_soon(mesh, damping);
@@ -358,7 +368,9 @@ void find_coarse_orbit(const OrbitProblem& problem, const SearchWatch& watch, MP
     const SharedDiscretisation films = discretise(comm, coarse);
     const std::unique_ptr<RunStore> store = store_within(watch.store, "slightly_coarser", films->grid());
     const OrbitGuess guess{found.own.orbit.start.motion, found.own.orbit.monodromy, {}};
-    found.coarse = find_described_orbit(coarse, films, guess, on_the_way(watch, store.get()));
+    SearchWatch own = on_the_way(watch, store.get());
+    own.on_step = halving_check(coarse.mesh);
+    found.coarse = find_described_orbit(coarse, films, guess, own);
     found.ratio = ratio;
   } catch (const SolveError& error) {
     watch.on_trouble(place_of(numerics) + error.what());

@@ -48,8 +48,9 @@ SettledMarch march_dry(const OrbitProblem& problem, const std::optional<Motion>&
                       period.extremes.smallest_force, 0.0});
     check_stop(mesh_periods);
   };
-  DryFlow::march(mesh, problem.search.dry_damping_ratio, from ? *from : DryMarch::balance(mesh, DryForce(mesh), 0.0),
-                 length.mesh_periods, on_period);
+  DryFlow::march(mesh, problem.search.dry_damping_ratio,
+                 from ? mesh.in_train(*from) : DryMarch::balance(mesh, DryForce(mesh), 0.0), length.mesh_periods,
+                 on_period);
   return last_of(points, length, {points.back().motion, {}});
 }
 

@@ -66,6 +66,11 @@ constexpr auto marched_members = std::to_array<Member<MarchOfSweep>>({
      [](const MarchOfSweep& of) -> Summary { return of.march.end.motion.H0(); }, Column::real},
     {"V0_after_leaving", "V_0", "-", "V_0 there",
      [](const MarchOfSweep& of) -> Summary { return of.march.end.motion.V0(); }, Column::real},
+    {"state_after_leaving", "", "-", "of a drive train: all displacements there, then all velocities",
+     [](const MarchOfSweep& of) -> Summary {
+       const Motion& motion = of.march.end.motion;
+       return motion.freedoms() > 1 ? Summary(motion) : absent();
+     }},
     {"force_ratio_max", "", "-", "largest force on one contact over the static force, in the mesh periods kept",
      [](const MarchOfSweep& of) -> Summary { return of.quantities.largest_force; }, Column::real},
     {"total_force_ratio_min", "", "-", "smallest force on all contacts together over it",

@@ -23,6 +23,13 @@ Monodromy read_monodromy(const Summary& rows) {
   return map;
 }
 
+/// Of a march, whose pair alone has (H_0, V_0), or of a periodic state.
+Motion motion_of(const Summary& point) {
+  if (point.contains("states_after_leaving")) return point["states_after_leaving"][0].get<Motion>();
+  if (point.contains("state_after_leaving")) return point["state_after_leaving"].get<Motion>();
+  return {point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>()};
+}
+
 }  // namespace
 
 void add_orbit(const MeshModel& mesh, const DescribedOrbit& found, Summary& result) {
@@ -38,10 +45,7 @@ void add_dry_orbit(const OrbitProblem& problem, const DryPointFound& found, Summ
 
 ChainLink read_link(const Summary& point) {
   ChainLink link{point["value"].get<double>(), {}, {}};
-  // Of a march (H0, V0) alone are known.
-  link.guess.motion = point.contains("states_after_leaving")
-                          ? point["states_after_leaving"][0].get<Motion>()
-                          : Motion(point["H0_after_leaving"].get<double>(), point["V0_after_leaving"].get<double>());
+  link.guess.motion = motion_of(point);
   if (!point.contains("monodromy")) return link;  // of a march
   link.guess.monodromy = read_monodromy(point["monodromy"]);
   if (point.contains("dry_motion")) link.dry.emplace().start = point["dry_motion"].get<Motion>();

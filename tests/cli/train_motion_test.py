@@ -8,6 +8,7 @@ import numpy
 
 from films import SAME, summary_in
 from program import INPUT
+from restarts import stopped_after
 from trains import CASE_STUDY, GRID, MASSES, REFERENCE, RELIEF, SHAFTS, TrainTest, bearings
 from vibration import table_in
 
@@ -149,6 +150,26 @@ class DryMotion(TrainTest):
         self.assertEqual(run.status, 0, run)
         whole, parts = (table_in(self.folder / name, "history/steps") for name in ("whole", "parts"))
         self.assertEqual(whole["H0"].tolist(), parts["H0"].tolist())
+
+    def test_marches_of_a_sweep_go_on_where_they_were_stopped(self):
+        """From all displacements and velocities, not from those of the flanks alone; basins start from these."""
+        sweep = ["sweep", self.write_case(RELIEF), "-model", "dry", "-dry_damping_ratio", 0.05, "-sweep_kind",
+                 "marches", "-sweep_values", "15000, 15100, 15200", "-sweep_direction", "up", "-sweep_march_periods", 3,
+                 "-sweep_kept_periods", 2, *self.damped_bearings(1e9)]
+        self.run_well(*sweep, "-output_dir", "whole")
+        stopped = stopped_after(1, [*sweep, "-output_dir", "parts"], self.folder)
+        self.assertEqual(stopped.status, 3, stopped)
+        self.run_well(*sweep, "-output_dir", "parts")
+        whole, parts = (summary_in(self.folder / name)["points"] for name in ("whole", "parts"))
+        for ours, theirs in zip(parts, whole):
+            self.assertEqual(len(theirs["state_after_leaving"]), 6)  # 3 and their velocities
+            self.assertEqual(ours["state_after_leaving"], theirs["state_after_leaving"])
+        basins = self.summary("sweep", "-model", "dry", "-dry_damping_ratio", 0.05, "-sweep_kind", "basins",
+                              "-sweep_starts", 2, "-sweep_march_periods", 20, "-sweep_kept_periods", 16,
+                              "-sweep_H0_from", -3, "-sweep_H0_to", -2, "-sweep_V0_from", -1, "-sweep_V0_to", 1,
+                              *self.damped_bearings(1e9))
+        self.assertEqual([point["H0"] for point in basins["points"]], [-3, -3, -2, -2])
+        self.assertEqual(basins["points_failed"], 0)
 
     def test_a_branch_is_followed_through_a_resonance(self):
         branch = self.summary("continuation", "-model", "dry", "-dry_damping_ratio", 0.05, "-continuation_from", 12480,
@@ -314,6 +335,14 @@ class Ripple(TrainTest):
         for shaft, amplitude in zip(("shaft_motor_pinion", "shaft_load_wheel"), self.torques_by_receptance()):
             self.assertAlmostEqual(orders[shaft][0] / amplitude, 1, delta=0.01)
 
+    def test_a_thousandth_of_torque_is_that_part_of_a_tenth(self):
+        expected = REFERENCE["torque_harmonic"]["mesh_force_amplitude_order1_over_static"]
+        self.periodic("1 0.001 0")
+        amplitude = 100 * self.first_order()
+        self.assertAlmostEqual(amplitude / expected["orbit"], 1, delta=REFERENCE["torque_harmonic"]["tol"])
+        # Beside the receptance of the teeth as one spring, which their contacts are not.
+        self.assertAlmostEqual(amplitude / expected["linear"], 1, delta=5e-3)
+
     @staticmethod
     def torques_by_receptance():
         """Amplitudes at 250 Hz of both shafts of four inertias, the teeth a spring with a damper."""
@@ -352,9 +381,10 @@ class Ripple(TrainTest):
                                  ("0Hz 0.1 0", ["no order > 0 or frequency"]),
                                  ("300Hz 0.1 0", ["has 300 Hz; this and the mesh, 7000 Hz", "after 70 mesh periods",
                                                   "raise that to 70, give an order"])):
-            with self.subTest(harmonics=harmonics):
-                self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", "dry", *SHAFTS,
-                                  "-motor_torque_harmonics", harmonics)
+            for model in ("dry", "dynamic"):
+                with self.subTest(harmonics=harmonics, model=model):
+                    self.assert_wrong(words, "periodic", self.write_case(RELIEF), "-model", model, *SHAFTS,
+                                      "-motor_torque_harmonics", harmonics)
         self.assert_wrong(["motor.torque_harmonics", "has 300 Hz, which is no order of a shaft"], "sweep",
                           self.write_case(RELIEF), "-model", "dry", *SHAFTS, "-motor_torque_harmonics", "300Hz 0.1 0",
                           "-sweep_values", 15000)
