@@ -205,9 +205,9 @@ EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& end
   if (ends.kind == EndFace::free) {
     std::map<double, double> shares;  // by Poisson's ratio
     for (const EndingBody& body : ends.bodies) shares[body.poisson_ratio] += body.share;
-    for (const auto& [poisson_ratio, share] : shares) {
-      add_both_ends(count, share, [&](EvenTransforms& added, const FromEnd& rows) {
-        fill_free_end(added, rows, count, shape.h_x(), poisson_ratio);
+    for (const std::pair<const double, double>& body : shares) {
+      add_both_ends(count, body.second, [&](EvenTransforms& added, const FromEnd& rows) {
+        fill_free_end(added, rows, count, shape.h_x(), body.first);
       });
     }
   }
