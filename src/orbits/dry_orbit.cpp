@@ -95,7 +95,7 @@ std::optional<Motion> find_beside_first_order(const DryMap& map) {
     const DryOrbit first_order = find_dry_orbit(simple, map.damping_ratio(), map.watch());
     const bool stable = largest_modulus(multipliers(first_order.monodromy)) < 1.0;
     for (const double push : pushes) {
-      const auto start = shoot(map, settle(map, pushed(first_order.start, push, 0.0)));
+      auto start = shoot(map, settle(map, pushed(first_order.start, push, 0.0)));
       if (start && (stable || length(difference(*start, first_order.start)) > same_orbit)) return start;
     }
   } catch (const SolveError&) {  // there is none of first order
