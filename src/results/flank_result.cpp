@@ -170,7 +170,7 @@ double at_surface(const MeshModel& mesh, const FlankResult& flank) {
   return largest;
 }
 
-struct FlankFigures {
+struct FlankQuantities {
   struct OfBody {
     Worst dang_van, safety;
     std::optional<double> surface{};
@@ -181,19 +181,19 @@ struct FlankFigures {
   std::optional<double> life_ratio{};
 };
 
-FlankFigures figures_of(const MeshModel& mesh, const std::optional<FlankResults>& results) {
-  FlankFigures figures;
-  if (!results) return figures;
-  figures.followed = true;
+FlankQuantities quantities_of(const MeshModel& mesh, const std::optional<FlankResults>& results) {
+  FlankQuantities quantities;
+  if (!results) return quantities;
+  quantities.followed = true;
   for (std::size_t body = 0; body < body_count; ++body) {
     const FlankResult& flank = results->of_body[body];
-    FlankFigures::OfBody& of = figures.body[body];
+    FlankQuantities::OfBody& of = quantities.body[body];
     of.dang_van = extreme(mesh, *results, flank, flank.map.dang_van, std::greater());
     of.surface = at_surface(mesh, flank);
     if (!flank.safety.empty()) of.safety = extreme(mesh, *results, flank, flank.safety, std::less());
   }
-  figures.life_ratio = life_ratio(results->risk, results->reference_risk, mesh.fatigue->risk);
-  return figures;
+  quantities.life_ratio = life_ratio(results->risk, results->reference_risk, mesh.fatigue->risk);
+  return quantities;
 }
 
 Summary place(const Worst& worst, double Worst::*coordinate) {
@@ -209,8 +209,8 @@ Summary cycles_of(const std::optional<double>& safety) {
 
 template <std::size_t body>
 constexpr auto flank_members_of(const std::array<std::string_view, 10>& names) {
-  using Of = const FlankFigures&;
-  return std::to_array<Member<FlankFigures>>({
+  using Of = const FlankQuantities&;
+  return std::to_array<Member<FlankQuantities>>({
       {names[0], "DV", "Pa", "largest Dang Van stress below z = 0.05 a, off both ends of the flank",
        [](Of of) -> Summary { return known(of.body[body].dang_van.value); }, Column::real},
       {names[1], "s_i", "m", "where: along the flank from the base circle",
@@ -239,11 +239,11 @@ constexpr auto wheel_members =
     flank_members_of<wheel_body>({"dang_van_max_wheel", "dang_van_s_wheel", "dang_van_z_wheel", "dang_van_y_wheel",
                                   "dang_van_surface_wheel", "safety_dang_van_wheel", "safety_dang_van_s_wheel",
                                   "safety_dang_van_z_wheel", "safety_dang_van_y_wheel", "cycles_dang_van_wheel"});
-constexpr auto life_members = std::to_array<Member<FlankFigures>>({
+constexpr auto life_members = std::to_array<Member<FlankQuantities>>({
     {"life_ratio", "", "-",
      "life by Lundberg and Palmgren's risk of both flanks over that of dry contacts of the static load shares; above 1 "
      "where the motion unloads the flanks",
-     [](const FlankFigures& of) -> Summary { return known(of.life_ratio); }, Column::real},
+     [](const FlankQuantities& of) -> Summary { return known(of.life_ratio); }, Column::real},
 });
 
 }  // namespace
@@ -327,10 +327,10 @@ void write_flanks(ResultsFile& file, const FatigueModel& fatigue, const FlankRes
 }
 
 void add_flanks(const MeshModel& mesh, const std::optional<FlankResults>& results, Summary& summary) {
-  const FlankFigures figures = figures_of(mesh, results);
-  add_members(pinion_members, figures, summary);
-  add_members(wheel_members, figures, summary);
-  add_members(life_members, figures, summary);
+  const FlankQuantities quantities = quantities_of(mesh, results);
+  add_members(pinion_members, quantities, summary);
+  add_members(wheel_members, quantities, summary);
+  add_members(life_members, quantities, summary);
 }
 
 std::vector<TableColumn> flank_columns() {

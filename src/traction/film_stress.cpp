@@ -19,10 +19,10 @@ std::vector<double> compact(const Field<double>& field) {
 const Peak& larger(const Peak& a, const Peak& b) { return b.value > a.value ? b : a; }
 
 /// Largest values of all sections in a body.
-StressFigures largest_figures(const FilmSections& sections, std::size_t body) {
-  StressFigures largest = stress_figures(sections.profiles.front()[body], sections.rows->depths());
+LargestStresses largest_in_sections(const FilmSections& sections, std::size_t body) {
+  LargestStresses largest = largest_stresses(sections.profiles.front()[body], sections.rows->depths());
   for (const StressProfiles& profiles : sections.profiles) {
-    const StressFigures own = stress_figures(profiles[body], sections.rows->depths());
+    const LargestStresses own = largest_stresses(profiles[body], sections.rows->depths());
     largest.von_mises = larger(largest.von_mises, own.von_mises);
     largest.largest_shear = larger(largest.largest_shear, own.largest_shear);
     largest.orthogonal_shear = larger(largest.orthogonal_shear, own.orthogonal_shear);
@@ -31,15 +31,15 @@ StressFigures largest_figures(const FilmSections& sections, std::size_t body) {
   return largest;
 }
 
-BodyStress in_si(const Scales& scales, const StressFigures& figures) {
+BodyStress in_si(const Scales& scales, const LargestStresses& stresses) {
   const double p = scales.pressure, a = scales.length;
-  return {.von_mises = p * figures.von_mises.value,
-          .von_mises_depth = a * figures.von_mises.at,
-          .shear = p * figures.largest_shear.value,
-          .shear_depth = a * figures.largest_shear.at,
-          .orthogonal_shear = p * figures.orthogonal_shear.value,
-          .orthogonal_shear_depth = a * figures.orthogonal_shear.at,
-          .surface_tension = p * figures.surface_tension};
+  return {.von_mises = p * stresses.von_mises.value,
+          .von_mises_depth = a * stresses.von_mises.at,
+          .shear = p * stresses.largest_shear.value,
+          .shear_depth = a * stresses.largest_shear.at,
+          .orthogonal_shear = p * stresses.orthogonal_shear.value,
+          .orthogonal_shear_depth = a * stresses.orthogonal_shear.at,
+          .surface_tension = p * stresses.surface_tension};
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ SectionRecords section_records(const Scales& scales, const RowStress& rows,
 
 ContactStress contact_stress(const Scales& scales, const FilmSections& sections) {
   ContactStress both;
-  for (std::size_t body = 0; body < body_count; ++body) both[body] = in_si(scales, largest_figures(sections, body));
+  for (std::size_t body = 0; body < body_count; ++body) both[body] = in_si(scales, largest_in_sections(sections, body));
   return both;
 }
 
@@ -136,7 +136,7 @@ std::array<std::vector<double>, body_count> von_mises_fields(const StressModel& 
   const SurfaceLoads loads = loads_below(film, shear_stress);
   std::array<std::vector<double>, body_count> fields;
   for (std::size_t body = 0; body < body_count; ++body) {
-    const double depth = largest_figures(sections, body).von_mises.at;
+    const double depth = largest_in_sections(sections, body).von_mises.at;
     for (const Stress& stress : stress_field(film.grid(), loads, depth, model.poisson_ratio)[body]) {
       fields[body].push_back(film.scales().pressure * von_mises(stress));
     }

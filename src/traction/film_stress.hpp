@@ -12,7 +12,7 @@
 
 #include "fatigue/flank_history.hpp"
 #include "film/contact_film.hpp"
-#include "stress/section_figures.hpp"
+#include "stress/largest_stresses.hpp"
 
 namespace gearfilm {
 

@@ -10,7 +10,7 @@
 #include "damage_reference.hpp"
 #include "fatigue/dang_van.hpp"
 #include "fatigue/flank_map.hpp"
-#include "stress/section_figures.hpp"
+#include "stress/largest_stresses.hpp"
 #include "stress/stress_field.hpp"
 
 namespace gearfilm {
@@ -50,15 +50,15 @@ RowStress central_row(const Grid& grid, const std::vector<double>& depths, doubl
   return {grid, {.rows = {grid.row_axis().central()}, .depths = depths, .poisson_ratio = steel, .reach = reach}};
 }
 
-StressFigures figures_of(const Grid& grid, const SurfaceLoads& loads) {
+LargestStresses figures_of(const Grid& grid, const SurfaceLoads& loads) {
   RowStress row = central_row(grid, stress_depths(2.0, 24));
-  return stress_figures(stress_profiles(row, row.evaluate(loads).front())[pinion_body], row.depths());
+  return largest_stresses(stress_profiles(row, row.evaluate(loads).front())[pinion_body], row.depths());
 }
 
 // Between depths a parabola: 1e-3.
 TEST(SectionStress, of_a_line_contact_is_hertz_s) {
   const Grid grid = line_grid(129);
-  const StressFigures found = figures_of(grid, loads_of(grid, hertz(1.0)));
+  const LargestStresses found = figures_of(grid, loads_of(grid, hertz(1.0)));
   EXPECT_NEAR(found.von_mises.value, damage_number("line_von_mises_max_nu.3"), 2e-3);
   EXPECT_NEAR(found.von_mises.at, damage_number("line_von_mises_depth"), 0.02);
   EXPECT_NEAR(found.largest_shear.value, damage_number("line_tau_max"), 2e-3);
@@ -90,7 +90,7 @@ TEST(SectionStress, of_a_sliding_line_contact_has_the_numbers_of_the_reference) 
 
 TEST(SectionStress, of_circular_and_elliptical_contacts_is_hertz_s) {
   const Grid circle(MPI_COMM_WORLD, rectangle(129, 129, -1.25, 1.25, 1.25));
-  const StressFigures found = figures_of(circle, loads_of(circle, hertz(1.0)));
+  const LargestStresses found = figures_of(circle, loads_of(circle, hertz(1.0)));
   EXPECT_NEAR(found.von_mises.value, damage_number("circle_von_mises_max_nu.3"), 1e-3);
   EXPECT_NEAR(found.von_mises.at, damage_number("circle_von_mises_depth"), 0.02);
   RowStress at_maximum = central_row(circle, {damage_number("circle_von_mises_depth")});

@@ -20,11 +20,11 @@ using StressProfiles = std::array<StressProfile, body_count>;
 StressProfiles stress_profiles(const RowStress& row, const SectionStresses& sections);
 
 /// Largest values over depths, in p_h, and their depths in a.
-struct StressFigures {
+struct LargestStresses {
   Peak von_mises, largest_shear, orthogonal_shear;
   double surface_tension = 0.0;
 };
 
-StressFigures stress_figures(const StressProfile& profile, std::span<const double> depths);
+LargestStresses largest_stresses(const StressProfile& profile, std::span<const double> depths);
 
 }  // namespace gearfilm

@@ -1,4 +1,4 @@
-#include "stress/section_figures.hpp"
+#include "stress/largest_stresses.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -52,7 +52,7 @@ StressProfiles stress_profiles(const RowStress& row, const SectionStresses& sect
   return profiles;
 }
 
-StressFigures stress_figures(const StressProfile& profile, std::span<const double> depths) {
+LargestStresses largest_stresses(const StressProfile& profile, std::span<const double> depths) {
   return {.von_mises = largest_between(depths, profile.von_mises),
           .largest_shear = largest_between(depths, profile.largest_shear),
           .orthogonal_shear = largest_between(depths, profile.orthogonal_shear),
