@@ -2,7 +2,7 @@
 //
 // The matrix of a row has a hundred unknowns and more, and is solved tens of times for each time it is factored. A
 // solve reads L and U once, so that memory decides how long it takes: L lies column by column from the first to the
-// last, U from the last to the first, without their zeros. Rows are interchanged as in LAPACK's getrf.
+// last, U from the last to the first, without their zeros. Rows are interchanged by the largest entry of a column.
 #pragma once
 
 #include <complex>
