@@ -15,7 +15,8 @@ namespace gearfilm {
 template <class Real>
 class RowFactors {
 public:
-  /// Of a square matrix given column by column, which is overwritten. Those of a singular one are not numbers.
+  /// Factors a square matrix, which is given column by column and overwritten. Factors of a singular one are not
+  /// numbers.
   void compute(std::span<Real> matrix, int size);
 
   /// x = matrix^-1 x

@@ -38,7 +38,7 @@ private:
   const Part* influence(At at, int j) const {
     return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
   }
-  /// Of the coupled nodes of row j, column by column.
+  /// Fills the matrix of the coupled nodes of row j, column by column.
   void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
   /// Whether the present factors serve a linearisation about this state as well.
   bool serve(ShiftOf<Real> shift) const;

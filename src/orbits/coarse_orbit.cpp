@@ -77,6 +77,13 @@ SearchWatch on_the_way(const SearchWatch& watch, RunStore* store) {
           .store = store};
 }
 
+/// What watches a search on a coarser grid, which is given up where too many of its steps are halved.
+SearchWatch on_coarser_grid(const SearchWatch& watch, RunStore* store, const MeshModel& mesh) {
+  SearchWatch own = on_the_way(watch, store);
+  own.on_step = halving_check(mesh);
+  return own;
+}
+
 OrbitGuess guess_from(const DescribedOrbit& run) {
   const PeriodicOrbit& orbit = run.orbit;
   const bool told = run.decay && run.decay->modulus_error < well_known;
@@ -173,9 +180,7 @@ private:
     const std::string place = place_of(coarse.numerics);
     const std::unique_ptr<RunStore> store = store_within(watch_.store, name, films_->grid());
     try {
-      SearchWatch own = on_the_way(watch_, store.get());
-      own.on_step = halving_check(coarse.mesh);
-      return march(own);
+      return march(on_coarser_grid(watch_, store.get(), coarse.mesh));
     } catch (const NoPeriodicState& error) {
       throw NoPeriodicState(place + error.what());
     } catch (const TooManyHalved& error) {
@@ -368,9 +373,7 @@ void find_coarse_orbit(const OrbitProblem& problem, const SearchWatch& watch, MP
     const SharedDiscretisation films = discretise(comm, coarse);
     const std::unique_ptr<RunStore> store = store_within(watch.store, "slightly_coarser", films->grid());
     const OrbitGuess guess{found.own.orbit.start.motion, found.own.orbit.monodromy, {}};
-    SearchWatch own = on_the_way(watch, store.get());
-    own.on_step = halving_check(coarse.mesh);
-    found.coarse = find_described_orbit(coarse, films, guess, own);
+    found.coarse = find_described_orbit(coarse, films, guess, on_coarser_grid(watch, store.get(), coarse.mesh));
     found.ratio = ratio;
   } catch (const SolveError& error) {
     watch.on_trouble(place_of(numerics) + error.what());

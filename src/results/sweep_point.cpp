@@ -23,7 +23,7 @@ Monodromy read_monodromy(const Summary& rows) {
   return map;
 }
 
-/// Of a march, whose pair alone has (H_0, V_0), or of a periodic state.
+/// The motion with which a point of a sweep ends: of a march, or of a periodic state. A pair alone has (H_0, V_0).
 Motion motion_of(const Summary& point) {
   if (point.contains("states_after_leaving")) return point["states_after_leaving"][0].get<Motion>();
   if (point.contains("state_after_leaving")) return point["state_after_leaving"].get<Motion>();
