@@ -202,14 +202,13 @@ void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const 
 }
 
 template <class Real>
-void displacement_column(const FilmStencil<Real>& linear, std::span<double> column) {
-  const int rows = linear.by_thickness[0].y_count();
-  for (int i = 0; i < linear.by_thickness[0].nx(); ++i) {
-    double* line = column.data() + static_cast<std::size_t>(i) * rows;
-    std::fill_n(line, rows, 0.0);
-    for (const Field<Real>& coefficient : linear.by_thickness) {
+void displacement_column(const FilmStencil<Real>& linear, Field<Real>& column) {
+  column.fill(Real(0));
+  for (const Field<Real>& coefficient : linear.by_thickness) {
+    for (int i = 0; i < column.nx(); ++i) {
       const Real* values = coefficient.row(i);
-      for (int j = 0; j < rows; ++j) line[j] += values[j];
+      Real* line = column.row(i);
+      for (int j = 0; j < column.y_count(); ++j) line[j] += values[j];
     }
   }
 }
@@ -218,8 +217,9 @@ template void linearise(const ReynoldsEquation&, double, const FilmState&, FilmS
 template void linearise(const ReynoldsEquation&, double, const FilmState&, FilmStencil<double>&);
 template void linearise(const ReynoldsEquation&, std::complex<double>, const FilmState&,
                         FilmStencil<std::complex<double>>&);
-template void displacement_column(const FilmStencil<float>&, std::span<double>);
-template void displacement_column(const FilmStencil<double>&, std::span<double>);
+template void displacement_column(const FilmStencil<float>&, Field<float>&);
+template void displacement_column(const FilmStencil<double>&, Field<double>&);
+template void displacement_column(const FilmStencil<std::complex<double>>&, Field<std::complex<double>>&);
 template void apply_stencil(const FilmStencil<float>&, const Field<float>&, const Field<float>&, Field<float>&);
 template void apply_stencil(const FilmStencil<double>&, const Field<double>&, const Field<double>&, Field<double>&);
 template void apply_stencil(const FilmStencil<std::complex<double>>&, const Field<std::complex<double>>&,

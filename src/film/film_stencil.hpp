@@ -46,8 +46,8 @@ void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const Film
 template <class Real>
 void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);
 
-/// The derivative of the rows by H_0 (u = 1 everywhere, v = 0), compact.
+/// The derivative of the rows by H_0 (u = 1 everywhere, v = 0).
 template <class Real>
-void displacement_column(const FilmStencil<Real>& linear, std::span<double> column);
+void displacement_column(const FilmStencil<Real>& linear, Field<Real>& column);
 
 }  // namespace gearfilm

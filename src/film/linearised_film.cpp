@@ -50,7 +50,7 @@ public:
   void multiply(std::span<const double> change, std::span<double> rows) override {
     levels_.front()->multiply(change, rows);
   }
-  void displacement_column(std::span<double> column) const override { levels_.front()->displacement_column(column); }
+  void displacement_column(std::span<double> column) override { levels_.front()->displacement_column(column); }
 
   int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
 

@@ -28,7 +28,7 @@ public:
   /// rows = linearised rows for a change of the pressure; compact.
   virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;
   /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.
-  virtual void displacement_column(std::span<double> column) const = 0;
+  virtual void displacement_column(std::span<double> column) = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.
   virtual void apply(std::span<const double> residual, std::span<double> change) = 0;
   /// Approximate solution as above, by one relaxation on the finest level.

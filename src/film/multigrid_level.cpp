@@ -35,6 +35,12 @@ void MultigridLevel<Real>::multiply(std::span<const double> change, std::span<do
 }
 
 template <class Real>
+void MultigridLevel<Real>::displacement_column(std::span<double> column) {
+  gearfilm::displacement_column(linear_, rows_);
+  rows_.store(column);
+}
+
+template <class Real>
 void MultigridLevel<Real>::smooth(std::span<const double> right_side, std::span<double> change, int sweeps,
                                   bool zero_guess) {
   if (zero_guess) {

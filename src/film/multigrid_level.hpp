@@ -26,7 +26,7 @@ public:
   /// rows = linearised film * change; compact.
   void multiply(std::span<const double> change, std::span<double> rows);
   /// Rows for a change of 1 of the film everywhere; compact.
-  void displacement_column(std::span<double> column) const { gearfilm::displacement_column(linear_, column); }
+  void displacement_column(std::span<double> column);
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
   void smooth(std::span<const double> right_side, std::span<double> change, int sweeps, bool zero_guess);
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.

@@ -75,13 +75,9 @@ void OscillatingFilm::multiply(std::span<const double> change, std::span<double>
   store_parts(work.rows, rows);
 }
 
-// A change of 1 of the film everywhere, and none of the pressure. Beyond the edge ghosts stay zero for multiply().
 void OscillatingFilm::displacement_column(std::span<double> column) {
   Work& work = *work_;
-  work.change.fill(0.0);
-  work.deformed.fill(1.0);
-  apply_stencil(work.linear, work.change, work.deformed, work.rows);
-  work.deformed.fill(0.0);
+  gearfilm::displacement_column(work.linear, work.rows);
   store_parts(work.rows, column);
 }
 

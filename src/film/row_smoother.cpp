@@ -14,13 +14,16 @@ constexpr double relaxations_for_factors = 0.1;
 }  // namespace
 
 template <class Real>
-RowSmoother<Real>::RowSmoother(const Grid& grid, const Deformation<Part>& deformation)
+RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation)
     : Smoother<Real>(grid),
       nx_(grid.nx()),
       rows_(grid.y_count()),
       long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       factored_(grid),
-      inverse_scale_(grid) {
+      inverse_scale_(grid),
+      deformation_between_(grid, deformation),
+      flow_between_(grid, halo),
+      relaxed_(grid) {
   const RowAxis& axis = grid.row_axis();
   const std::array<int, places> towards = {-1, 0, 1};
   for (int at = 0; at < places; ++at) {
@@ -120,6 +123,13 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     for (const int i : rows_[j].coupled) inverse_scale_.row(i)[j] *= Real(1) - this->coupled_.row(i)[j];
   }
+  if (!kept) {
+    displacement_column(linear, relaxed_);
+    Field<Real> responses = relaxed_;
+    solve_rows(relaxed_, responses);
+    deformation_between_.factor(std::move(responses));
+  }
+  flow_between_.factor(linear);
 }
 
 template <class Real>
@@ -127,8 +137,18 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   const ScopedEvent event(Kernel::smoother_sweep);
   ++use_.relaxations;
   ++use_.last;
+  solve_rows(residual, relaxed_);
+  deformation_between_.correct(relaxed_);
+  flow_between_.correct(relaxed_);
   for (int i = 1; i < nx_ - 1; ++i) {
-    for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += inverse_scale_.row(i)[j] * residual.row(i)[j];
+    for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += relaxed_.row(i)[j];
+  }
+}
+
+template <class Real>
+void RowSmoother<Real>::solve_rows(const Field<Real>& residual, Field<Real>& change) {
+  for (int i = 1; i < nx_ - 1; ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] = inverse_scale_.row(i)[j] * residual.row(i)[j];
   }
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const std::vector<int>& coupled = rows_[j].coupled;

@@ -14,6 +14,8 @@
 #include <array>
 #include <vector>
 
+#include "film/deformation_between_rows.hpp"
+#include "film/flow_between_rows.hpp"
 #include "film/row_factors.hpp"
 #include "film/smoother.hpp"
 
@@ -24,11 +26,14 @@ class RowSmoother final : public Smoother<Real> {
 public:
   using Part = PartOf<Real>;
 
-  RowSmoother(const Grid& grid, const Deformation<Part>& deformation);
+  /// Grid and halo must outlive the smoother.
+  RowSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation);
 
   void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
               SmootherFactors factors) override;
   void relax(Field<Real>& residual, Field<Real>& change) override;
+  /// What the changes of each row are where those of all others are zero.
+  void solve_rows(const Field<Real>& residual, Field<Real>& change);
 
 private:
   enum At { row_before, own_row, row_after, places };
@@ -63,6 +68,9 @@ private:
   Field<Part> factored_;          ///< coupled() when factors were made
   Field<Real> inverse_scale_;     ///< of nodes that factors are not used for, else 0
   Use use_;
+  DeformationBetweenRows<Real> deformation_between_;
+  FlowBetweenRows<Real> flow_between_;
+  Field<Real> relaxed_;
   std::vector<Real> values_;  ///< of the coupled nodes of a row
 };
 

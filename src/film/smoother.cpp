@@ -24,7 +24,7 @@ template <class Real>
 std::unique_ptr<Smoother<Real>> make_smoother(const Grid& grid, const Halo& halo,
                                               const Deformation<PartOf<Real>>& deformation) {
   if (grid.row_axis().has_equal_steps()) return std::make_unique<LineSmoother<Real>>(grid, halo, deformation);
-  return std::make_unique<RowSmoother<Real>>(grid, deformation);
+  return std::make_unique<RowSmoother<Real>>(grid, halo, deformation);
 }
 
 template class Smoother<float>;

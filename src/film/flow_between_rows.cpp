@@ -1,0 +1,124 @@
+#include "film/flow_between_rows.hpp"
+
+#include <algorithm>
+#include <complex>
+
+#include "lubricant/independent_iterations.hpp"
+
+namespace gearfilm {
+namespace {
+
+constexpr int rounds = 3;  // over the even and the odd rows
+constexpr double over_relaxation = 1.3;
+
+}  // namespace
+
+template <class Real>
+FlowBetweenRows<Real>::Rows::Rows(int first_row, int nx, int y_count)
+    : first(first_row), count((y_count - first_row + 1) / 2) {
+  const std::size_t size = static_cast<std::size_t>(nx) * (count + 2);
+  for (auto* values : {&lower_2, &lower_1, &inverse_pivots, &upper, &south, &north, &right_side, &change}) {
+    values->resize(size);
+  }
+}
+
+template <class Real>
+FlowBetweenRows<Real>::FlowBetweenRows(const Grid& grid, const Halo& halo)
+    : halo_(halo), nx_(grid.nx()), rows_{Rows(0, grid.nx(), grid.y_count()), Rows(1, grid.nx(), grid.y_count())} {
+  eliminated_.resize(rows_[0].change.size());
+}
+
+template <class Real>
+void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
+  for (Rows& rows : rows_) {
+    for (int i = 0; i < nx_; ++i) {
+      const std::size_t here = at(rows, i), before = at(rows, i - 1), before_2 = at(rows, i - 2);
+      std::array<const Real*, neighbour_count> v{};
+      for (int n = 0; n < neighbour_count; ++n) v[n] = linear.by_pressure[n].row(i) + rows.first;
+      for (int m = 0; m < rows.count; ++m) {
+        const int j = 2 * m;
+        Real lower_2 = 0, lower_1 = 0, pivot = v[centre][j];
+        if (i > 1) lower_2 = v[west_west][j] * rows.inverse_pivots[before_2 + m];
+        if (i > 0) {
+          lower_1 = v[west][j];
+          if (i > 1) lower_1 -= lower_2 * rows.upper[before_2 + m];
+          lower_1 *= rows.inverse_pivots[before + m];
+          pivot -= lower_1 * rows.upper[before + m];
+        }
+        rows.lower_2[here + m] = lower_2;
+        rows.lower_1[here + m] = lower_1;
+        rows.inverse_pivots[here + m] = Real(1) / pivot;
+        rows.upper[here + m] = i + 1 < nx_ ? v[east][j] : Real(0);
+        rows.south[here + m] = v[south][j];
+        rows.north[here + m] = v[north][j];
+      }
+    }
+  }
+}
+
+// The neighbours of the even row 2m are the odd rows m - 1 and m of their list, those of the odd row 2m + 1 the even
+// ones m and m + 1.
+template <class Real>
+void FlowBetweenRows<Real>::relax(Rows& rows, const Rows& others) {
+  const int count = rows.count;
+  const int to_south = rows.first - 1, to_north = rows.first;
+  for (int i = 0; i < nx_; ++i) {
+    const std::size_t here = at(rows, i);
+    const Real* other = &others.change[at(others, i)];
+    const Real *south = &rows.south[here], *north = &rows.north[here], *right_side = &rows.right_side[here];
+    const Real *lower_1 = &rows.lower_1[here], *lower_2 = &rows.lower_2[here];
+    // Before the first lines their factors are zero: any line may stand in there.
+    const Real *before = &eliminated_[at(rows, std::max(i - 1, 0))],
+               *before_2 = &eliminated_[at(rows, std::max(i - 2, 0))];
+    Real* eliminated = &eliminated_[here];
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int m = 0; m < count; ++m) {
+      eliminated[m] = right_side[m] - south[m] * other[m + to_south] - north[m] * other[m + to_north] -
+                      lower_1[m] * before[m] - lower_2[m] * before_2[m];
+    }
+  }
+  for (int i = nx_ - 1; i >= 0; --i) {
+    const std::size_t here = at(rows, i);
+    const Real *upper = &rows.upper[here], *inverse_pivot = &rows.inverse_pivots[here];
+    const Real* after = &eliminated_[at(rows, std::min(i + 1, nx_ - 1))];
+    Real *solved = &eliminated_[here], *change = &rows.change[here];
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (int m = 0; m < count; ++m) {
+      solved[m] = (solved[m] - upper[m] * after[m]) * inverse_pivot[m];
+      change[m] += PartOf<Real>(over_relaxation) * (solved[m] - change[m]);
+    }
+  }
+}
+
+template <class Real>
+void FlowBetweenRows<Real>::correct(Field<Real>& change) {
+  halo_.exchange(change);
+  for (Rows& rows : rows_) {
+    for (int i = 0; i < nx_; ++i) {
+      const Real* z = change.row(i) + rows.first;
+      const std::size_t here = at(rows, i);
+      for (int m = 0; m < rows.count; ++m) {
+        const int j = 2 * m;
+        rows.right_side[here + m] = -(rows.south[here + m] * z[j - 1] + rows.north[here + m] * z[j + 1]);
+      }
+    }
+    std::fill(rows.change.begin(), rows.change.end(), Real(0));
+  }
+  for (int round = 0; round < rounds; ++round) {
+    relax(rows_[0], rows_[1]);
+    relax(rows_[1], rows_[0]);
+  }
+  for (const Rows& rows : rows_) {
+    for (int i = 1; i < nx_ - 1; ++i) {
+      Real* out = change.row(i) + rows.first;
+      const std::size_t here = at(rows, i);
+      for (int m = 0; m < rows.count; ++m) out[2 * m] += rows.change[here + m];
+    }
+  }
+}
+
+template class FlowBetweenRows<float>;
+template class FlowBetweenRows<double>;
+template class FlowBetweenRows<std::complex<double>>;
+
+}  // namespace gearfilm

@@ -1,0 +1,60 @@
+// Flow of oil between rows that were relaxed one by one.
+//
+// Whoever relaxes whole rows leaves out what their changes of pressure z conduct into the rows beside them. With
+// V_s, V_n of the film's stencil (film_stencil.hpp), the correction w of the pressures takes up that flow:
+//
+//   V w = -(V_s z_south + V_n z_north)         V: all pressure terms of the stencil, without deformation
+//
+// Well conducting oil makes w smooth along X and far-reaching across rows that lie close together; where oil conducts
+// badly w is nothing. V is solved approximately, by successive over-relaxation of rows: the even and the odd ones by
+// turns, all of them at once (zebra), each by elimination along X. Flow from w across the rows of another process is
+// left out.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "film/film_stencil.hpp"
+#include "grid/halo.hpp"
+
+namespace gearfilm {
+
+template <class Real>
+class FlowBetweenRows {
+public:
+  /// The halo must outlive the object.
+  FlowBetweenRows(const Grid& grid, const Halo& halo);
+
+  /// Factors V along the rows.
+  void factor(const FilmStencil<Real>& linear);
+  /// change += w for z = change, whose ghosts it fills.
+  void correct(Field<Real>& change);
+
+private:
+  /// Every second of the own rows: values [x][row], with one more before and behind those of an x.
+  struct Rows {
+    Rows(int first, int nx, int y_count);
+
+    int first;  ///< of the own rows
+    int count;
+    std::vector<Real> lower_2, lower_1, inverse_pivots,
+        upper;  ///< factors along X: the upper triangle has one diagonal
+    std::vector<Real> south, north;
+    std::vector<Real> right_side, change;
+  };
+
+  std::size_t at(const Rows& rows, int i) const { return static_cast<std::size_t>(i) * (rows.count + 2) + 1; }
+  /// Relaxes every second row.
+  void relax(Rows& rows, const Rows& others);
+
+  const Halo& halo_;
+  int nx_;
+  std::array<Rows, 2> rows_;      ///< the even and the odd ones
+  std::vector<Real> eliminated_;  ///< right sides of half of the rows on the way to their solution
+};
+
+extern template class FlowBetweenRows<float>;
+extern template class FlowBetweenRows<double>;
+extern template class FlowBetweenRows<std::complex<double>>;
+
+}  // namespace gearfilm
