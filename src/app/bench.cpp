@@ -1,4 +1,7 @@
 // `gearfilm bench`: speed of the kernels, of stationary films and of a mesh period.
+#include <algorithm>
+#include <vector>
+
 #include "app/commands.hpp"
 #include "bench/grid_bench.hpp"
 #include "input/case_setup.hpp"
@@ -15,7 +18,14 @@ void run_bench(MPI_Comm comm, const CaseInput& problem) {
   Summary summary;
   summary["case"] = problem.name;
   summary["grids"] = Summary::array();
-  for (const GridSize size : standard_grids) summary["grids"].push_back(bench_grid(comm, problem, size));
+  std::vector<GridSize> measured;
+  for (const GridSize standard : standard_grids) {
+    const CaseInput resized = on_grid(problem, standard);
+    const GridSize size = size_of(resized);
+    if (std::ranges::find(measured, size) != measured.end()) continue;
+    measured.push_back(size);
+    summary["grids"].push_back(bench_grid(comm, resized));
+  }
   if (problem.pair.line && problem.pair.equivalent_mass) summary.update(bench_pair(comm, problem, run_periodic));
   write_summary(comm, problem.run.directory, summary);
 }

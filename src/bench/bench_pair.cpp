@@ -23,18 +23,16 @@ struct MeshPeriod {
 
 /// The second mesh period of the lubricated pair from the dry periodic orbit shifted by the film: near the periodic
 /// state.
-MeshPeriod march_a_period(MPI_Comm comm, const CaseInput& problem, GridSize size) {
-  CaseInput resized = problem;
-  resized.numerics.nx = size.nx;
-  resized.numerics.ny = size.ny;
-  const SharedDiscretisation films = discretise(comm, resized);
-  const MeshModel mesh = mesh_after_leaving(resized);
+MeshPeriod march_a_period(MPI_Comm comm, const CaseInput& problem) {
+  const GridSize size = size_of(problem);
+  const SharedDiscretisation films = discretise(comm, problem);
+  const MeshModel mesh = mesh_after_leaving(problem);
   const double mesh_period = mesh.path.mesh_period();
   MarchStatistics statistics(mesh_period, mesh.scales.static_force);
-  MeshMarch march = make_march(resized, films, mesh, [&](const StepRecord& record, const std::vector<ActiveContact>&) {
+  MeshMarch march = make_march(problem, films, mesh, [&](const StepRecord& record, const std::vector<ActiveContact>&) {
     statistics.add(record, available_models(mesh, true));
   });
-  march.start(dry_guess(orbit_problem(resized), films, dry_start(mesh)).motion);
+  march.start(dry_guess(orbit_problem(problem), films, dry_start(mesh)).motion);
   march.run(mesh_period);
   const double before = common_unit(comm, size), start = MPI_Wtime();
   march.run(2.0 * mesh_period);
@@ -70,8 +68,9 @@ constexpr auto period_members = std::to_array<Member<PeriodSpeed>>({
      [](const PeriodSpeed& of) -> Summary { return of.contact_step(); }},
 });
 
-PeriodSpeed mesh_period_speed(MPI_Comm comm, const CaseInput& problem, GridSize size) {
-  const PeriodSpeed speed{size, problem.numerics.steps.dT, march_a_period(comm, problem, size)};
+PeriodSpeed mesh_period_speed(MPI_Comm comm, const CaseInput& problem) {
+  const GridSize size = size_of(problem);
+  const PeriodSpeed speed{size, problem.numerics.steps.dT, march_a_period(comm, problem)};
   petsc_check(PetscPrintf(comm,
                           "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
                           "Newton and %.2f Krylov iterations a step\n",
@@ -108,14 +107,15 @@ constexpr auto process_members = std::to_array<Member<ProcessSpeed>>({
      [](const ProcessSpeed& of) -> Summary { return of.limit; }},
 });
 
-ProcessSpeed process_speed(MPI_Comm comm, const CaseInput& problem, GridSize size) {
+ProcessSpeed process_speed(MPI_Comm comm, const CaseInput& problem) {
+  const GridSize size = size_of(problem);
   const int processes = processes_in(comm);
-  double alone = rank_in(comm) == 0 ? march_a_period(PETSC_COMM_SELF, problem, size).seconds : 0.0;
+  double alone = rank_in(comm) == 0 ? march_a_period(PETSC_COMM_SELF, problem).seconds : 0.0;
   wait_asleep(comm);
   MPI_Bcast(&alone, 1, MPI_DOUBLE, 0, comm);
-  double side_by_side = march_a_period(PETSC_COMM_SELF, problem, size).seconds;
+  double side_by_side = march_a_period(PETSC_COMM_SELF, problem).seconds;
   MPI_Allreduce(MPI_IN_PLACE, &side_by_side, 1, MPI_DOUBLE, MPI_MAX, comm);
-  const double together = march_a_period(comm, problem, size).seconds;
+  const double together = march_a_period(comm, problem).seconds;
   const ProcessSpeed speed{size, alone / together, processes * alone / side_by_side};
   petsc_check(PetscPrintf(comm, "%d processes, %d x %d nodes: %.3g times as fast as one, the machine's limit is %.3g\n",
                           processes, size.nx, size.ny, speed.speedup, speed.limit));
@@ -123,6 +123,15 @@ ProcessSpeed process_speed(MPI_Comm comm, const CaseInput& problem, GridSize siz
 }
 
 }  // namespace
+
+GridSize size_of(const CaseInput& problem) { return {problem.numerics.nx, problem.numerics.ny}; }
+
+CaseInput on_grid(const CaseInput& problem, GridSize size) {
+  CaseInput resized = problem;
+  resized.numerics.nx = size.nx;
+  if (!problem.numerics.face_rows && !problem.scales.solids.line) resized.numerics.ny = size.ny;
+  return resized;
+}
 
 double common_unit(MPI_Comm comm, GridSize size) {
   double unit = convolution_time(size.nx, size.ny);
@@ -140,14 +149,12 @@ TractionModel warm_film(const CaseInput& problem) {
 }
 
 Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic) {
-  CaseInput resized = problem;
-  resized.numerics.nx = small.nx;
-  resized.numerics.ny = small.ny;
-  const PeriodSpeed speed = mesh_period_speed(comm, resized, small);
+  const CaseInput resized = on_grid(problem, small);
+  const PeriodSpeed speed = mesh_period_speed(comm, resized);
   CaseInput warm = resized;
   warm.traction = warm_film(problem);
   warm.numerics.on_widening = widening_notice(warm.scales, contacts_at_a_time(warm), heated_points(warm));
-  const PeriodSpeed thermal = mesh_period_speed(comm, warm, small);
+  const PeriodSpeed thermal = mesh_period_speed(comm, warm);
   Summary summary;
   summary["mesh_period"] = as_summary(period_members, speed);
   summary["contact_step_convolutions"] = speed.contact_step();
@@ -155,9 +162,9 @@ Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic)
   summary["thermal_contact_step_ratio"] = thermal.contact_step() / speed.contact_step();
   summary["periodic_job_mesh_periods"] = periodic_job(comm, resized, periodic, speed.period.seconds);
   if (processes_in(comm) == 1) return summary;
-  const ProcessSpeed first = process_speed(comm, resized, small);
+  const ProcessSpeed first = process_speed(comm, resized);
   summary["processes"] = {as_summary(process_members, first),
-                          as_summary(process_members, process_speed(comm, resized, large))};
+                          as_summary(process_members, process_speed(comm, on_grid(problem, large)))};
   summary["process_speedup"] = first.speedup;
   summary["process_limit"] = first.limit;
   return summary;

@@ -19,14 +19,12 @@ constexpr int solve_runs = 3;
 /// The measurements on one grid.
 class GridBench {
 public:
-  GridBench(MPI_Comm comm, const CaseInput& problem, GridSize size)
+  GridBench(MPI_Comm comm, const CaseInput& problem)
       : comm_(comm),
         problem_(problem),
-        discretisation_(discretise(
-            Grid(comm, grid_shape(problem.numerics.domain, problem.scales.hertz.ellipticity, size.nx, size.ny)),
-            problem)),
+        discretisation_(discretise(comm, problem)),
         film_(discretisation_, problem.scales, problem.numerics.solver.multigrid),
-        unit_(common_unit(comm, size)),
+        unit_(common_unit(comm, size_of(problem))),
         change_(film_.grid().local_size()),
         rows_(film_.grid().local_size()) {}
 
@@ -116,8 +114,6 @@ private:
 
 }  // namespace
 
-Summary bench_grid(MPI_Comm comm, const CaseInput& problem, GridSize size) {
-  return GridBench(comm, problem, size).run();
-}
+Summary bench_grid(MPI_Comm comm, const CaseInput& problem) { return GridBench(comm, problem).run(); }
 
 }  // namespace gearfilm

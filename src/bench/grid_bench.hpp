@@ -6,7 +6,7 @@
 
 namespace gearfilm {
 
-/// Measures and prints. Collective.
-Summary bench_grid(MPI_Comm comm, const CaseInput& problem, GridSize size);
+/// Measures and prints, on the case's grid. Collective.
+Summary bench_grid(MPI_Comm comm, const CaseInput& problem);
 
 }  // namespace gearfilm

@@ -59,6 +59,9 @@ inline NewtonOptions rough_step_newton() {
   return options;
 }
 
+/// Over a whole face a linearisation costs as much as many iterations of Krylov's method, of which few give a digit.
+inline constexpr double krylov_tolerance_over_faces = 0.01;
+
 class SegmentStepper {
 public:
   /// on_step is called after every accepted step. Pair and memory must outlive the stepper.

@@ -2,10 +2,14 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "gearfilm/error.hpp"
+#include "lubricant/independent_iterations.hpp"
+#include "lubricant/vector_math.hpp"
 
 namespace gearfilm {
 namespace {
@@ -13,6 +17,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double narrowest = 1e-6;  // half-width of a row without load [a]
+
+constexpr int nodes_of_finest = 256;  // of a quadrature
 
 /// Nodes and weights of (1 - xi^2)^(1/2) in 2/pi on [-1, 1].
 struct Quadrature {
@@ -30,7 +36,7 @@ struct Quadrature {
 const Quadrature& quadrature_for(double length) {
   static const std::vector<Quadrature> all = [] {
     std::vector<Quadrature> list;
-    for (const int count : {4, 8, 16, 32, 64, 128, 256}) list.emplace_back(count);
+    for (int count = 4; count <= nodes_of_finest; count *= 2) list.emplace_back(count);
     return list;
   }();
   std::size_t n = 0;
@@ -79,25 +85,22 @@ void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
   }
 }
 
-// The logarithm of the distance in the own row is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
+// Of a strip from `lower` to `upper` beside a node at a distance d the deformation is asinh(upper/d) - asinh(lower/d).
+// The logarithm of d in the own row is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
 double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) {
   const double upper = source.upper - at_y, lower = source.lower - at_y;
-  const Quadrature& rule = quadrature_for(std::min(std::abs(upper), std::abs(lower)) / s);
-  double sum = 0.0;
-  for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
+  const double near = std::min(std::abs(upper), std::abs(lower)), far = std::max(std::abs(upper), std::abs(lower));
+  const Quadrature& rule = quadrature_for(near / s);
+  const std::size_t count = rule.nodes.size();
+  std::array<double, nodes_of_finest> values;
+  GEARFILM_INDEPENDENT_ITERATIONS
+  for (std::size_t n = 0; n < count; ++n) {
     const double d = std::max(std::abs(at_x - s * rule.nodes[n]), 1e-12 * s);
-    double value = 0.0;
-    if (own) {
-      value = std::log((upper + std::hypot(upper, d)) * (-lower + std::hypot(lower, d)));
-    } else {
-      const bool above = lower >= 0.0;
-      const double near = above ? lower : -upper, far = above ? upper : -lower;
-      value = std::log((far + std::hypot(far, d)) / (near + std::hypot(near, d)));
-    }
-    sum += rule.weights[n] * value;
+    const double of_far = far + std::sqrt(far * far + d * d), of_near = near + std::sqrt(near * near + d * d);
+    values[n] = rule.weights[n] * log(own ? of_far * of_near : of_far / of_near);
   }
-  if (own) sum -= 2.0 * (std::log(0.5 * s) - 0.5 + (at_x / s) * (at_x / s));
-  return sum;
+  const double sum = std::accumulate(values.begin(), values.begin() + count, 0.0);
+  return own ? sum - 2.0 * (log(0.5 * s) - 0.5 + (at_x / s) * (at_x / s)) : sum;
 }
 
 void RowContact::find_influence() {
@@ -213,9 +216,8 @@ FaceContact RowContact::found(double force, double approach) const {
 
 void RowContact::begin_anew() { std::ranges::fill(half_widths_, 1.0); }
 
-FaceContact RowContact::solve(double force, double relative_radius) {
+FaceContact RowContact::solve(double force, double relative_radius, double settled) {
   constexpr int most_turns = 100;
-  constexpr double settled = 1e-6;
   for (int row = 0; row < rows_.count(); ++row) loaded_[row] = !rows_.is_ambient(row);
   for (int turn = 0; turn < most_turns; ++turn) {
     find_influence();

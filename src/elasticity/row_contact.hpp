@@ -27,8 +27,9 @@ public:
   /// Adds what the ends of the face give way, from that of a grid of such rows.
   void add_ends(const EndFaceCompliance& ends, double h_x);
 
-  /// The contact under a force at a radius, from the one that was solved last. Throws SolveError where it is not found.
-  FaceContact solve(double force, double relative_radius);
+  /// The contact under a force at a radius, from the one that was solved last, until half-widths change by less than
+  /// `settled` of the face's. Throws SolveError where it is not found.
+  FaceContact solve(double force, double relative_radius, double settled = 1e-6);
   /// Lets the next one begin as the first did.
   void begin_anew();
   /// The smallest gap of the rows.

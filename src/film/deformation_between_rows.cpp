@@ -1,7 +1,7 @@
 #include "film/deformation_between_rows.hpp"
 
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace gearfilm {
 
@@ -12,7 +12,7 @@ DeformationBetweenRows<Real>::DeformationBetweenRows(const Grid& grid, const Def
       count_(grid.rows()),
       compliance_(static_cast<std::size_t>(count_) * count_),
       responses_(grid) {
-  const int apart = static_cast<int>(std::lround(2.0 * std::exp(-1.5) / grid.h_x()));
+  const int apart = static_cast<int>(std::lround(1.0 / grid.h_x()));
   for (int row = 0; row < count_; ++row) {
     for (int source = 0; source < count_; ++source) {
       if (source == row) continue;

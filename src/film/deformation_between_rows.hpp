@@ -7,8 +7,8 @@
 //
 // S_l being by how much the row gives up of its load where it is displaced by 1: the sum of its response f_l, the
 // changes of pressure that its own matrix answers with. So (I + k S) s = k F for the loads F of z, and z_l becomes
-// z_l - f_l s_l. The compliance k_jl is the deformation |X| = 2 e^-1.5 from the middle of a strip of row l: that is the
-// mean of the logarithm of distances between points of -1 < X < 1, and about that of the kernel.
+// z_l - f_l s_l. The compliance k_jl is the deformation at |X| = 1 beside a strip of row l: far from it that of the
+// whole row j, and near it the smaller part that is alike for all X.
 #pragma once
 
 #include <vector>

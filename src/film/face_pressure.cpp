@@ -12,6 +12,20 @@ double line_half_width(const Scales& scales, const ContactConditions& conditions
   return std::sqrt(4.0 * scales.C_h * conditions.dry_radius() * load);
 }
 
+/// Of rows with these loads by unit length and half-widths.
+void semi_ellipses(const Grid& grid, double centre, const std::vector<double>& loads, const std::vector<double>& widths,
+                   std::span<double> pressure) {
+  for (int j = 0; j < grid.y_count(); ++j) {
+    const int row = grid.y_begin() + j;
+    const double s = widths[row], top = 2.0 * loads[row] / (std::numbers::pi * s);
+    for (int i = 0; i < grid.nx(); ++i) {
+      const double x = (grid.x(i) - centre) / s, inside = 1.0 - x * x;
+      const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
+      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;
+    }
+  }
+}
+
 }  // namespace
 
 double largest_half_width(const Scales& scales, const ContactConditions& conditions, double pressure_integral) {
@@ -21,7 +35,6 @@ double largest_half_width(const Scales& scales, const ContactConditions& conditi
 
 double face_pressure(Discretisation& discretisation, const Scales& scales, const ContactConditions& conditions,
                      double pressure_integral, std::span<double> pressure) {
-  const Grid& grid = discretisation.grid();
   std::vector<double> loads = {pressure_integral}, widths = {line_half_width(scales, conditions, pressure_integral)};
   double approach = 0.0;
   if (!scales.solids.line) {
@@ -30,29 +43,23 @@ double face_pressure(Discretisation& discretisation, const Scales& scales, const
     loads = rows.loads();
     widths = rows.half_widths();
   }
-  for (int j = 0; j < grid.y_count(); ++j) {
-    const int row = grid.y_begin() + j;
-    const double s = widths[row], top = 2.0 * loads[row] / (std::numbers::pi * s);
-    for (int i = 0; i < grid.nx(); ++i) {
-      const double x = (grid.x(i) - conditions.nearest.X) / s, inside = 1.0 - x * x;
-      const bool loaded = inside > 0.0 && !grid.is_boundary(i, j);
-      pressure[static_cast<std::size_t>(i) * grid.y_count() + j] = loaded ? top * std::sqrt(inside) : 0.0;
-    }
-  }
+  semi_ellipses(discretisation.grid(), conditions.nearest.X, loads, widths, pressure);
   return approach;
 }
 
 std::vector<double> rescaled_face_pressure(Discretisation& discretisation, const Scales& scales,
                                            const ContactConditions& conditions, double before, double after,
                                            std::span<const double> pressure) {
+  constexpr double settled = 1e-4;
   constexpr double narrowest = 0.05;  // half-width whose pressure tells what it would be on a wider row [a]
   const Grid& grid = discretisation.grid();
   RowContact& rows = discretisation.prepare_row_contact(scales);
-  rows.solve(before, conditions.dry_radius());
+  rows.solve(before, conditions.dry_radius(), settled);
   const std::vector<double> widths = rows.half_widths();
+  rows.solve(after, conditions.dry_radius(), settled);
   std::vector<double> values(pressure.size());
-  face_pressure(discretisation, scales, conditions, after, values);
   const double centre = conditions.nearest.X;
+  semi_ellipses(grid, centre, rows.loads(), rows.half_widths(), values);
   for (int j = 0; j < grid.y_count(); ++j) {
     const int row = grid.y_begin() + j;
     if (widths[row] < narrowest) continue;

@@ -123,7 +123,8 @@ double step_tolerance(const Scales& scales) {
 // Between rough surfaces a linear solve that leaves much has nodes dry that oil fills, and others full that are dry,
 // and the next iteration only puts that right.
 NewtonOptions read_step_newton_options(const ParameterValues& values, const Scales& scales) {
-  const NewtonOptions usual = scales.solids.rough ? rough_step_newton() : StepOptions().newton;
+  NewtonOptions usual = scales.solids.rough ? rough_step_newton() : StepOptions().newton;
+  if (scales.solids.face) usual.krylov_tolerance = std::min(usual.krylov_tolerance, krylov_tolerance_over_faces);
   NewtonOptions options = read_newton_options(
       values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)),
       values.real_if_given("time.krylov_tolerance").value_or(usual.krylov_tolerance));

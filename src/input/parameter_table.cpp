@@ -219,7 +219,8 @@ Records time_records() {
        preset(standard.newton.max_iterations, whole("newton_max_iterations", "", at_least(1),
                                                     "Newton steps before a time step is tried again, and halved")),
        optional(
-           between_rough(standard.newton.krylov_tolerance, rough_step_newton().krylov_tolerance),
+           between_rough(standard.newton.krylov_tolerance, rough_step_newton().krylov_tolerance) +
+               ", over a whole face " + format_value(krylov_tolerance_over_faces),
            number("krylov_tolerance", "", "-", right_open(1e-15, 1),
                   "relative, of each linear solve in a time step; no more than to three tenths of Newton's tolerance")),
        optional(between_rough(standard.newton.late_krylov_tolerance, rough_step_newton().late_krylov_tolerance),

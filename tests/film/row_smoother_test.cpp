@@ -2,6 +2,7 @@
 #include "film/row_smoother.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "face_case.hpp"
 #include "film/face_pressure.hpp"
@@ -28,6 +29,21 @@ struct LinearFilm {
     return maximum((grid.nx() - 2.0) * rows.count() - static_cast<double>(std::ranges::count(full, 1.0)));
   }
 
+  /// The film on its graded rows, as relaxation sees it.
+  FilmStencil<double> stencil() {
+    FilmStencil<double> linear(grid);
+    linearise(film.discretisation()->equation(), shift, film.state(), linear);
+    return linear;
+  }
+
+  std::unique_ptr<RowSmoother<double>> smoother() {
+    Discretisation& discretisation = *film.discretisation();
+    auto smoother = std::make_unique<RowSmoother<double>>(grid, discretisation.halo(),
+                                                          discretisation.prepare_deformation<double>());
+    smoother->factor(stencil(), film.state(), shift, SmootherFactors::of_this_state);
+    return smoother;
+  }
+
   static constexpr double shift = 5.0;  // of a time step, so that it cannot be forgotten
   Grid grid;
   ContactFilm film;
@@ -41,6 +57,8 @@ TEST(RowSmoother, solves_a_row_whose_neighbours_stand_still) {
     const RowAxis rows = rows_of_face(scales, few_rows, lower);
     LinearFilm linear(PETSC_COMM_WORLD, scales, shape_over(rows, 33));
     const Grid& grid = linear.grid;
+    const std::unique_ptr<RowSmoother<double>> smoother = linear.smoother();
+    Field<double> residual(grid), relaxed(grid);
     for (const int row : {lower == Edge::symmetry ? 0 : 1, rows.count() / 2, rows.count() - 2}) {
       std::vector<double> right(grid.local_size(), 0.0), change(right), product(right);
       const int j = grid.local_row(row);
@@ -48,7 +66,9 @@ TEST(RowSmoother, solves_a_row_whose_neighbours_stand_still) {
         const int n = i * grid.y_count() + j;
         right[n] = linear.full[n] * noise(i, row);
       }
-      linear.film.relax(right, change);
+      residual.load(right);
+      smoother->solve_rows(residual, relaxed);
+      relaxed.store(change);
       linear.film.multiply(change, 0.0, product);
       double off = 0.0, elsewhere = 0.0;
       for (int n = 0; n < grid.local_size(); ++n) {
@@ -85,6 +105,48 @@ TEST(RowSmoother, solves_cavitated_rows) {
   EXPECT_GT(linear.cavitated(), 10.0);
 }
 
+// What the changes of rows conduct into one another is taken up but for a part.
+TEST(FlowBetweenRows, is_taken_up) {
+  const Scales scales = face_scales(face_with(EndFace::free, relieved_ends()));
+  for (const Edge lower : {Edge::symmetry, Edge::ambient}) {
+    LinearFilm linear(PETSC_COMM_WORLD, scales, shape_over(rows_of_face(scales, few_rows, lower), 65));
+    const Grid& grid = linear.grid;
+    const FilmStencil<double> stencil = linear.stencil();
+    const Halo& halo = linear.film.discretisation()->halo();
+    const Field<double> no_film(grid);
+    Field<double> along(grid);
+    for (int i = 1; i < grid.nx() - 1; ++i) {
+      for (int j = grid.inner_rows().begin; j < grid.inner_rows().end; ++j)
+        along.row(i)[j] = noise(i, grid.y_begin() + j);
+    }
+    Field<double> change = along;
+    FlowBetweenRows<double> flow(grid, halo);
+    flow.factor(stencil);
+    flow.correct(change);
+    const auto conducted = [&](Field<double>& of, bool across) {
+      FilmStencil<double> conduction = stencil;
+      for (const Neighbour side : {south, north}) {
+        if (!across) conduction.by_pressure[side].fill(0.0);
+      }
+      halo.exchange(of);
+      Field<double> rows(grid);
+      apply_stencil(conduction, of, no_film, rows);
+      return rows;
+    };
+    const Field<double> wanted = conducted(along, false), uncorrected = conducted(along, true),
+                        corrected = conducted(change, true);
+    double left = 0.0, across = 0.0;
+    for (int i = 1; i < grid.nx() - 1; ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        left = std::max(left, std::abs(corrected.row(i)[j] - wanted.row(i)[j]));
+        across = std::max(across, std::abs(uncorrected.row(i)[j] - wanted.row(i)[j]));
+      }
+    }
+    report("%.2g of the flow across is left", maximum(left) / maximum(across));
+    EXPECT_LT(maximum(left), 0.1 * maximum(across));
+  }
+}
+
 // The preconditioner of a single row is one relaxation.
 TEST(RowSmoother, of_a_line_contact_is_the_inverse) {
   LinearFilm linear(PETSC_COMM_SELF, line_scales(face_load / face_width), shape_over(RowAxis::line(), 129));
@@ -100,14 +162,14 @@ TEST(RowSmoother, of_a_line_contact_is_the_inverse) {
   EXPECT_LT(off, 1e-10);
 }
 
-// One solve a Newton iteration, to 1 %. Another program took 7 to 10 where ends are relieved.
+// One solve a Newton iteration, to 1 %: 7 to 10 where rows are not corrected for one another.
 TEST(RowSmoother, leaves_few_krylov_iterations) {
   const Scales scales = face_scales(face_with(EndFace::half_space, relieved_ends()));
   const SolvedFilm solved(PETSC_COMM_WORLD, scales, shape_over(rows_of_face(scales, {}, Edge::symmetry), 129));
   const SolveCounts& counts = solved.result.counts;
   report("%d rows: %d Newton iterations, %.1f Krylov iterations each", solved.grid.ny(), counts.newton,
          counts.krylov / static_cast<double>(counts.newton));
-  EXPECT_LE(counts.krylov, 10.0 * counts.newton);
+  EXPECT_LE(counts.krylov, 7.0 * counts.newton);
   EXPECT_LE(counts.newton, 20);
 }
 
