@@ -17,6 +17,7 @@ template <class Real>
 RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation)
     : Smoother<Real>(grid),
       nx_(grid.nx()),
+      single_(grid.row_axis().single()),
       rows_(grid.y_count()),
       long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       factored_(grid),
@@ -138,8 +139,10 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   ++use_.relaxations;
   ++use_.last;
   solve_rows(residual, relaxed_);
-  deformation_between_.correct(relaxed_);
-  flow_between_.correct(relaxed_);
+  if (!single_) {
+    deformation_between_.correct(relaxed_);
+    flow_between_.correct(relaxed_);
+  }
   for (int i = 1; i < nx_ - 1; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += relaxed_.row(i)[j];
   }

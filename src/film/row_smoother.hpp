@@ -2,9 +2,9 @@
 //
 // The matrix of a row has all its coupled nodes, full ones and those whose asperities carry: what their pressures
 // change in the row by conduction and wedge, and by the deformation of the row itself and of the rows beside it,
-// however far along X. The changes of other rows are left out: all rows are relaxed at once (block Jacobi), and the
-// number of processes is irrelevant. Krylov's method takes 7 to 15 of these where rows are graded towards the ends of a
-// face, as long as they are not finer than 0.02 a.
+// however far along X. All rows are relaxed at once (block Jacobi), and then corrected for how they deform one another
+// (deformation_between_rows.hpp) and for the oil that they conduct into one another (flow_between_rows.hpp). Krylov's
+// method takes 3 to 7 of these where rows are graded towards the ends of a face.
 //
 // Factors cost as much as ten or more relaxations. In time steps of equal length they serve later linearisations too,
 // until one takes more relaxations than all since the factors were made have cost on average, the factors included:
@@ -62,6 +62,7 @@ private:
   };
 
   int nx_;
+  bool single_;  ///< no rows beside it
   std::array<std::vector<Part>, places> influence_;
   std::vector<Row> rows_;
   double long_wave_deformation_;  ///< 2 pi C_h
