@@ -146,9 +146,6 @@ void SegmentStepper::configure_solvers() {
   SNES snes = nullptr;
   petsc_check(TSGetSNES(ts_, &snes));
   configure_newton(snes, pair_.system(), options_.newton, pair_.system().weight());
-  KSP ksp = nullptr;
-  petsc_check(SNESGetKSP(snes, &ksp));
-  begin_with_short_restart(ksp);
   petsc_check(SNESSetComputeInitialGuess(snes, Callback<&SegmentStepper::guess>::call, this));
   petsc_check(TSSetFromOptions(ts_));
 }

@@ -59,12 +59,8 @@ OwnedMat shell_jacobian(LinearisedSystem& system);
 /// FGMRES on the system's Jacobian with the system's preconditioner.
 void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations);
 
-/// Keeps room for few iterations only, those that most time steps take, until a solve needs more. For a KSP that is
-/// configured and not yet used.
-void begin_with_short_restart(KSP ksp);
-
 /// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
-/// squares. The system must outlive the SNES.
+/// squares. Its linear solves need few digits (compact_fgmres.hpp). The system must outlive the SNES.
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight);
 
 /// Another norm of the residual at which to end, for a SNES that is configured.
