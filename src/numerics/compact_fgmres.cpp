@@ -11,18 +11,24 @@
 namespace gearfilm {
 namespace {
 
-constexpr double single_digits = 1e-6;  // what a cycle may gain at most
-constexpr std::size_t piece = 1024;     // of a vector, that lies in the nearest cache while all of a basis pass it
+constexpr std::size_t piece = 1024;  // of a vector, that lies in the nearest cache while all of a basis pass it
 constexpr std::size_t lanes = 8;
 
-using Basis = std::vector<std::unique_ptr<float[]>>;
+/// What a cycle may gain at most.
+template <class Real>
+constexpr double digits = std::is_same_v<Real, float> ? 1e-6 : 1e-14;
 
-float* vector_of(Basis& basis, std::size_t n, std::size_t size) {
-  if (n == basis.size()) basis.push_back(std::make_unique_for_overwrite<float[]>(size));
+template <class Real>
+using Basis = std::vector<std::unique_ptr<Real[]>>;
+
+template <class Real>
+Real* vector_of(Basis<Real>& basis, std::size_t n, std::size_t size) {
+  if (n == basis.size()) basis.push_back(std::make_unique_for_overwrite<Real[]>(size));
   return basis[n].get();
 }
 
-double dot(const float* a, const double* b, std::size_t count) {
+template <class Real>
+double dot(const Real* a, const double* b, std::size_t count) {
   std::array<double, lanes> sums{};
   std::size_t n = 0;
   for (; n + lanes <= count; n += lanes) {
@@ -35,28 +41,33 @@ double dot(const float* a, const double* b, std::size_t count) {
 }
 
 /// values += sum_j factors_j basis_j, piece by piece; each piece is then given to work(begin, size).
-template <class Work>
-void add_combination(const Basis& basis, std::span<const double> factors, std::span<double> values, Work work) {
+template <class Real, class Work>
+void add_combination(const Basis<Real>& basis, std::span<const double> factors, std::span<double> values, Work work) {
   for (std::size_t begin = 0; begin < values.size(); begin += piece) {
     const std::size_t count = std::min(piece, values.size() - begin);
     double* out = values.data() + begin;
     for (std::size_t j = 0; j < factors.size(); ++j) {
-      const float* in = basis[j].get() + begin;
+      const Real* in = basis[j].get() + begin;
       for (std::size_t n = 0; n < count; ++n) out[n] += factors[j] * in[n];
     }
     work(out, count);
   }
 }
 
-void store_scaled(std::span<const double> values, double factor, float* out) {
-  for (std::size_t n = 0; n < values.size(); ++n) out[n] = static_cast<float>(factor * values[n]);
+template <class Real>
+void store_scaled(std::span<const double> values, double factor, Real* out) {
+  for (std::size_t n = 0; n < values.size(); ++n) out[n] = static_cast<Real>(factor * values[n]);
 }
 
-void load(const float* in, std::span<double> values) { std::copy_n(in, values.size(), values.begin()); }
+template <class Real>
+void load(const Real* in, std::span<double> values) {
+  std::copy_n(in, values.size(), values.begin());
+}
 
-class CompactFgmres {
+template <class Real>
+class Fgmres {
 public:
-  explicit CompactFgmres(int restart) : restart_(static_cast<std::size_t>(restart)) {}
+  explicit Fgmres(int restart) : restart_(static_cast<std::size_t>(restart)) {}
 
   void solve(KSP ksp) {
     Vec residual = ksp->work[0];
@@ -75,6 +86,12 @@ public:
     }
   }
 
+  /// Gives its vectors back.
+  void clear() {
+    basis_.clear();
+    directions_.clear();
+  }
+
 private:
   /// Improves the solution, given its residual in the first work vector.
   void cycle(KSP ksp) {
@@ -91,11 +108,11 @@ private:
     triangle_.clear();
     rotations_.clear();
     rotated_ = {norm};
-    while (!ksp->reason && ksp->its < ksp->max_it && rotations_.size() < restart_ && norm > single_digits * first) {
+    while (!ksp->reason && ksp->its < ksp->max_it && rotations_.size() < restart_ && norm > digits<Real> * first) {
       const std::size_t j = rotations_.size();
       load(basis_[j].get(), VecWriting(direction).values());
       petsc_check(PCApply(ksp->pc, direction, product));
-      float* kept = vector_of(directions_, j, size);
+      Real* kept = vector_of(directions_, j, size);
       {
         const VecWriting rounded(product);
         store_scaled(rounded.values(), 1.0, kept);
@@ -175,10 +192,29 @@ private:
   }
 
   std::size_t restart_;
-  Basis basis_, directions_;                   ///< v_j and z_j, own parts
+  Basis<Real> basis_, directions_;             ///< v_j and z_j, own parts
   std::vector<std::vector<double>> triangle_;  ///< by column
   std::vector<Rotation> rotations_;
   std::vector<double> rotated_;  ///< right side of the triangle; what is left comes last
+};
+
+struct CompactFgmres {
+  CompactFgmres(int restart, std::function<bool()> serves)
+      : single(restart), whole(restart), single_serves(std::move(serves)) {}
+
+  void solve(KSP ksp) {
+    if (single_serves()) {
+      whole.clear();
+      single.solve(ksp);
+    } else {
+      single.clear();
+      whole.solve(ksp);
+    }
+  }
+
+  Fgmres<float> single;
+  Fgmres<double> whole;
+  std::function<bool()> single_serves;
 };
 
 PetscErrorCode create(KSP ksp) {
@@ -198,11 +234,11 @@ PetscErrorCode create(KSP ksp) {
 
 }  // namespace
 
-void use_compact_fgmres(KSP ksp, int restart) {
+void use_compact_fgmres(KSP ksp, int restart, std::function<bool()> single_serves) {
   constexpr const char* name = "compact_fgmres";
   petsc_check(KSPRegister(name, create));
   petsc_check(KSPSetType(ksp, name));
-  delete static_cast<CompactFgmres*>(std::exchange(ksp->data, new CompactFgmres(restart)));
+  delete static_cast<CompactFgmres*>(std::exchange(ksp->data, new CompactFgmres(restart, std::move(single_serves))));
 }
 
 }  // namespace gearfilm

@@ -205,7 +205,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
-  use_compact_fgmres(ksp, restart);
+  use_compact_fgmres(ksp, restart, [&system] { return system.in_single_precision(); });
   choose_solve_tolerances(
       snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
 }
