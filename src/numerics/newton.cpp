@@ -26,7 +26,7 @@ const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part o
 const Tuned<double> least_part("newton_least_part", 0.25,
                                "least part of a length that was too long that is tried next");
 
-constexpr int restart = 24;
+constexpr int restart = 20;
 
 /// Limits each pressure's part of the change (the new state is state - change).
 void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {

@@ -34,7 +34,7 @@ private:
   static double scale(PetscInt n) { return std::pow(10.0, 0.01 * static_cast<double>(n)); }
 };
 
-TEST(CompactFgmres, reaches_any_tolerance_and_takes_hardly_more_iterations_than_in_double_precision) {
+TEST(CompactFgmres, reaches_any_tolerance_in_hardly_more_iterations_than_in_double_precision) {
   Stretched system;
   const OwnedMat matrix = shell_jacobian(system);
   petsc_check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -55,7 +55,9 @@ TEST(CompactFgmres, reaches_any_tolerance_and_takes_hardly_more_iterations_than_
       petsc_check(KSPCreate(system.comm(), ksp.put()));
       petsc_check(KSPSetOperators(ksp, matrix, matrix));
       configure_krylov(ksp, system, tolerance, 4000);
-      if (kind[0] != 'P') use_compact_fgmres(ksp, 24, [&] { return kind[0] == 's'; });
+      constexpr int restart = 15;
+      petsc_check(KSPGMRESSetRestart(ksp, restart));
+      if (kind[0] != 'P') use_compact_fgmres(ksp, restart, [&] { return kind[0] == 's'; });
       petsc_check(KSPSolve(ksp, rows, change));
       KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
       petsc_check(KSPGetConvergedReason(ksp, &reason));
