@@ -124,6 +124,7 @@ private:
       ++ksp->its;
       report(ksp, norm);
     }
+    if (!std::isfinite(norm)) return;
     const std::vector<double> parts = coefficients();
     add_combination(directions_, parts, VecWriting(ksp->vec_sol).values(), [](const double*, std::size_t) {});
   }
@@ -137,7 +138,7 @@ private:
 
   /// Makes the next vector of the basis of a product; returns its column of the Hessenberg matrix.
   std::vector<double> orthogonalise(KSP ksp, std::span<double> product) {
-    const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(ksp));
+    MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(ksp));
     const std::size_t count = rotations_.size() + 1;
     std::vector<double> column(count, 0.0);
     for (std::size_t begin = 0; begin < product.size(); begin += piece) {
