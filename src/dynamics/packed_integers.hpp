@@ -1,5 +1,5 @@
-// Lists of small integers in few bytes: of a field whose neighbours differ little and of which much is zero, a fifth of
-// what it has otherwise.
+// Lists of small integers in few bytes: of a field whose neighbours differ little and of which much is zero, a fifth to
+// a third of what it has otherwise.
 //
 // Each is kept as the difference d from the one before it, modulo 2^16, as the number 2 d or -2 d - 1 in one to three
 // bytes of seven bits, the lowest first, the highest bit of a byte telling that another follows. A byte of zero is
