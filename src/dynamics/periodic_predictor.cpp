@@ -7,14 +7,16 @@
 #include <functional>
 #include <numeric>
 
+#include "dynamics/packed_integers.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr int places = 1'000'000;    // in a mesh period, that are told apart
-constexpr double helpful = 0.5;      // of the square of a miss, what may be left of it
-constexpr double oldest = 1.5;       // mesh periods
-constexpr double most_bytes = 64e6;  // on all processes
-constexpr double largest = 32767.0;  // multiple of a unit
+constexpr int places = 1'000'000;        // in a mesh period, that are told apart
+constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
+constexpr double oldest = 1.5;           // mesh periods
+constexpr double most_pressures = 32e6;  // on all processes
+constexpr double largest = 32767.0;      // multiple of a unit
 
 int place_of(const MeshModel& mesh, double T) {
   const double periods = mesh.path.mesh_periods(T);
@@ -25,10 +27,8 @@ std::span<const double> pressures_of(const LubricatedPair& pair, const VecReadin
   return state.values().first(static_cast<std::size_t>(pair.system().pressure_count()));
 }
 
-/// Values that so many small integers take, bit by bit.
-std::size_t values_for(std::size_t integers) {
-  return (integers * sizeof(std::int16_t) + sizeof(double) - 1) / sizeof(double);
-}
+/// Values that so many bytes take, bit by bit.
+std::size_t values_for(std::size_t bytes) { return (bytes + sizeof(double) - 1) / sizeof(double); }
 
 }  // namespace
 
@@ -39,9 +39,9 @@ PeriodicPredictor::PeriodicPredictor(ValueReader values)
     miss.recorded_at = values.value();
     miss.motion = values.motion();
     miss.unit = values.value();
+    miss.count = values.count();
     miss.pressures.resize(values.count());
-    const std::span<const double> packed = values.values(values_for(miss.pressures.size()));
-    std::memcpy(miss.pressures.data(), packed.data(), miss.pressures.size() * sizeof(std::int16_t));
+    std::memcpy(miss.pressures.data(), values.values(values_for(miss.pressures.size())).data(), miss.pressures.size());
   }
 }
 
@@ -50,24 +50,24 @@ void PeriodicPredictor::append_to(std::vector<double>& values) const {
   // All at once: a list that grows takes up to three times as much while it does.
   std::size_t more = 2;
   for (const auto& [place, miss] : errors_)
-    more += 5 + 2 * static_cast<std::size_t>(miss.motion.freedoms()) + values_for(miss.pressures.size());
+    more += 6 + 2 * static_cast<std::size_t>(miss.motion.freedoms()) + values_for(miss.pressures.size());
   values.reserve(values.size() + more);
   values.insert(values.end(), {marched_, trusted_ ? 1.0 : 0.0});
   for (const auto& [place, miss] : errors_) {
-    const std::size_t count = miss.pressures.size();
     values.insert(values.end(), {static_cast<double>(place), miss.recorded_at});
     append(values, miss.motion);
-    values.insert(values.end(), {miss.unit, static_cast<double>(count)});
+    const std::size_t bytes = miss.pressures.size();
+    values.insert(values.end(), {miss.unit, static_cast<double>(miss.count), static_cast<double>(bytes)});
     const std::size_t begin = values.size();
-    values.resize(begin + values_for(count));
-    std::memcpy(values.data() + begin, miss.pressures.data(), count * sizeof(std::int16_t));
+    values.resize(begin + values_for(bytes));
+    std::memcpy(values.data() + begin, miss.pressures.data(), bytes);
   }
 }
 
 const PeriodicPredictor::PredictorError* PeriodicPredictor::last_time(const MeshModel& mesh, double T,
                                                                       std::size_t pressures) const {
   const auto found = errors_.find(place_of(mesh, T));
-  return found != errors_.end() && found->second.pressures.size() == pressures ? &found->second : nullptr;
+  return found != errors_.end() && found->second.count == pressures ? &found->second : nullptr;
 }
 
 void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T) {
@@ -84,9 +84,9 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
   const PredictorError* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
   if (!miss) return;
   {
+    const std::vector<std::int16_t> missed = unpacked(miss->pressures, miss->count);
     const VecWriting values(guess);
-    for (std::size_t n = 0; n < guessed_.size(); ++n)
-      values[n] = std::max(0.0, guessed_[n] + miss->unit * miss->pressures[n]);
+    for (std::size_t n = 0; n < guessed_.size(); ++n) values[n] = std::max(0.0, guessed_[n] + miss->unit * missed[n]);
   }
   pair.set_motion(guess, moved(guessed_motion_, 1.0, miss->motion));
 }
@@ -104,8 +104,9 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   std::array<double, 2> squares = {0.0, 0.0};
   const PredictorError* before = last_time(mesh, T, missed.size());
   if (before) {
+    const std::vector<std::int16_t> last = unpacked(before->pressures, before->count);
     squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
-               std::transform_reduce(missed.begin(), missed.end(), before->pressures.begin(), 0.0, std::plus(),
+               std::transform_reduce(missed.begin(), missed.end(), last.begin(), 0.0, std::plus(),
                                      [&](double now, std::int16_t then) { return square(now - before->unit * then); })};
   }
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
@@ -113,20 +114,20 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
 
   std::erase_if(errors_, [&](const auto& entry) { return entry.second.recorded_at < marched_ - oldest; });
   const Grid& grid = pair.system().grid();
-  const double bytes = 2.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
-  if (!before && static_cast<double>(errors_.size() + 1) * bytes > most_bytes) return;
+  const double pressures = 1.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
+  if (!before && static_cast<double>(errors_.size() + 1) * pressures > most_pressures) return;
   // One unit for all processes: any number of them makes the same guesses.
   double most = std::transform_reduce(
       missed.begin(), missed.end(), 0.0, [](double a, double b) { return std::max(a, b); },
       [](double value) { return std::abs(value); });
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, pair.system().comm());
-  PredictorError& miss = errors_[place_of(mesh, T)];
-  miss = {marched_, difference(pair.motion(solved), guessed_motion_), most > 0.0 ? most / largest : 1.0,
-          std::move(miss.pressures)};
-  miss.pressures.resize(missed.size());
-  std::ranges::transform(missed, miss.pressures.begin(), [inverse = 1.0 / miss.unit](double value) {
+  const double unit = most > 0.0 ? most / largest : 1.0;
+  std::vector<std::int16_t> multiples(missed.size());
+  std::ranges::transform(missed, multiples.begin(), [inverse = 1.0 / unit](double value) {
     return static_cast<std::int16_t>(value * inverse + std::copysign(0.5, value));
   });
+  errors_[place_of(mesh, T)] = {marched_, difference(pair.motion(solved), guessed_motion_), unit, missed.size(),
+                                packed(multiples)};
 }
 
 }  // namespace gearfilm

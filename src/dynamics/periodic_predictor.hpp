@@ -34,12 +34,13 @@ public:
   void record(const LubricatedPair& pair, Vec solved, double T0, double T);
 
 private:
-  /// The pressures of all contacts as multiples of a unit.
   struct PredictorError {
     double recorded_at = 0.0;  ///< mesh periods marched until then
     Motion motion;
+    // The pressures of all contacts as multiples of a unit.
     double unit = 0.0;
-    std::vector<std::int16_t> pressures;
+    std::size_t count = 0;
+    std::vector<std::uint8_t> pressures;  ///< packed
   };
 
   /// The error of the guess for as many contacts at this place a mesh period ago; null where there is none.

@@ -32,7 +32,7 @@ public:
   virtual void record(const StepRecord& record) = 0;
   /// Stores the state at the end of a segment, T; contacts that enter or leave then have not done so yet. memory: what
   /// the march remembers on this process.
-  virtual void keep(double T, const PairState& state, const std::vector<double>& memory) = 0;
+  virtual void keep(double T, const PairState& state, std::vector<double> memory) = 0;
   /// A step beyond where the program before came to rest: neither taken over nor done again on the way there.
   virtual bool is_new(const StepRecord& record) const { return !record.replayed; }
   /// Keeps another march, which the run makes on the way on a grid of its own, under this name; null where none is

@@ -1,23 +1,21 @@
 // Time integration of a lubricated pair between two events (entering or leaving of contacts).
 //
-// PETSc's TSBDF, order 2, with rho H as transient variable; it restarts by itself with a first-order half step, as the
-// scheme must after every event. A step whose Newton iteration fails is never accepted. It is tried again as it was,
-// from the films before it and with a residual that may only fall: slower, and surer. Then it is repeated with half the
-// length, which a march over periods should not need: halved where another period's is not, they do not repeat. The
-// nominal step comes back afterwards.
+// Backward differences of order 2 (backward_differences.hpp) with rho H as transient variable; the first step after an
+// event is a first-order half step and a second-order step from there. A step whose Newton iteration fails is never
+// accepted. It is tried again as it was, from the films before it and with a residual that may only fall: slower, and
+// surer. Then it is repeated with half the length, which a march over periods should not need: halved where another
+// period's is not, they do not repeat. The nominal step comes back afterwards.
 //
-// With a tolerance, PETSc's basic controller chooses the steps by their local errors, from a small one after an event
-// on. A march is the same whatever came before its segment; but periods do not repeat to the step, so that searches
-// keep equal steps.
+// With a tolerance steps are chosen by their local errors, from a small one after an event on. A march is the same
+// whatever came before its segment; but periods do not repeat to the step, so that searches keep equal steps.
 #pragma once
-
-#include <petscts.h>
 
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "dynamics/backward_differences.hpp"
 #include "dynamics/lubricated_pair.hpp"
 #include "dynamics/periodic_predictor.hpp"
 #include "dynamics/step_record.hpp"
@@ -80,27 +78,30 @@ public:
   Vec rate() const { return rate_; }
 
 private:
-  using OwnedTS = PetscHandle<TS, TSDestroy>;
-
-  static SegmentStepper& of(TS ts);
   // What PETSc calls.
-  void transient(TS ts, Vec state, Vec values);
-  void residual(TS ts, PetscReal T, Vec state, Vec rate, Vec rows);
-  void linearise(TS ts, PetscReal T, Vec state, Vec rate, PetscReal shift, Mat matrix, Mat same);
+  void residual(SNES snes, Vec state, Vec rows);
+  void linearise(SNES snes, Vec state, Mat matrix, Mat same);
   void guess(SNES snes, Vec state);
-  TSAdapt adapt() const;
-  void create_time_scheme();
   /// For the stage from begin to T.
   void fit_frequency(double begin, double T);
-  void control_errors();
-  void configure_solvers();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Sets how often the present step has failed, which decides how it is tried next.
   void set_failures(int failures);
+  /// The state that was solved for last becomes one of those that differences are made of, at T.
+  void keep(double T, bool behind);
+  /// Solves for the state at T from the guess in its place; false where that fails.
+  bool solve_stage(double T, int order);
   /// What was solved in it counts no more.
   void return_to_start_of_step();
-  void finish_stage(double T, Vec state);
+  /// All stages of a step; again: after a try that failed.
+  bool try_step(double dT, bool again);
+  /// Whether the local error of the step that was solved is accepted, and how long a step should be.
+  bool control(double& dT, bool again);
+  /// Length of the step from T on.
+  double equal_step(double T) const;
+  /// Solves a step of dT or, where that fails, of less. Returns the length of the next one.
+  double make_step(double dT);
   void finish_step();
   /// How often a step that has failed is tried again as a whole, before it is halved.
   int whole_tries() const;
@@ -108,31 +109,34 @@ private:
   void guess_by_short_steps(Vec state);
   /// How the last solves ended.
   std::string describe_end() const;
+  std::string describe_failure() const;
 
   LubricatedPair& pair_;
   PeriodicPredictor& memory_;
   StepOptions options_;
   std::function<void(const StepRecord&)> on_step_;
   OwnedVec rows_;
-  OwnedVec rate_;    ///< of the last residual: that of the accepted state, once a step is done
-  OwnedVec solved_;  ///< see set_solved
+  OwnedVec rate_;  ///< of the last residual: that of the accepted state, once a step is done
+  OwnedVec allowed_errors_;
+  BackwardDifferences differences_;
   OwnedMat jacobian_;
-  OwnedTS ts_;
-  // C(state) depends on time through the geometry, but PETSc hands no time to it: this is the time of the state that
-  // PETSc works on (that of the stage, or of the step's start once a stage has failed).
-  double state_time_ = 0.0;
+  OwnedSNES snes_;
   bool stopped_ = false;
   int failures_ = 0;          ///< of the present step
+  bool first_step_ = true;    ///< of the segment
   bool at_start_ = true;      ///< the next stage is the segment's first
-  double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage; PETSc gives it with the Jacobian only
+  double stage_time_ = 0.0;   ///< T of the present stage
+  double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage
   double step_ = 0.0;         ///< nominal step of the segment
   double begin_ = 0.0;        ///< T of the segment
-  double last_time_ = 0.0;
+  double end_ = 0.0;
+  double step_begin_ = 0.0;  ///< of the present step
+  Vec solved_ = nullptr;     ///< see set_solved
   double solved_time_ = 0.0;
   std::vector<FilmQuantities> solved_films_;
   double wall_start_ = 0.0;
-  PetscInt newton_so_far_ = 0;
-  PetscInt krylov_so_far_ = 0;
+  PetscInt newton_ = 0, krylov_ = 0;  ///< iterations
+  PetscInt newton_so_far_ = 0, krylov_so_far_ = 0;
 };
 
 }  // namespace gearfilm

@@ -74,6 +74,10 @@ public:
   /// says which nodes are full.
   void linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                  StateVersion state_version = 0, SmootherFactors factors = SmootherFactors::of_this_state);
+  /// Whether the Jacobian is computed in single precision.
+  bool in_single_precision() const {
+    return options_.precision == Precision::single_precision && linearised_ == preconditioner_.get();
+  }
   /// rows = dG/dP change + dG/dH_0 change_H0.
   void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
   /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the

@@ -19,14 +19,14 @@ namespace {
 // What PETSc and SLEPc read when the object concerned is created, after our check; and the same for this program's own
 // solvers, by their prefixes.
 constexpr auto object_prefixes = std::to_array<std::string_view>(
-    {"ao_",         "bv_",       "da_",         "dm_",        "draw_",       "ds_",         "eps_",     "fieldsplit_",
-     "fn_",         "is_",       "ksp_",        "mat_",       "matmatmult_", "mfn_",        "mg_",      "nep_",
-     "npc_",        "pc_",       "pep_",        "redundant_", "rg_",         "sf_",         "snes_",    "st_",
-     "sub_",        "svd_",      "tao_",        "ts_",        "vec_",        "vecscatter_", "viewer_",  "steady_snes_",
-     "steady_ksp_", "step_ts_",  "step_snes_",  "step_ksp_",  "dry_ts_",     "dry_snes_",   "dry_ksp_", "modes_eps_",
-     "modes_ksp_",  "modes_st_", "floquet_eps_"});
-// Marches are built on steps of BDF2, whose length is theirs to choose.
-constexpr auto chosen_by_program = std::to_array<std::string_view>({"step_ts_type", "step_ts_adapt_type"});
+    {"ao_",         "bv_",         "da_",      "dm_",          "draw_",       "ds_",         "eps_",
+     "fieldsplit_", "fn_",         "is_",      "ksp_",         "mat_",        "matmatmult_", "mfn_",
+     "mg_",         "nep_",        "npc_",     "pc_",          "pep_",        "redundant_",  "rg_",
+     "sf_",         "snes_",       "st_",      "sub_",         "svd_",        "tao_",        "ts_",
+     "vec_",        "vecscatter_", "viewer_",  "steady_snes_", "steady_ksp_", "step_snes_",  "step_ksp_",
+     "dry_ts_",     "dry_snes_",   "dry_ksp_", "modes_eps_",   "modes_ksp_",  "modes_st_",   "floquet_eps_"});
+// Marches have their own time scheme, whose steps are theirs to choose.
+constexpr auto chosen_by_program = std::to_array<std::string_view>({"step_ts_"});
 // What PETSc reads at its start or when it ends, whatever the program does.
 constexpr auto general_prefixes = std::to_array<std::string_view>(
     {"citations", "debug",  "error_output", "fp_trap",           "get_total_flops",   "help",      "info",

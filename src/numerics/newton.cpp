@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/compact_fgmres.hpp"
 #include "numerics/tuned.hpp"
 
 namespace gearfilm {
@@ -25,8 +26,7 @@ const Tuned<double> shortest_step("newton_shortest_step", 1e-3, "shortest part o
 const Tuned<double> least_part("newton_least_part", 0.25,
                                "least part of a length that was too long that is tried next");
 
-constexpr PetscInt full_restart = 24;
-constexpr PetscInt short_restart = 6;
+constexpr int restart = 20;
 
 /// Limits each pressure's part of the change (the new state is state - change).
 void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
@@ -162,21 +162,8 @@ OwnedMat shell_jacobian(LinearisedSystem& system) { return shell_matrix<&Lineari
 void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations) {
   petsc_check(KSPSetType(ksp, KSPFGMRES));
   petsc_check(KSPSetTolerances(ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, max_iterations));
-  petsc_check(KSPGMRESSetRestart(ksp, full_restart));
+  petsc_check(KSPGMRESSetRestart(ksp, restart));
   use_shell_preconditioner<&LinearisedSystem::precondition>(ksp, "film multigrid", system);
-}
-
-void begin_with_short_restart(KSP ksp) {
-  petsc_check(KSPGMRESSetRestart(ksp, short_restart));
-  PC pc = nullptr;
-  petsc_check(KSPGetPC(ksp, &pc));
-  petsc_check(PCShellSetPostSolve(pc, [](PC, KSP solver, Vec, Vec) -> PetscErrorCode {
-    return petsc_callback([&] {
-      PetscInt iterations = 0;
-      petsc_check(KSPGetIterationNumber(solver, &iterations));
-      if (iterations > short_restart) petsc_check(KSPGMRESSetRestart(solver, full_restart));
-    });
-  }));
 }
 
 void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
@@ -218,6 +205,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
+  use_compact_fgmres(ksp, restart, [&system] { return system.in_single_precision(); });
   choose_solve_tolerances(
       snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
 }

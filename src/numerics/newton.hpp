@@ -1,4 +1,5 @@
-// Newton's method as all film problems use it: SNES with a shell Jacobian, FGMRES, and a shell preconditioner.
+// Newton's method as all film problems use it: SNES with a shell Jacobian, FGMRES (compact_fgmres.hpp), and a shell
+// preconditioner.
 //
 // Globalised by backtracking on the merit of the residual, along which no pressure becomes negative: in thick film the
 // row of such a node is d P with a huge d, and one of them would shorten the whole step. In a time step the first guess
@@ -49,6 +50,8 @@ public:
   virtual double moved() { return 0.0; }
   /// `to` is a copy of the state `from`: what the system knows of the one holds for the other.
   virtual void copied(Vec /*from*/, Vec /*to*/) {}
+  /// Whether its products and its preconditioner are computed in single precision.
+  virtual bool in_single_precision() const { return false; }
   virtual void multiply(Vec change, Vec rows) = 0;
   virtual void precondition(Vec rows, Vec change) = 0;
 };
@@ -58,10 +61,6 @@ OwnedMat shell_jacobian(LinearisedSystem& system);
 
 /// FGMRES on the system's Jacobian with the system's preconditioner.
 void configure_krylov(KSP ksp, LinearisedSystem& system, double tolerance, int max_iterations);
-
-/// Keeps room for few iterations only, those that most time steps take, until a solve needs more. For a KSP that is
-/// configured and not yet used.
-void begin_with_short_restart(KSP ksp);
 
 /// Newton, Krylov and preconditioner settings of a SNES whose functions are set; weight turns norms into root mean
 /// squares. The system must outlive the SNES.

@@ -246,7 +246,7 @@ void Checkpoint::drop_snapshots() {
   for (KeptState& state : kept_) state.with_snapshots = state.with_snapshots && state.run != run_;
 }
 
-void Checkpoint::keep(double T, const PairState& state, const std::vector<double>& memory) {
+void Checkpoint::keep(double T, const PairState& state, std::vector<double> memory) {
   // A run that failed before fails again when it is done again; what came after it is known.
   if (!caught_up()) return;
   write_together(grid_.comm(), folder_, [&] { flush_.finish(); });
@@ -254,6 +254,7 @@ void Checkpoint::keep(double T, const PairState& state, const std::vector<double
   KeptState next{run_, kept_.empty() ? 0 : kept_.back().number + 1, T, {}, !attached_.empty()};
   next.steps = log_.write(steps_before, waiting_);
   const RankFilesMark guesses_mark = write_rank_file(grid_.comm(), own_file(next), memory);
+  memory = {};  // it is large
   Summary description = {{"T", T},
                          {"motion", state.motion},
                          {"begin", run_begin_},

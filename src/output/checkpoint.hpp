@@ -44,7 +44,7 @@ public:
 
   std::optional<StoredRun> begin_run(double T, const Motion& motion) override;
   void record(const StepRecord& record) override;
-  void keep(double T, const PairState& state, const std::vector<double>& memory) override;
+  void keep(double T, const PairState& state, std::vector<double> memory) override;
 
   /// Keeps these with every state, and gives them back what is kept of a run that is taken over. They must outlive the
   /// marches.

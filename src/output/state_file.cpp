@@ -106,6 +106,7 @@ std::string description_in(const std::filesystem::path& path) {
 /// Writes the fields behind the description.
 void append_fields(const Grid& grid, const std::filesystem::path& path, MPI_Offset begin, const CompactFields& fields) {
   std::vector<double> values;
+  values.reserve(fields.size() * static_cast<std::size_t>(grid.local_size()));
   for (const std::vector<double>& field : fields) values.insert(values.end(), field.begin(), field.end());
   write_together(grid.comm(), path, [&] {
     MPI_File file = MPI_FILE_NULL;

@@ -195,6 +195,8 @@ double FilmSystem::moved() {
   return moved;
 }
 
+bool FilmSystem::in_single_precision() const { return std::ranges::all_of(films_, &ContactFilm::in_single_precision); }
+
 void FilmSystem::multiply(Vec change, Vec rows) {
   const VecReading in(change);
   const VecWriting out(rows);

@@ -70,6 +70,7 @@ public:
   bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
   double moved() override;
   void copied(Vec from, Vec to) override { versions_.copied(from, to); }
+  bool in_single_precision() const override;
   void multiply(Vec change, Vec rows) override;
   /// The part of multiply() that grows with the shift.
   void multiply_transient(Vec change, Vec rows);

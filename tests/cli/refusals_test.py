@@ -110,7 +110,7 @@ class WrongInput(ProgramTest):
         case.chmod(0)
         self.assert_wrong(["cannot be opened", "permissions"], "info", case)
 
-    @unittest.skipIf(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE") > 100e9, "the grid would fit")
+    @unittest.skipIf(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE") > 80e9, "the grid would fit")
     def test_grid_larger_than_the_memory(self):
         for processes in (1, 2):
             self.assert_wrong(["16385 x 16385 nodes", "GB", "grid.nx"], "info", BARBIERI, "-grid_nx", 16385,

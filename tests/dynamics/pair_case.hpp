@@ -116,8 +116,8 @@ class Memory final : public RunStore {
 public:
   std::optional<StoredRun> begin_run(double, const Motion&) override { return known; }
   void record(const StepRecord&) override {}
-  void keep(double T, const PairState& state, const std::vector<double>& memory) override {
-    kept.push_back({{}, T, state, memory});
+  void keep(double T, const PairState& state, std::vector<double> memory) override {
+    kept.push_back({{}, T, state, std::move(memory)});
   }
 
   std::vector<StoredRun> kept;

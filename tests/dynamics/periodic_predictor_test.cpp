@@ -2,9 +2,11 @@
 #include "dynamics/periodic_predictor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "dynamics/entering_film.hpp"
+#include "dynamics/packed_integers.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -93,6 +95,19 @@ TEST(Guesses, are_what_they_were_after_being_kept) {
   EXPECT_EQ(std::memcmp(again.data(), values.data(), values.size() * sizeof(double)), 0);
   other.remember({});
   EXPECT_EQ(other.memory(), nothing);
+}
+
+TEST(PackedIntegers, are_the_same_again_and_take_a_byte_where_they_change_little) {
+  std::vector<std::int16_t> integers = {0, 1, -1, 63, -64, 64, 8191, -8192, 32767, -32768, 32767, 0, 0, 7};
+  for (const std::size_t equal : {1U, 255U, 256U, 257U, 1000U}) {
+    integers.insert(integers.end(), equal, static_cast<std::int16_t>(equal));
+  }
+  EXPECT_EQ(unpacked(packed(integers), integers.size()), integers);
+  EXPECT_EQ(unpacked(packed({}), 0), std::vector<std::int16_t>());
+  std::vector<std::int16_t> field(1000, 0);
+  for (int n = 0; n < 200; ++n) field[400 + n] = static_cast<std::int16_t>(1000.0 * std::sin(n * M_PI / 200.0));
+  EXPECT_LT(packed(field).size(), 220U);
+  EXPECT_EQ(unpacked(packed(field), field.size()), field);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "dynamics/backward_differences.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gearfilm {
+namespace {
+
+/// Values at T of the Lagrange polynomials of these times.
+std::vector<double> lagrange_values(const std::vector<double>& times, double T) {
+  std::vector<double> values(times.size(), 1.0);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    for (std::size_t j = 0; j < times.size(); ++j) {
+      if (j != k) values[k] *= (T - times[j]) / (times[k] - times[j]);
+    }
+  }
+  return values;
+}
+
+/// Their slopes at the first of the times.
+std::vector<double> lagrange_slopes(const std::vector<double>& times) {
+  std::vector<double> slopes(times.size(), 0.0);
+  for (std::size_t j = 1; j < times.size(); ++j) slopes[0] += 1.0 / (times[0] - times[j]);
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    slopes[k] = 1.0 / (times[k] - times[0]);
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (i != k) slopes[k] *= (times[0] - times[i]) / (times[k] - times[i]);
+    }
+  }
+  return slopes;
+}
+
+template <std::size_t size>
+void combine(const std::array<OwnedVec, size>& vectors, const double* factors, int count, Vec sum) {
+  std::array<Vec, size> raw{};
+  std::ranges::copy(vectors, raw.begin());
+  petsc_check(VecZeroEntries(sum));
+  petsc_check(VecMAXPY(sum, count, factors, raw.data()));
+}
+
+}  // namespace
+
+BackwardDifferences::BackwardDifferences(const std::function<OwnedVec()>& create)
+    : sought_(create()), states_{create(), create(), create()}, transients_{create(), create()}, constant_(create()) {}
+
+void BackwardDifferences::keep(double T, bool behind, const std::function<void(Vec, Vec)>& transient) {
+  const int place = behind ? 1 : 0;
+  std::rotate(states_.begin() + place, states_.end() - 1, states_.end());
+  std::rotate(times_.begin() + place, times_.end() - 1, times_.end());
+  std::rotate(transients_.begin() + place, transients_.end() - 1, transients_.end());
+  std::swap(states_[place], sought_);
+  times_[place] = T;
+  known_ = std::min(known_ + 1, static_cast<int>(states_.size()));
+  transient(states_[place], transients_[place]);
+}
+
+void BackwardDifferences::differentiate(double T, int order) {
+  std::vector<double> times = {T};
+  times.insert(times.end(), times_.begin(), times_.begin() + order);
+  const std::vector<double> slopes = lagrange_slopes(times);
+  shift_ = slopes[0];
+  combine(transients_, slopes.data() + 1, order, constant_);
+}
+
+void BackwardDifferences::make_rate(Vec values) const { petsc_check(VecAYPX(values, shift_, constant_)); }
+
+void BackwardDifferences::extrapolate(double T, int states) {
+  const int count = std::min(states, known_);
+  combine(states_, lagrange_values({times_.begin(), times_.begin() + count}, T).data(), count, sought_);
+}
+
+double BackwardDifferences::error(double T, int order, Vec allowed) {
+  std::vector<double> times = {T};
+  times.insert(times.end(), times_.begin(), times_.begin() + order);
+  std::vector<double> factors = lagrange_slopes(times);
+  const double scale = factors[0];
+  times.push_back(times_[order]);
+  factors.push_back(0.0);
+  const std::vector<double> finer = lagrange_slopes(times);
+  for (std::size_t n = 0; n < factors.size(); ++n) factors[n] = (factors[n] - finer[n]) / scale;
+  combine(states_, factors.data() + 1, order + 1, constant_);
+  petsc_check(VecAXPY(constant_, factors[0], sought_));
+  petsc_check(VecPointwiseDivide(constant_, constant_, allowed));
+  PetscReal norm = 0.0;
+  PetscInt size = 0;
+  petsc_check(VecNorm(constant_, NORM_2, &norm));
+  petsc_check(VecGetSize(constant_, &size));
+  return norm / std::sqrt(static_cast<double>(size));
+}
+
+}  // namespace gearfilm

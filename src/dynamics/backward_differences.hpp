@@ -1,0 +1,54 @@
+// Backward differences of order 1 and 2 at steps of any lengths, of a transient variable C(state):
+//
+//   dC/dT(T) = s C + c ,    s C + c the slope at T of the polynomial through C at T and at the last one or two times.
+//
+// Beside them what other polynomials through the last states say: the next state, and the error of a step as the
+// difference that one state more makes (as PETSc's TSBDF has it). Three states are known at most.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "parallel/petsc.hpp"
+
+namespace gearfilm {
+
+class BackwardDifferences {
+public:
+  /// create: makes a vector for a state or its C.
+  explicit BackwardDifferences(const std::function<OwnedVec()>& create);
+
+  /// The state that is sought, or has been found and is not yet known.
+  Vec sought() const { return sought_; }
+  /// A known one, 0 the latest.
+  Vec state(std::size_t n) const { return states_[n]; }
+  double time(std::size_t n) const { return times_[n]; }
+  int known() const { return known_; }
+
+  /// All but so many of the latest.
+  void forget(int but = 0) { known_ = std::min(known_, but); }
+  /// What was sought is the state at T, the latest or, with behind, one that comes behind it in the list. transient
+  /// gives C(state).
+  void keep(double T, bool behind, const std::function<void(Vec state, Vec values)>& transient);
+  /// Makes s and c for a stage at T.
+  void differentiate(double T, int order);
+  double shift() const { return shift_; }
+  /// Makes s C + c of C.
+  void make_rate(Vec values) const;
+  /// Seeks from the polynomial at T through as many states as are known, at most.
+  void extrapolate(double T, int states);
+  /// Error of what was found at T with differences of this order, root mean square of its parts over `allowed`.
+  double error(double T, int order, Vec allowed);
+
+private:
+  OwnedVec sought_;
+  std::array<OwnedVec, 3> states_;
+  std::array<OwnedVec, 2> transients_;  ///< C of the first two
+  std::array<double, 3> times_{};
+  int known_ = 0;
+  double shift_ = 0.0;
+  OwnedVec constant_;  ///< c; of no use once the state is found
+};
+
+}  // namespace gearfilm
