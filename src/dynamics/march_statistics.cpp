@@ -12,6 +12,11 @@ struct Moments {
   bool entered = false;
 };
 
+/// Whether a reduction takes a record: extremes also those at events, which take no time.
+bool counts(const StepRecord& record, Reduction reduction) {
+  return record.dT > 0.0 || reduction == Reduction::largest || reduction == Reduction::smallest;
+}
+
 std::optional<double> reduced(const std::optional<double>& kept, Reduction reduction, double value,
                               const Moments& moments = {}) {
   switch (reduction) {
@@ -43,9 +48,10 @@ double value_in(const StepRecord& record, const PeriodQuantity& quantity) {
 }  // namespace
 
 void MarchStatistics::add(const StepRecord& record, const AvailableModels& given) {
+  const bool is_start = present_.empty();
   add_events(record);
   add_loss(record);
-  if (record.dT > 0.0) add_to_period(record, given);
+  if (record.dT > 0.0 || (!is_start && !periods_.empty())) add_to_period(record, given);
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     if (period_quantities[n].reduction == Reduction::mean) last_[n] = value_in(record, period_quantities[n]);
   }
@@ -104,7 +110,7 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
   PeriodQuantities& period = periods_[index];
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (!given.has(quantity.needs)) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
     if (quantity.reduction == Reduction::mean) {
       add_to_mean(period.values[n], n, value_in(record, quantity), record.dT);
     } else if (!quantity.of_contact) {
@@ -112,17 +118,19 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
     }
   }
   elapsed_ += record.dT;
-  for (const ContactRecord& contact : record.contacts) add_contact(contact, given, period);
+  for (const ContactRecord& contact : record.contacts) add_contact(record, contact, given, period);
 }
 
-void MarchStatistics::add_contact(const ContactRecord& contact, const AvailableModels& given,
+void MarchStatistics::add_contact(const StepRecord& record, const ContactRecord& contact, const AvailableModels& given,
                                   PeriodQuantities& period) {
-  const Moments moments{std::abs(contact.position) < pitch_distance_, entered_ == contact.number};
+  const bool is_step = record.dT > 0.0;
+  const Moments moments{is_step && std::abs(contact.position) < pitch_distance_, is_step && entered_ == contact.number};
   if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
   if (moments.entered) entered_.reset();
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (!quantity.of_contact || quantity.reduction == Reduction::mean || !given.has(quantity.needs)) continue;
+    if (!quantity.of_contact || quantity.reduction == Reduction::mean) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
     period.values[n] =
         reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }

@@ -47,7 +47,8 @@ private:
   void add_events(const StepRecord& record);
   void add_loss(const StepRecord& record);
   void add_to_period(const StepRecord& record, const AvailableModels& given);
-  void add_contact(const ContactRecord& contact, const AvailableModels& given, PeriodQuantities& period);
+  void add_contact(const StepRecord& record, const ContactRecord& contact, const AvailableModels& given,
+                   PeriodQuantities& period);
 
   /// Mean in time over the present period, by the trapezoidal rule.
   void add_to_mean(std::optional<double>& mean, std::size_t quantity, double value, double dT);

@@ -30,27 +30,27 @@ FlowBetweenRows<Real>::FlowBetweenRows(const Grid& grid, const Halo& halo)
 
 template <class Real>
 void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
-  for (Rows& rows : rows_) {
+  for (Rows& own : rows_) {
     for (int i = 0; i < nx_; ++i) {
-      const std::size_t here = at(rows, i), before = at(rows, i - 1), before_2 = at(rows, i - 2);
+      const std::size_t here = at(own, i), before = at(own, i - 1), before_2 = at(own, i - 2);
       std::array<const Real*, neighbour_count> v{};
-      for (int n = 0; n < neighbour_count; ++n) v[n] = linear.by_pressure[n].row(i) + rows.first;
-      for (int m = 0; m < rows.count; ++m) {
+      for (int n = 0; n < neighbour_count; ++n) v[n] = linear.by_pressure[n].row(i) + own.first;
+      for (int m = 0; m < own.count; ++m) {
         const int j = 2 * m;
         Real lower_2 = 0, lower_1 = 0, pivot = v[centre][j];
-        if (i > 1) lower_2 = v[west_west][j] * rows.inverse_pivots[before_2 + m];
+        if (i > 1) lower_2 = v[west_west][j] * own.inverse_pivots[before_2 + m];
         if (i > 0) {
           lower_1 = v[west][j];
-          if (i > 1) lower_1 -= lower_2 * rows.upper[before_2 + m];
-          lower_1 *= rows.inverse_pivots[before + m];
-          pivot -= lower_1 * rows.upper[before + m];
+          if (i > 1) lower_1 -= lower_2 * own.upper[before_2 + m];
+          lower_1 *= own.inverse_pivots[before + m];
+          pivot -= lower_1 * own.upper[before + m];
         }
-        rows.lower_2[here + m] = lower_2;
-        rows.lower_1[here + m] = lower_1;
-        rows.inverse_pivots[here + m] = Real(1) / pivot;
-        rows.upper[here + m] = i + 1 < nx_ ? v[east][j] : Real(0);
-        rows.south[here + m] = v[south][j];
-        rows.north[here + m] = v[north][j];
+        own.lower_2[here + m] = lower_2;
+        own.lower_1[here + m] = lower_1;
+        own.inverse_pivots[here + m] = Real(1) / pivot;
+        own.upper[here + m] = i + 1 < nx_ ? v[east][j] : Real(0);
+        own.south[here + m] = v[south][j];
+        own.north[here + m] = v[north][j];
       }
     }
   }
@@ -59,17 +59,17 @@ void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
 // The neighbours of the even row 2m are the odd rows m - 1 and m of their list, those of the odd row 2m + 1 the even
 // ones m and m + 1.
 template <class Real>
-void FlowBetweenRows<Real>::relax(Rows& rows, const Rows& others) {
-  const int count = rows.count;
-  const int to_south = rows.first - 1, to_north = rows.first;
+void FlowBetweenRows<Real>::relax(Rows& own, const Rows& others) {
+  const int count = own.count;
+  const int to_south = own.first - 1, to_north = own.first;
   for (int i = 0; i < nx_; ++i) {
-    const std::size_t here = at(rows, i);
+    const std::size_t here = at(own, i);
     const Real* other = &others.change[at(others, i)];
-    const Real *south = &rows.south[here], *north = &rows.north[here], *right_side = &rows.right_side[here];
-    const Real *lower_1 = &rows.lower_1[here], *lower_2 = &rows.lower_2[here];
+    const Real *south = &own.south[here], *north = &own.north[here], *right_side = &own.right_side[here];
+    const Real *lower_1 = &own.lower_1[here], *lower_2 = &own.lower_2[here];
     // Before the first lines their factors are zero: any line may stand in there.
-    const Real *before = &eliminated_[at(rows, std::max(i - 1, 0))],
-               *before_2 = &eliminated_[at(rows, std::max(i - 2, 0))];
+    const Real *before = &eliminated_[at(own, std::max(i - 1, 0))],
+               *before_2 = &eliminated_[at(own, std::max(i - 2, 0))];
     Real* eliminated = &eliminated_[here];
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int m = 0; m < count; ++m) {
@@ -78,10 +78,10 @@ void FlowBetweenRows<Real>::relax(Rows& rows, const Rows& others) {
     }
   }
   for (int i = nx_ - 1; i >= 0; --i) {
-    const std::size_t here = at(rows, i);
-    const Real *upper = &rows.upper[here], *inverse_pivot = &rows.inverse_pivots[here];
-    const Real* after = &eliminated_[at(rows, std::min(i + 1, nx_ - 1))];
-    Real *solved = &eliminated_[here], *change = &rows.change[here];
+    const std::size_t here = at(own, i);
+    const Real *upper = &own.upper[here], *inverse_pivot = &own.inverse_pivots[here];
+    const Real* after = &eliminated_[at(own, std::min(i + 1, nx_ - 1))];
+    Real *solved = &eliminated_[here], *change = &own.change[here];
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int m = 0; m < count; ++m) {
       solved[m] = (solved[m] - upper[m] * after[m]) * inverse_pivot[m];
@@ -93,26 +93,26 @@ void FlowBetweenRows<Real>::relax(Rows& rows, const Rows& others) {
 template <class Real>
 void FlowBetweenRows<Real>::correct(Field<Real>& change) {
   halo_.exchange(change);
-  for (Rows& rows : rows_) {
+  for (Rows& own : rows_) {
     for (int i = 0; i < nx_; ++i) {
-      const Real* z = change.row(i) + rows.first;
-      const std::size_t here = at(rows, i);
-      for (int m = 0; m < rows.count; ++m) {
+      const Real* z = change.row(i) + own.first;
+      const std::size_t here = at(own, i);
+      for (int m = 0; m < own.count; ++m) {
         const int j = 2 * m;
-        rows.right_side[here + m] = -(rows.south[here + m] * z[j - 1] + rows.north[here + m] * z[j + 1]);
+        own.right_side[here + m] = -(own.south[here + m] * z[j - 1] + own.north[here + m] * z[j + 1]);
       }
     }
-    std::fill(rows.change.begin(), rows.change.end(), Real(0));
+    std::fill(own.change.begin(), own.change.end(), Real(0));
   }
   for (int round = 0; round < rounds; ++round) {
     relax(rows_[0], rows_[1]);
     relax(rows_[1], rows_[0]);
   }
-  for (const Rows& rows : rows_) {
+  for (const Rows& own : rows_) {
     for (int i = 1; i < nx_ - 1; ++i) {
-      Real* out = change.row(i) + rows.first;
-      const std::size_t here = at(rows, i);
-      for (int m = 0; m < rows.count; ++m) out[2 * m] += rows.change[here + m];
+      Real* out = change.row(i) + own.first;
+      const std::size_t here = at(own, i);
+      for (int m = 0; m < own.count; ++m) out[2 * m] += own.change[here + m];
     }
   }
 }

@@ -43,9 +43,9 @@ private:
     std::vector<Real> right_side, change;
   };
 
-  std::size_t at(const Rows& rows, int i) const { return static_cast<std::size_t>(i) * (rows.count + 2) + 1; }
+  std::size_t at(const Rows& own, int i) const { return static_cast<std::size_t>(i) * (own.count + 2) + 1; }
   /// Relaxes every second row.
-  void relax(Rows& rows, const Rows& others);
+  void relax(Rows& own, const Rows& others);
 
   const Halo& halo_;
   int nx_;

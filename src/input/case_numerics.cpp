@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/line_contact.hpp"
+#include "contact/moes.hpp"
 #include "dynamics/mesh_march.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_face.hpp"
@@ -157,6 +158,15 @@ double time_step_by_waves(const CaseInput& problem) {
   return shortest / (nodes_in_wave * fastest * largest_speed_ratio(problem.parameters) * problem.scales.time);
 }
 
+/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps.
+double steps_in_swing_of(const CaseInput& problem) {
+  constexpr double stiffening = 15.0, most = 2.5;  // Moes' L from which on they grow, and by how much at most
+  if (problem.dry()) return steps_in_dry_swing;
+  const Scales& scales = problem.scales;
+  const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
+  return steps_in_swing * std::clamp(L * L / (stiffening * stiffening), 1.0, most);
+}
+
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
 // 0.026, since what they resolve besides stands still before the contact. By the mesh, and by the swing of the gears.
 double time_step(const CaseInput& result) {
@@ -164,9 +174,7 @@ double time_step(const CaseInput& result) {
   const double by_film = result.parameters.has("grid.nx") ? cell : std::max(cell, 0.026);
   const double faster = largest_speed_ratio(result.parameters);  // than at first, where scales are taken
   double step = std::min(by_film, mesh_period(result) / steps_in_mesh_period) / faster;
-  if (swings(result)) {
-    step = std::min(step, natural_period(result) / (result.dry() ? steps_in_dry_swing : steps_in_swing));
-  }
+  if (swings(result)) step = std::min(step, natural_period(result) / steps_in_swing_of(result));
   return step;
 }
 
