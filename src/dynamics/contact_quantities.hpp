@@ -29,8 +29,10 @@ AvailableModels available_models(bool lubricated, const std::optional<TractionMo
                                  const std::optional<WearCoefficients>& wear, const std::optional<StressModel>& stress,
                                  const RatingModel* rating);
 inline AvailableModels available_models(const MeshModel& mesh, bool lubricated) {
-  return available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear, mesh.stress,
-                          mesh.rating.get());
+  AvailableModels given = available_models(lubricated, mesh.traction, mesh.roughness, mesh.scales.solids, mesh.wear,
+                                           mesh.stress, mesh.rating.get());
+  given.inertia = mesh.inertia != 0.0;
+  return given;
 }
 
 /// h_min/Rq; zero without roughness.

@@ -12,9 +12,11 @@ struct Moments {
   bool entered = false;
 };
 
-/// Whether a reduction takes a record: extremes also those at events, which take no time.
-bool counts(const StepRecord& record, Reduction reduction) {
-  return record.dT > 0.0 || reduction == Reduction::largest || reduction == Reduction::smallest;
+/// Whether a reduction takes a record. At an event, which takes no time, a film that enters is that of its place where
+/// the bodies are in balance: then such a state counts among extremes.
+bool counts(const StepRecord& record, Reduction reduction, const AvailableModels& given) {
+  const bool of_extremes = reduction == Reduction::largest || reduction == Reduction::smallest;
+  return record.dT > 0.0 || (of_extremes && !given.inertia);
 }
 
 std::optional<double> reduced(const std::optional<double>& kept, Reduction reduction, double value,
@@ -110,7 +112,7 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
   PeriodQuantities& period = periods_[index];
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction, given)) continue;
     if (quantity.reduction == Reduction::mean) {
       add_to_mean(period.values[n], n, value_in(record, quantity), record.dT);
     } else if (!quantity.of_contact) {
@@ -130,7 +132,7 @@ void MarchStatistics::add_contact(const StepRecord& record, const ContactRecord&
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
     if (!quantity.of_contact || quantity.reduction == Reduction::mean) continue;
-    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction, given)) continue;
     period.values[n] =
         reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }

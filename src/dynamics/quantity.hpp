@@ -80,9 +80,10 @@ enum class RequiredModel {
   rated_heat
 };
 
-/// What there is: a film, friction on it, heat in it, roughness of the flanks, asperities that carry and wear, stresses
-/// below it, ratings.
+/// What there is: inertia of the bodies, a film, friction on it, heat in it, roughness of the flanks, asperities that
+/// carry and wear, stresses below it, ratings.
 struct AvailableModels {
+  bool inertia = true;
   bool film = true;
   bool friction = false;
   bool heat = false;
