@@ -92,7 +92,7 @@ double RowContact::influence(double at_x, double at_y, const Place& source, bool
   const double near = std::min(std::abs(upper), std::abs(lower)), far = std::max(std::abs(upper), std::abs(lower));
   const Quadrature& rule = quadrature_for(near / s);
   const std::size_t count = rule.nodes.size();
-  std::array<double, nodes_of_finest> values;
+  std::array<double, nodes_of_finest> values{};
   GEARFILM_INDEPENDENT_ITERATIONS
   for (std::size_t n = 0; n < count; ++n) {
     const double d = std::max(std::abs(at_x - s * rule.nodes[n]), 1e-12 * s);

@@ -16,17 +16,15 @@ constexpr double over_relaxation = 1.3;
 template <class Real>
 FlowBetweenRows<Real>::Rows::Rows(int first_row, int nx, int y_count)
     : first(first_row), count((y_count - first_row + 1) / 2) {
-  const std::size_t size = static_cast<std::size_t>(nx) * (count + 2);
-  for (auto* values : {&lower_2, &lower_1, &inverse_pivots, &upper, &south, &north, &right_side, &change}) {
+  const std::size_t size = static_cast<std::size_t>(nx + lines_before + 1) * (count + 2);
+  for (auto* values : {&lower_2, &lower_1, &inverse_pivots, &upper, &south, &north, &right_side, &solved, &change}) {
     values->resize(size);
   }
 }
 
 template <class Real>
 FlowBetweenRows<Real>::FlowBetweenRows(const Grid& grid, const Halo& halo)
-    : halo_(halo), nx_(grid.nx()), rows_{Rows(0, grid.nx(), grid.y_count()), Rows(1, grid.nx(), grid.y_count())} {
-  eliminated_.resize(rows_[0].change.size());
-}
+    : halo_(halo), nx_(grid.nx()), rows_{Rows(0, grid.nx(), grid.y_count()), Rows(1, grid.nx(), grid.y_count())} {}
 
 template <class Real>
 void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
@@ -37,18 +35,12 @@ void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
       for (int n = 0; n < neighbour_count; ++n) v[n] = linear.by_pressure[n].row(i) + own.first;
       for (int m = 0; m < own.count; ++m) {
         const int j = 2 * m;
-        Real lower_2 = 0, lower_1 = 0, pivot = v[centre][j];
-        if (i > 1) lower_2 = v[west_west][j] * own.inverse_pivots[before_2 + m];
-        if (i > 0) {
-          lower_1 = v[west][j];
-          if (i > 1) lower_1 -= lower_2 * own.upper[before_2 + m];
-          lower_1 *= own.inverse_pivots[before + m];
-          pivot -= lower_1 * own.upper[before + m];
-        }
+        const Real lower_2 = v[west_west][j] * own.inverse_pivots[before_2 + m];
+        const Real lower_1 = (v[west][j] - lower_2 * own.upper[before_2 + m]) * own.inverse_pivots[before + m];
         own.lower_2[here + m] = lower_2;
         own.lower_1[here + m] = lower_1;
-        own.inverse_pivots[here + m] = Real(1) / pivot;
-        own.upper[here + m] = i + 1 < nx_ ? v[east][j] : Real(0);
+        own.inverse_pivots[here + m] = Real(1) / (v[centre][j] - lower_1 * own.upper[before + m]);
+        own.upper[here + m] = v[east][j];
         own.south[here + m] = v[south][j];
         own.north[here + m] = v[north][j];
       }
@@ -60,28 +52,25 @@ void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
 // ones m and m + 1.
 template <class Real>
 void FlowBetweenRows<Real>::relax(Rows& own, const Rows& others) {
-  const int count = own.count;
-  const int to_south = own.first - 1, to_north = own.first;
+  const int count = own.count, to_south = own.first - 1, to_north = own.first;
   for (int i = 0; i < nx_; ++i) {
     const std::size_t here = at(own, i);
     const Real* other = &others.change[at(others, i)];
     const Real *south = &own.south[here], *north = &own.north[here], *right_side = &own.right_side[here];
     const Real *lower_1 = &own.lower_1[here], *lower_2 = &own.lower_2[here];
-    // Before the first lines their factors are zero: any line may stand in there.
-    const Real *before = &eliminated_[at(own, std::max(i - 1, 0))],
-               *before_2 = &eliminated_[at(own, std::max(i - 2, 0))];
-    Real* eliminated = &eliminated_[here];
+    const Real *before = &own.solved[at(own, i - 1)], *before_2 = &own.solved[at(own, i - 2)];
+    Real* solved = &own.solved[here];
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int m = 0; m < count; ++m) {
-      eliminated[m] = right_side[m] - south[m] * other[m + to_south] - north[m] * other[m + to_north] -
-                      lower_1[m] * before[m] - lower_2[m] * before_2[m];
+      solved[m] = right_side[m] - south[m] * other[m + to_south] - north[m] * other[m + to_north] -
+                  lower_1[m] * before[m] - lower_2[m] * before_2[m];
     }
   }
   for (int i = nx_ - 1; i >= 0; --i) {
     const std::size_t here = at(own, i);
     const Real *upper = &own.upper[here], *inverse_pivot = &own.inverse_pivots[here];
-    const Real* after = &eliminated_[at(own, std::min(i + 1, nx_ - 1))];
-    Real *solved = &eliminated_[here], *change = &own.change[here];
+    const Real* after = &own.solved[at(own, i + 1)];
+    Real *solved = &own.solved[here], *change = &own.change[here];
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int m = 0; m < count; ++m) {
       solved[m] = (solved[m] - upper[m] * after[m]) * inverse_pivot[m];

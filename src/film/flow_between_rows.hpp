@@ -31,26 +31,29 @@ public:
   void correct(Field<Real>& change);
 
 private:
-  /// Every second of the own rows: values [x][row], with one more before and behind those of an x.
+  /// Every second of the own rows: values [x][row]. Beyond the first and the last x, and beside the first and the last
+  /// row, all are zero.
   struct Rows {
     Rows(int first, int nx, int y_count);
 
     int first;  ///< of the own rows
     int count;
-    std::vector<Real> lower_2, lower_1, inverse_pivots,
-        upper;  ///< factors along X: the upper triangle has one diagonal
+    // Factors along X: L has two diagonals, U one beside its own.
+    std::vector<Real> lower_2, lower_1, inverse_pivots, upper;
     std::vector<Real> south, north;
-    std::vector<Real> right_side, change;
+    std::vector<Real> right_side, solved, change;
   };
 
-  std::size_t at(const Rows& own, int i) const { return static_cast<std::size_t>(i) * (own.count + 2) + 1; }
+  static constexpr int lines_before = 2;
+  static std::size_t at(const Rows& own, int i) {
+    return static_cast<std::size_t>(i + lines_before) * (own.count + 2) + 1;
+  }
   /// Relaxes every second row.
   void relax(Rows& own, const Rows& others);
 
   const Halo& halo_;
   int nx_;
-  std::array<Rows, 2> rows_;      ///< the even and the odd ones
-  std::vector<Real> eliminated_;  ///< right sides of half of the rows on the way to their solution
+  std::array<Rows, 2> rows_;  ///< the even and the odd ones
 };
 
 extern template class FlowBetweenRows<float>;
