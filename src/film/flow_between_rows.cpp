@@ -16,7 +16,7 @@ constexpr double over_relaxation = 1.3;
 template <class Real>
 FlowBetweenRows<Real>::Rows::Rows(int first_row, int nx, int y_count)
     : first(first_row), count((y_count - first_row + 1) / 2) {
-  const std::size_t size = static_cast<std::size_t>(nx + lines_before + 1) * (count + 2);
+  const std::size_t size = (nx + lines_before + 1) * (count + 2);
   for (auto* values : {&lower_2, &lower_1, &inverse_pivots, &upper, &south, &north, &right_side, &solved, &change}) {
     values->resize(size);
   }

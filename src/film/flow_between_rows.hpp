@@ -44,9 +44,10 @@ private:
     std::vector<Real> right_side, solved, change;
   };
 
-  static constexpr int lines_before = 2;
+  static constexpr std::size_t lines_before = 2;
   static std::size_t at(const Rows& own, int i) {
-    return static_cast<std::size_t>(i + lines_before) * (own.count + 2) + 1;
+    const auto line = static_cast<std::size_t>(i) + lines_before;  // i = -2 is the first
+    return line * (own.count + 2) + 1;
   }
   /// Relaxes every second row.
   void relax(Rows& own, const Rows& others);
