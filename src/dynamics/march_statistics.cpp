@@ -12,11 +12,9 @@ struct Moments {
   bool entered = false;
 };
 
-/// Whether a reduction takes a record. At an event, which takes no time, a film that enters is that of its place where
-/// the bodies are in balance: then such a state counts among extremes.
-bool counts(const StepRecord& record, Reduction reduction, const AvailableModels& given) {
-  const bool of_extremes = reduction == Reduction::largest || reduction == Reduction::smallest;
-  return record.dT > 0.0 || (of_extremes && !given.inertia);
+/// Whether a reduction takes a record: that of an event, which takes no time, counts among extremes only.
+bool counts(const StepRecord& record, Reduction reduction) {
+  return record.dT > 0.0 || reduction == Reduction::largest || reduction == Reduction::smallest;
 }
 
 std::optional<double> reduced(const std::optional<double>& kept, Reduction reduction, double value,
@@ -50,10 +48,11 @@ double value_in(const StepRecord& record, const PeriodQuantity& quantity) {
 }  // namespace
 
 void MarchStatistics::add(const StepRecord& record, const AvailableModels& given) {
-  const bool is_start = present_.empty();
+  // A film that enters is that of its place at once where the bodies are in balance.
+  const bool is_event = record.dT == 0.0 && !present_.empty() && !periods_.empty();
   add_events(record);
   add_loss(record);
-  if (record.dT > 0.0 || (!is_start && !periods_.empty())) add_to_period(record, given);
+  if (record.dT > 0.0 || (is_event && !given.inertia)) add_to_period(record, given);
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     if (period_quantities[n].reduction == Reduction::mean) last_[n] = value_in(record, period_quantities[n]);
   }
@@ -112,7 +111,7 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
   PeriodQuantities& period = periods_[index];
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
-    if (!given.has(quantity.needs) || !counts(record, quantity.reduction, given)) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
     if (quantity.reduction == Reduction::mean) {
       add_to_mean(period.values[n], n, value_in(record, quantity), record.dT);
     } else if (!quantity.of_contact) {
@@ -132,7 +131,7 @@ void MarchStatistics::add_contact(const StepRecord& record, const ContactRecord&
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
     if (!quantity.of_contact || quantity.reduction == Reduction::mean) continue;
-    if (!given.has(quantity.needs) || !counts(record, quantity.reduction, given)) continue;
+    if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
     period.values[n] =
         reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }

@@ -85,8 +85,8 @@ void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
   }
 }
 
-// Of a strip from `lower` to `upper` beside a node at a distance d the deformation is asinh(upper/d) - asinh(lower/d).
-// The logarithm of d in the own row is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
+// Unit pressure on a line across a row, from Y = lower to Y = upper and at the distance d along X, deforms a place by
+// asinh(upper/d) - asinh(lower/d). In the own row its part 2 ln d is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
 double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) {
   const double upper = source.upper - at_y, lower = source.lower - at_y;
   const double near = std::min(std::abs(upper), std::abs(lower)), far = std::max(std::abs(upper), std::abs(lower));

@@ -12,7 +12,8 @@ double line_half_width(const Scales& scales, const ContactConditions& conditions
   return std::sqrt(4.0 * scales.C_h * conditions.dry_radius() * load);
 }
 
-/// Of rows with these loads by unit length and half-widths.
+/// Fills the pressures [p_h] of a grid: a semi-ellipse about X = centre [a] in each row, with its load by unit length
+/// [p_h a] and its half-width [a].
 void semi_ellipses(const Grid& grid, double centre, const std::vector<double>& loads, const std::vector<double>& widths,
                    std::span<double> pressure) {
   for (int j = 0; j < grid.y_count(); ++j) {

@@ -124,6 +124,7 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     for (const int i : rows_[j].coupled) inverse_scale_.row(i)[j] *= Real(1) - this->coupled_.row(i)[j];
   }
+  if (single_) return;
   if (!kept) {
     displacement_column(linear, relaxed_);
     Field<Real> responses = relaxed_;

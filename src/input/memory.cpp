@@ -10,8 +10,8 @@
 namespace gearfilm {
 namespace {
 
-// Of one contact, beyond the 54 MB of a process. Measured: 306 and 299 for a stationary film on 513 x 513 and 1025 x
-// 1025 nodes, 369 for a march on 1025 x 513; 826 for two contacts on 513 x 257.
+// Bytes that one contact takes for each of its nodes, beyond the 54 MB of a process. Measured: 306 and 299 for a
+// stationary film on 513 x 513 and 1025 x 1025 nodes, 369 for a march on 1025 x 513; 826 for two contacts on 513 x 257.
 constexpr double bytes_per_node = 300.0;
 // Where a film feels its heat, for each point across it: 87 for a stationary film on 513 x 513 nodes with 17 points.
 constexpr double bytes_per_point = 87.0;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t piece = 1024;  // of a vector, that lies in the nearest cache while all of a basis pass it
 constexpr std::size_t lanes = 8;
 
-/// What a cycle may gain at most.
+/// Factor by which one cycle lowers the residual at most: what numbers of this type can tell.
 template <class Real>
 constexpr double digits = std::is_same_v<Real, float> ? 1e-6 : 1e-14;
 
