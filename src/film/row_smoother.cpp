@@ -93,25 +93,30 @@ bool RowSmoother<Real>::serve(ShiftOf<Real> shift) const {
 }
 
 template <class Real>
+void RowSmoother<Real>::make_factors(const FilmStencil<Real>& linear) {
+  for (Row& row : rows_) row.coupled.clear();
+  factored_ = this->coupled_;
+  for (int i = 0; i < nx_; ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      if (this->coupled_.row(i)[j] != 0.0) rows_[j].coupled.push_back(i);
+    }
+  }
+  std::vector<Real> matrix;
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    if (rows_[j].coupled.empty()) continue;
+    assemble(linear, static_cast<int>(j), matrix);
+    rows_[j].factors.compute(matrix, static_cast<int>(rows_[j].coupled.size()));
+  }
+}
+
+template <class Real>
 void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
                                SmootherFactors factors) {
   const ScopedEvent event(Kernel::smoother_factor);
   this->find_coupled(state, long_wave_deformation_);
   const bool kept = factors == SmootherFactors::of_earlier_states_too && serve(shift);
   if (!kept) {
-    for (Row& row : rows_) row.coupled.clear();
-    factored_ = this->coupled_;
-    for (int i = 0; i < nx_; ++i) {
-      for (std::size_t j = 0; j < rows_.size(); ++j) {
-        if (this->coupled_.row(i)[j] != 0.0) rows_[j].coupled.push_back(i);
-      }
-    }
-    std::vector<Real> matrix;
-    for (std::size_t j = 0; j < rows_.size(); ++j) {
-      if (rows_[j].coupled.empty()) continue;
-      assemble(linear, static_cast<int>(j), matrix);
-      rows_[j].factors.compute(matrix, static_cast<int>(rows_[j].coupled.size()));
-    }
+    make_factors(linear);
     use_ = {shift, relaxations_for_factors * nx_};
   }
   ++use_.linearisations;

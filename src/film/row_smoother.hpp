@@ -45,6 +45,8 @@ private:
   }
   /// Fills the matrix of the coupled nodes of row j, column by column.
   void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
+  /// Factors the matrices of all rows at their present coupled nodes.
+  void make_factors(const FilmStencil<Real>& linear);
   /// Whether the present factors serve a linearisation about this state as well.
   bool serve(ShiftOf<Real> shift) const;
 
