@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "dynamics/slope_weights.hpp"
 
 namespace gearfilm {
 namespace {
@@ -16,19 +17,6 @@ std::vector<double> lagrange_values(const std::vector<double>& times, double T) 
     }
   }
   return values;
-}
-
-/// Their slopes at the first of the times.
-std::vector<double> lagrange_slopes(const std::vector<double>& times) {
-  std::vector<double> slopes(times.size(), 0.0);
-  for (std::size_t j = 1; j < times.size(); ++j) slopes[0] += 1.0 / (times[0] - times[j]);
-  for (std::size_t k = 1; k < times.size(); ++k) {
-    slopes[k] = 1.0 / (times[k] - times[0]);
-    for (std::size_t i = 1; i < times.size(); ++i) {
-      if (i != k) slopes[k] *= (times[0] - times[i]) / (times[k] - times[i]);
-    }
-  }
-  return slopes;
 }
 
 template <std::size_t size>
@@ -55,12 +43,21 @@ void BackwardDifferences::keep(double T, bool behind, const std::function<void(V
   transient(states_[place], transients_[place]);
 }
 
-void BackwardDifferences::differentiate(double T, int order) {
+std::vector<double> BackwardDifferences::times_at(double T, int known) const {
   std::vector<double> times = {T};
-  times.insert(times.end(), times_.begin(), times_.begin() + order);
-  const std::vector<double> slopes = lagrange_slopes(times);
-  shift_ = slopes[0];
-  combine(transients_, slopes.data() + 1, order, constant_);
+  times.insert(times.end(), times_.begin(), times_.begin() + known);
+  return times;
+}
+
+void BackwardDifferences::differentiate(double T, int order) {
+  stage_times_ = times_at(T, order);
+  const std::vector<double> weights = slope_weights(stage_times_);
+  shift_ = weights[0];
+  combine(transients_, weights.data() + 1, order, constant_);
+}
+
+std::complex<double> BackwardDifferences::of_oscillation(double w) const {
+  return slope_of_oscillation(w, stage_times_);
 }
 
 void BackwardDifferences::make_rate(Vec values) const { petsc_check(VecAYPX(values, shift_, constant_)); }
@@ -71,13 +68,10 @@ void BackwardDifferences::extrapolate(double T, int states) {
 }
 
 double BackwardDifferences::error(double T, int order, Vec allowed) {
-  std::vector<double> times = {T};
-  times.insert(times.end(), times_.begin(), times_.begin() + order);
-  std::vector<double> factors = lagrange_slopes(times);
+  std::vector<double> factors = slope_weights(times_at(T, order));
   const double scale = factors[0];
-  times.push_back(times_[order]);
   factors.push_back(0.0);
-  const std::vector<double> finer = lagrange_slopes(times);
+  const std::vector<double> finer = slope_weights(times_at(T, order + 1));
   for (std::size_t n = 0; n < factors.size(); ++n) factors[n] = (factors[n] - finer[n]) / scale;
   combine(states_, factors.data() + 1, order + 1, constant_);
   petsc_check(VecAXPY(constant_, factors[0], sought_));

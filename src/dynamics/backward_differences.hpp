@@ -3,12 +3,15 @@
 //   dC/dT(T) = s C + c ,    s C + c the slope at T of the polynomial through C at T and at the last one or two times.
 //
 // Beside them what other polynomials through the last states say: the next state, and the error of a step as the
-// difference that one state more makes (as PETSc's TSBDF has it). Three states are known at most.
+// difference that one state more makes (as PETSc's TSBDF has it). Three states are known at most. Weights of slopes:
+// slope_weights.hpp.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <functional>
+#include <vector>
 
 #include "parallel/petsc.hpp"
 
@@ -34,6 +37,8 @@ public:
   /// Makes s and c for a stage at T.
   void differentiate(double T, int order);
   double shift() const { return shift_; }
+  /// What they make of d/dT at exp(i w T), w [1/T].
+  std::complex<double> of_oscillation(double w) const;
   /// Makes s C + c of C.
   void make_rate(Vec values) const;
   /// Seeks from the polynomial at T through as many states as are known, at most.
@@ -42,11 +47,15 @@ public:
   double error(double T, int order, Vec allowed);
 
 private:
+  /// T and so many of the latest known times.
+  std::vector<double> times_at(double T, int known) const;
+
   OwnedVec sought_;
   std::array<OwnedVec, 3> states_;
   std::array<OwnedVec, 2> transients_;  ///< C of the first two
   std::array<double, 3> times_{};
   int known_ = 0;
+  std::vector<double> stage_times_;  ///< of the differences
   double shift_ = 0.0;
   OwnedVec constant_;  ///< c; of no use once the state is found
 };

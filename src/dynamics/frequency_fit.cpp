@@ -5,17 +5,6 @@
 
 namespace gearfilm {
 
-using namespace std::complex_literals;
-
-std::complex<double> derivative_by_bdf1(double w, double dT) { return (1.0 - std::exp(-1i * w * dT)) / dT; }
-
-std::complex<double> derivative_by_bdf2(double w, double dT, double dT_before) {
-  const double ratio = dT / dT_before;
-  return ((1.0 + 2.0 * ratio) / (1.0 + ratio) - (1.0 + ratio) * std::exp(-1i * w * dT) +
-          ratio * ratio / (1.0 + ratio) * std::exp(-1i * w * (dT + dT_before))) /
-         dT;
-}
-
 FrequencyFit frequency_fit(double w, std::complex<double> D) {
   if (w == 0.0) return {};
   const double x = D.imag() / w, y = D.real(), square = w * w * x;

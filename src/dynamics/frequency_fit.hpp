@@ -1,8 +1,8 @@
 // A swing of the pair as difference formulas see it, and what makes them see it rightly.
 //
-// A backward difference formula turns d/dT of exp(i w T) into a complex number D instead of i w. A free oscillation
-// dH/dT = V, dV/dT = -w^2 H thereby becomes slower or faster, and damped: BDF2 has D = i w (1 + (w dT)^2/3) +
-// w (w dT)^3/4 + ... With x = Im D/w and y = Re D, D is y + x i w, so that
+// A backward difference formula turns d/dT of exp(i w T) into a complex number D instead of i w (slope_weights.hpp). A
+// free oscillation dH/dT = V, dV/dT = -w^2 H thereby becomes slower or faster, and damped: BDF2 has D = i w (1 + (w
+// dT)^2/3) + w (w dT)^3/4 + ... With x = Im D/w and y = Re D, D is y + x i w, so that
 //
 //   dH/dT + alpha dV/dT = beta V ,                      alpha = y/(w^2 x), beta = x + y^2/(w^2 x)
 //   f dV/dT + c V + w^2 H = 0 ,                         f = 1/x, c = -y/x
@@ -25,12 +25,7 @@ struct FrequencyFit {
   double damping = 0.0;  ///< c [1/T], over the inertia
 };
 
-/// What BDF1 makes of d/dT at exp(i w T), with steps of dT [1/T].
-std::complex<double> derivative_by_bdf1(double w, double dT);
-/// What BDF2 makes of d/dT at exp(i w T), with a step of dT after one of dT_before [1/T].
-std::complex<double> derivative_by_bdf2(double w, double dT, double dT_before);
-
-/// For a formula that makes D of i w.
+/// For a formula that makes D [1/T] of i w, w [1/T].
 FrequencyFit frequency_fit(double w, std::complex<double> D);
 
 /// Undamped free oscillations of the bodies on their contacts: rates w [1/T] and shapes, a column each, by which

@@ -57,15 +57,12 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, 
   }
 }
 
-// The first step of a segment is a BDF1 step to its middle, and a BDF2 step from there.
-void SegmentStepper::fit_frequency(double begin, double T) {
-  const double half = 0.5 * (T - begin);
+void SegmentStepper::fit_frequency() {
+  const double dT = stage_time_ - step_begin_;
   pair_.fit_frequencies(pair_.swings(solved_time_, solved_films_), [&](double rate) {
-    double w = std::min(rate, longest_swing_step / (T - begin));
-    if (w * (T - begin) < shortest_swing_step) w = 0.0;
-    return frequency_fit(w, at_start_     ? derivative_by_bdf1(w, T - begin)
-                            : first_step_ ? derivative_by_bdf2(w, half, half)
-                                          : derivative_by_bdf2(w, T - begin, begin - differences_.time(1)));
+    double w = std::min(rate, longest_swing_step / dT);
+    if (w * dT < shortest_swing_step) w = 0.0;
+    return frequency_fit(w, differences_.of_oscillation(w));
   });
 }
 
@@ -137,7 +134,7 @@ void SegmentStepper::guess_by_short_steps(Vec state) {
   } catch (const SolveError&) {
     petsc_check(VecCopy(solved_, state));
   }
-  fit_frequency(step_begin_, stage_time_);  // shorter ones had fits of their own
+  fit_frequency();  // shorter ones had fits of their own
   // They count as the step's own.
   newton_so_far_ -= shorter.newton_;
   krylov_so_far_ -= shorter.krylov_;
@@ -146,8 +143,8 @@ void SegmentStepper::guess_by_short_steps(Vec state) {
 bool SegmentStepper::solve_stage(double T, int order) {
   stage_time_ = T;
   stage_shift_ = 1.5 / (T - step_begin_);
-  fit_frequency(step_begin_, T);
   differences_.differentiate(T, order);
+  fit_frequency();
   petsc_check(SNESSolve(snes_, nullptr, differences_.sought()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt newton = 0, krylov = 0;
@@ -179,7 +176,7 @@ void SegmentStepper::keep(double T, bool behind) {
 }
 
 bool SegmentStepper::try_step(double dT, bool again) {
-  if (first_step_) {
+  if (first_step_) {  // of order 1 to its middle, and of order 2 from there
     petsc_check(VecCopy(differences_.state(0), differences_.sought()));
     if (!solve_stage(step_begin_ + 0.5 * dT, 1)) return false;
     differences_.forget(1);

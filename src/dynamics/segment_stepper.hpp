@@ -82,8 +82,8 @@ private:
   void residual(SNES snes, Vec state, Vec rows);
   void linearise(SNES snes, Vec state, Mat matrix, Mat same);
   void guess(SNES snes, Vec state);
-  /// For the stage from begin to T.
-  void fit_frequency(double begin, double T);
+  /// To the differences of the present stage.
+  void fit_frequency();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Sets how often the present step has failed, which decides how it is tried next.

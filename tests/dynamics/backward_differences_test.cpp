@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "dynamics/slope_weights.hpp"
+
 namespace gearfilm {
 namespace {
 
@@ -73,6 +75,25 @@ TEST(BackwardDifferences, tell_the_local_error_of_a_step) {
   EXPECT_NEAR(course.differences.error(3.0 * h, 2, course.allowed), missed / std::sqrt(2.0), 1e-12);
   set(course.allowed, 1.0, HUGE_VAL);
   EXPECT_NEAR(course.differences.error(3.0 * h, 2, course.allowed), 0.0, 1e-12);
+}
+
+// The weights of orders 1 and 2 as textbooks have them, r = dT/dT_before: 1 and (1 + 2 r)/(1 + r), -(1 + r),
+// r^2/(1 + r) over dT. Of an oscillation they make what they make of a state that swings.
+TEST(BackwardDifferences, have_the_weights_of_textbooks) {
+  const double dT = 0.3, r = dT / 0.2, w = 1.7;
+  const std::vector<double> first = slope_weights({1.0, 0.7}), second = slope_weights({1.0, 0.7, 0.5});
+  EXPECT_NEAR(first[0] * dT, 1.0, 1e-14);
+  EXPECT_NEAR(first[1] * dT, -1.0, 1e-14);
+  EXPECT_NEAR(second[0] * dT, (1.0 + 2.0 * r) / (1.0 + r), 1e-14);
+  EXPECT_NEAR(second[1] * dT, -(1.0 + r), 1e-14);
+  EXPECT_NEAR(second[2] * dT, r * r / (1.0 + r), 1e-14);
+  Course course;
+  const auto swing = [w](double T) { return std::cos(w * T); };
+  course.know(0.5);
+  course.know(0.7);
+  course.differences.differentiate(1.0, 2);
+  const double rate = second[0] * swing(1.0) + second[1] * swing(0.7) + second[2] * swing(0.5);
+  EXPECT_NEAR((course.differences.of_oscillation(w) * std::polar(1.0, w)).real(), rate, 1e-13);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Films and motion as one system: its Jacobian, its preconditioner, and the time scheme it is solved for.
 #include "accepted_steps.hpp"
+#include "dynamics/slope_weights.hpp"
 
 namespace gearfilm {
 namespace {
@@ -127,7 +128,7 @@ TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
   const OwnedVec state_before = pair_before.vector(before.pressure, before.motion);
   const Swings swings = pair_before.pair->swings(before.T, pair_before.pair->film_quantities(state_before, before.T));
   const double w = swings.rates[0];
-  const FrequencyFit fit = frequency_fit(w, derivative_by_bdf2(w, last.dT, before.dT));
+  const FrequencyFit fit = frequency_fit(w, slope_of_oscillation(w, {last.T, before.T, before.T - before.dT}));
   system.pair->fit_frequencies(swings, [&](double) { return fit; });
   system.pair->place(last.T);
   const OwnedVec rows = rows_at(state);
