@@ -194,7 +194,7 @@ void search_anywhere(MPI_Comm comm, const CaseInput& given) {
   ParameterValues values = given.parameters;
   const auto begin_at = [&](const std::array<std::string, 2>& motion) {
     for (std::size_t k : {0, 1}) values.set(start[k], motion[k], "the start that the program chose");
-    return make_case(values);
+    return make_case_like(given, values);
   };
   // A run that began again there goes on there.
   if (given.run.restart && !given.march.start_motion) {
@@ -223,7 +223,7 @@ void run_periodic(MPI_Comm comm, const CaseInput& given) {
   values.set(whole_face, "yes", "the choice of rows by the program");
   // A run that began again over the whole face goes on there.
   if (given.run.restart && !asked_for && parameter_of_kept_run(comm, given.run.directory, whole_face) == "yes") {
-    search_anywhere(comm, make_case(values));
+    search_anywhere(comm, make_case_like(given, values));
     return;
   }
   try {
@@ -231,7 +231,7 @@ void run_periodic(MPI_Comm comm, const CaseInput& given) {
   } catch (const EdgesReached& error) {
     if (asked_for) throw;
     say(comm, error.what(), ": the search begins again with films over the whole face (", whole_face, ": yes)");
-    CaseInput over_the_face = make_case(values);
+    CaseInput over_the_face = make_case_like(given, values);
     over_the_face.run.restart = false;
     search_anywhere(comm, over_the_face);
   }

@@ -89,7 +89,7 @@ private:
       worn.flanks = {worn_flank(0, problem_.pair.line->base_radius_pinion()),
                      worn_flank(1, problem_.pair.line->base_radius_wheel())};
     }
-    CaseInput here = make_case(problem_.parameters, worn);
+    CaseInput here = make_case_like(problem_, problem_.parameters, worn);
     here.search.with_multipliers = false;
     return here;
   }

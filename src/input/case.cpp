@@ -338,11 +338,10 @@ void set_march(CaseInput& result) {
   }
 }
 
-}  // namespace
-
-CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
+CaseInput build_case(const ParameterValues& values, const WornFlanks& worn, const std::shared_ptr<FaceLaws>& laws) {
   CaseInput result;
   result.parameters = values;
+  result.face_laws = laws;
   result.name = read_name(values);
   result.kind = values.text("case.kind") == "gear_pair" ? CaseKind::gear_pair : CaseKind::contact;
   const Lubricant oil = read_lubricant(values);
@@ -357,7 +356,7 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   result.run.all_processes = values.text("solver.processes") == "all";
   in_file_of(values, [&] {
     result.scales = make_scales(reference.solids, oil, reference.operation);
-    if (result.scales.solids.face) result.scales.face_law = law_of_face(result);
+    if (result.scales.solids.face) result.scales.face_law = laws->law(result.scales, result.pair.line);
     check_strain(result);
   });
   if (result.pair.train) require_tooth_force(result, "the drive train");
@@ -381,6 +380,14 @@ CaseInput make_case(const ParameterValues& values, const WornFlanks& worn) {
   in_file_of(values, [&] { check_loads(result); });
   result.numerics.on_widening = widening_notice(result.scales, contacts_at_a_time(result), heated_points(result));
   return result;
+}
+
+}  // namespace
+
+CaseInput make_case(const ParameterValues& values) { return build_case(values, {}, std::make_shared<FaceLaws>()); }
+
+CaseInput make_case_like(const CaseInput& given, const ParameterValues& values, const WornFlanks& worn) {
+  return build_case(values, worn, given.face_laws);
 }
 
 CaseInput read_case(MPI_Comm comm, const std::string& file) { return make_case(read_parameters(comm, file)); }

@@ -19,6 +19,7 @@
 #include "gear/teeth.hpp"
 #include "input/case_train.hpp"
 #include "input/continuation_options.hpp"
+#include "input/face_laws.hpp"
 #include "input/parameter_values.hpp"
 #include "input/sweep_options.hpp"
 #include "input/worn_flanks.hpp"
@@ -128,6 +129,7 @@ struct CaseInput {
   std::shared_ptr<const RatingModel> rating;  ///< null: the pair is not rated
   std::optional<ThermalOil> thermal_oil;      ///< absent: how its viscosity falls with temperature is not known
   Scales scales;  ///< of the reference contact: the pitch point of a gear pair, or the bare contact
+  std::shared_ptr<FaceLaws> face_laws;  ///< of this case and all that are made from it
   PairNumerics numerics;
   SteadyCase steady;
   StaticCase statics;
@@ -145,7 +147,10 @@ struct CaseInput {
 
 /// Builds the case from a complete set of values. Throws InputError for values that do not fit together: a pair that
 /// cannot mesh, masses or moduli given twice or by half, a position off the path of contact.
-CaseInput make_case(const ParameterValues& values, const WornFlanks& worn = {});
+CaseInput make_case(const ParameterValues& values);
+
+/// Builds another case of a pair, from values that mostly are those of the given one, whose face laws it shares.
+CaseInput make_case_like(const CaseInput& given, const ParameterValues& values, const WornFlanks& worn = {});
 
 /// Reads a case file under the present command line. Collective; throws InputError on all ranks alike.
 CaseInput read_case(MPI_Comm comm, const std::string& file);

@@ -262,7 +262,7 @@ CaseInput with_chosen_motion(const CaseInput& given, double many_swings, std::st
                   " times in a mesh period: bodies are taken to be in balance at every moment (motion: quasi_static); "
                   "-motion dynamic follows their swings");
   values.set("motion", "quasi_static", "the choice of motion by the program");
-  CaseInput chosen = make_case(values);
+  CaseInput chosen = make_case_like(given, values);
   chosen.numerics.on_widening = given.numerics.on_widening;
   return chosen;
 }

@@ -235,47 +235,4 @@ OrbitProblem orbit_problem(const CaseInput& problem) {
                      .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)}};
 }
 
-namespace {
-
-/// All that the law of a face is made from (elasticity/row_contact.hpp).
-std::vector<double> made_from(const Scales& scales, const std::array<double, 2>& radii) {
-  const Face& face = *scales.solids.face;
-  std::vector<double> all = {radii[0],
-                             radii[1],
-                             scales.radius_ratio,
-                             scales.C_h,
-                             scales.length,
-                             scales.thickness,
-                             face.width,
-                             scales.static_force,
-                             face.gap.slope,
-                             face.gap.logarithmic,
-                             face.mirror_factor,
-                             static_cast<double>(face.end)};
-  for (const EndRelief& relief : face.gap.reliefs) {
-    all.insert(all.end(), {relief.amount, relief.length, static_cast<double>(relief.power)});
-  }
-  for (const auto& table : face.gap.tables) {
-    all.push_back(static_cast<double>(table.size()));
-    for (const auto& [y, gap] : table) all.insert(all.end(), {y, gap});
-  }
-  for (const EndingBody& body : face.ending) all.insert(all.end(), {body.share, body.poisson_ratio});
-  return all;
-}
-
-}  // namespace
-
-// The cases of a sweep mostly have the same flanks under the same force: the last law is remembered.
-std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem) {
-  static std::pair<std::vector<double>, std::shared_ptr<const FaceLaw>> last;
-  std::array<double, 2> radii = {0.9, 1.1};
-  if (problem.pair.line) {
-    radii = problem.pair.line->relative_radii();
-    radii[1] = std::max(radii[1], 1.01 * radii[0]);
-  }
-  std::vector<double> key = made_from(problem.scales, radii);
-  if (key != last.first) last = {std::move(key), std::make_shared<const FaceLaw>(face_law(problem.scales, radii))};
-  return last.second;
-}
-
 }  // namespace gearfilm

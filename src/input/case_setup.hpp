@@ -58,7 +58,4 @@ PairMarch make_pair_march(const CaseInput& problem, const MeshModel& mesh, const
 /// The search for the case's periodic state.
 OrbitProblem orbit_problem(const CaseInput& problem);
 
-/// The dry contact along the face of a case, for the radii of its path of contact or about that of a bare contact.
-std::shared_ptr<const FaceLaw> law_of_face(const CaseInput& problem);
-
 }  // namespace gearfilm

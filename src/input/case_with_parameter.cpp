@@ -24,7 +24,7 @@ CaseInput case_with_parameter(const CaseInput& problem, const std::string& param
     keep("grid.ny", std::to_string(numerics.ny));
     keep("grid.y_half", format_value(numerics.domain.y_half));
   }
-  return make_case(values);
+  return make_case_like(problem, values);
 }
 
 CaseInput case_of_sweep(const CaseInput& problem, double value) {

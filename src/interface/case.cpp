@@ -28,7 +28,7 @@ Case::Case(MPI_Comm comm, const Values& values)
 Case Case::read(MPI_Comm comm, const std::string& file) { return Case(read_case(comm, file)); }
 
 Case Case::with(MPI_Comm comm, const Values& values) const {
-  return Case(make_case(with_values(comm, input_->parameters, values, origin)));
+  return Case(make_case_like(*input_, with_values(comm, input_->parameters, values, origin)));
 }
 
 std::string Case::name() const { return input_->name; }

@@ -13,6 +13,7 @@
 #include "gearfilm/error.hpp"
 #include "input/case.hpp"
 #include "input/case_file.hpp"
+#include "input/case_with_parameter.hpp"
 #include "input/options.hpp"
 #include "input/useful_processes.hpp"
 #include "parallel/petsc.hpp"
@@ -338,6 +339,19 @@ TEST(Parameters, echo_reads_back_as_the_same_case) {
   EXPECT_EQ(repeated.scales.lambda, original.scales.lambda);
   EXPECT_EQ(repeated.numerics.solver.newton.tolerance, original.numerics.solver.newton.tolerance);
   EXPECT_EQ(repeated.parameters.echo().size(), original.parameters.echo().size());
+}
+
+// Of a whole face it takes a second. The static force changes it, the speed does not.
+TEST(FaceLaws, are_made_once_for_all_cases_of_a_pair) {
+  const CaseInput pair = read_input("misaligned.yaml");
+  const auto law_at = [&](const char* parameter, double value) {
+    return case_with_parameter(pair, parameter, value).scales.face_law;
+  };
+  EXPECT_EQ(law_at("pinion.speed_rpm", 2000.0), pair.scales.face_law);
+  const std::shared_ptr<const FaceLaw> other = law_at("pinion.torque", 300.0);
+  EXPECT_NE(other, pair.scales.face_law);
+  EXPECT_EQ(law_at("pinion.torque", 300.0), other);
+  EXPECT_EQ(law_at("pinion.speed_rpm", 2300.0), pair.scales.face_law);
 }
 
 TEST(Parameters, help_names_every_option) {
