@@ -155,7 +155,7 @@ bool Checkpoint::complete(KeptState& state, const StepLogMark& steps_before) {
     throw InputError("'" + file(state).string() + "' is of a grid of other steps; start again without -restart");
   }
   const Summary& description = found->description;
-  if (description["figures"] != quantity_names()) {
+  if (description["quantities"] != quantity_names()) {
     throw InputError("'" + folder_.string() +
                      "' was kept by a program with other quantities; start again without -restart");
   }
@@ -264,7 +264,7 @@ void Checkpoint::keep(double T, const PairState& state, std::vector<double> memo
   const Grid grid = state.shape.nx == 0 ? grid_ : Grid(grid_.comm(), state.shape);
   CompactFields fields = fields_of(state);
   description["films"] = field_names(state);
-  description["figures"] = quantity_names();
+  description["quantities"] = quantity_names();
   description["snapshots"] = Summary::array();
   for (const FilmSnapshot& snapshot : attached_) {
     description["snapshots"].push_back(description_of(snapshot));

@@ -12,7 +12,7 @@
 namespace gearfilm {
 
 /// Version of the files from which a run goes on: run.json with the steps, sweep.json with the points, all state files.
-constexpr int restart_format = 12;
+constexpr int restart_format = 13;
 /// Version of results.h5, its attribute "format_version" at "/". FORMAT of scripts/gearfilm/folder.py is the same.
 constexpr int results_format = 1;
 

@@ -9,7 +9,7 @@ from films import SAME, summary_in
 from restarts import EIGEN, HEAD, MARCH, MARK, SEARCH, SWEEP, RestartTest, checksum, results_in, states_in
 from vibration import SAME_ORBIT, table_in
 
-PRESENT = 12  # the format version of what a run goes on from
+PRESENT = 13  # the format version of what a run goes on from
 
 
 def flip(file, place):
