@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <numbers>
+#include <string>
 #include <vector>
 
+#include "mesh/train_outputs.hpp"
 #include "numerics/sampled_integral.hpp"
 #include "pair_case.hpp"
 
@@ -87,6 +91,72 @@ TEST(DryTrain, keeps_its_energy_where_nothing_damps) {
   }
   EXPECT_GT(largest, 0.0);
   EXPECT_LT(drift, 1e-8 * largest);
+}
+
+/// Velocities q' of all nodes [rad/s, m/s], from the outputs of the train.
+Eigen::VectorXd velocities(const Train& train, const TrainOutputs& outputs, const TrainMoment& moment) {
+  const Eigen::VectorXd values = outputs.values(moment);
+  const auto value = [&](const std::string& name) {
+    return values[std::ranges::find(outputs.list(), name, &TrainOutput::name) - outputs.list().begin()];
+  };
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(train.freedoms());
+  for (std::size_t n = 0; n < train.node_count(); ++n) {
+    const std::string& name = train.node(n).name;
+    all += value("rotation_velocity_" + name) * train.rotation(n).transpose();
+    if (!train.node(n).mass) continue;
+    const Eigen::Vector2d place(value("x_velocity_" + name), value("y_velocity_" + name));
+    all += train.translation(n).transpose() * place;
+  }
+  return all;
+}
+
+// phi_0^T M q': contacts, reverse flanks, shafts, bearings and dampers are within the train and leave it alone. Torques
+// that fluctuate change it by phi_0^T of their integral over time.
+TEST(DryTrain, momentum_of_its_rotation_follows_the_torques) {
+  for (const std::string harmonics : {"", "1 0.1 0, 6 0.05 30"}) {
+    Settings settings{{"model", "dry"}, {"gear.backlash", "1e-5"}};
+    if (!harmonics.empty()) settings["motor.torque_harmonics"] = harmonics;
+    const MeshModel mesh = mesh_after_leaving(input_case("electric_reducer.yaml", settings));
+    const WholeTrain& whole = mesh.train->whole;
+    const Train& train = whole.damped->train;
+    const Eigen::VectorXd rigid = whole.damped->relative.rigid;
+    const auto torque = [&](double T) {
+      double sum = 0.0;
+      for (const NodeTorque& one : whole.torques) {
+        for (const TorqueHarmonic& wave : one.harmonics) {
+          const double angle = 2.0 * std::numbers::pi * wave.cycles * T / mesh.path.mesh_period() + wave.phase;
+          sum += one.node.dot(rigid) * one.mean * wave.amplitude * std::cos(angle);
+        }
+      }
+      return sum;
+    };
+    const TrainOutputs outputs(mesh);
+    const DryFlow flow = DryFlow::in_time(mesh, 0.01);
+    Motion motion = DryMarch::balance(mesh, DryForce(mesh), 0.0);
+    motion.v.setConstant(0.01);
+    motion.V0() = 10.0;  // thrown against the reverse flanks
+    constexpr int looks = 40;
+    const double dT = mesh.path.mesh_period() / looks;
+    double begun = 0.0, impulse = 0.0, largest_impulse = 0.0, parts = 0.0, off = 0.0;
+    for (int n = 0; n <= looks; ++n) {
+      const double T = n * dT;
+      if (n > 0) {
+        motion = flow.between(motion, T - dT, T);
+        impulse += mesh.scales.time * dT / 6.0 * (torque(T - dT) + 4.0 * torque(T - 0.5 * dT) + torque(T));
+      }
+      const Eigen::VectorXd v = velocities(train, outputs, {.T = T, .motion = motion});
+      const double momentum = rigid.dot(train.mass() * v);
+      if (n == 0) begun = momentum;
+      parts = std::max(parts, rigid.cwiseAbs().dot((train.mass() * v).cwiseAbs()));
+      largest_impulse = std::max(largest_impulse, std::abs(impulse));
+      off = std::max(off, std::abs(momentum - begun - impulse));
+    }
+    report("%.1e of the momenta of nodes, %.1e of which torques change", off / parts, largest_impulse / parts);
+    EXPECT_LT(off, 1e-11 * parts);
+    if (!harmonics.empty()) {
+      EXPECT_GT(largest_impulse, 1e-4 * parts);
+    }
+  }
 }
 
 // In contact, and thrown against the reverse flanks. Where gaps close the map bends within the step of the differences.
