@@ -12,7 +12,8 @@ namespace gearfilm {
 class PeriodicState {
 public:
   /// Searches for the state that repeats after periodic.order mesh periods. The same state on coarser grids gives its
-  /// errors. The observer sees the steps of all periods that are marched on the case's own grid, the periodic one last.
+  /// errors. The observer sees the steps of all periods that are marched on the case's own grid, the periodic one last;
+  /// time begins anew where a search from another start does.
   /// Throws InputError for a case that cannot have a periodic state, and SolveError where none is found. Collective.
   PeriodicState(MPI_Comm comm, const Case& of, const Observer& observer = {});
 

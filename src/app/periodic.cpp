@@ -12,7 +12,7 @@
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_with_parameter.hpp"
-#include "orbits/settled_march.hpp"
+#include "orbits/orbit_starts.hpp"
 #include "output/screen.hpp"
 #include "output/screen_table.hpp"
 #include "results/flank_result.hpp"
@@ -102,115 +102,111 @@ SearchWatch watch_of(MPI_Comm comm, ResumableRun& run, MarchOutput& output) {
           .store = &run.checkpoint()};
 }
 
-void write_state(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found,
-                 const std::optional<FlankResults>& flanks, ResumableRun& run, MarchOutput& output) {
-  MPI_Comm comm = output.file().comm();
-  const double begin = found.own.orbit.begin, end = begin + mesh.period();
-  output.file().attribute("/history", "periodic_from", begin);
-  output.file().attribute("/history", "periodic_to", end);
-  const std::vector<OrbitError> errors = errors_of(found);
-  Summary summary = periodic_summary(problem, mesh, found, errors);
-  summary["spectrum_peaks"] = output.write_spectrum(begin, end, SpectralWindow::none);
-  summary["dry"] = dry_summary(mesh);
-  output.add_train_motion(begin, end, summary);
-  if (mesh.rating && !problem.dry()) summary["safety"] = output.safeties(begin, end);
-  if (mesh.fatigue) add_flanks(mesh, flanks, summary);
-  output.write_flanks(flanks);
-  summary["completed"] = true;
-  output.finish();
-  write_summary(comm, run.directory().path(), summary);
-  run.complete();
-  print_result(comm, run.directory().path(), problem, summary, largest_of(errors, mesh.scales),
-               advice(problem, found.own));
-  if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
-  warn_of_validity(comm, problem, summary);
-}
+/// One search with its files.
+class SearchRun {
+public:
+  SearchRun(MPI_Comm comm, CaseInput problem)
+      : comm_(comm),
+        problem_(std::move(problem)),
+        films_(discretise(comm, problem_)),
+        run_(problem_, films_->grid(), "periodic"),
+        search_(orbit_problem(problem_)) {
+    const MeshModel& mesh = search_.mesh;
+    if (!mesh.teeth.rigid()) warn_of_corner_contact(comm, mesh);
+    output_.emplace(run_, problem_, films_->grid(), mesh, MarchPurpose::search,
+                    (problem_.dry() ? 1.0 : typical_periods) * mesh.periods());
+  }
 
-/// No state has been found from the dry pair's orbit, but one of the pair at another speed.
-struct StateBeside {
-  double speed_rpm = 0.0;
-  Motion motion;  ///< where it begins, in the units of the case
-  std::string why;
-};
+  StopCheck check_stop() const { return run_.stop().check_in(comm_); }
 
-/// Beyond a speed at which two states meet and end, searches linger where they were. States at other speeds that
-/// searches find lead past that.
-std::optional<StateBeside> state_beside(MPI_Comm comm, const CaseInput& problem, const std::string& why,
-                                        const StopCheck& check_stop) {
-  constexpr std::array speeds = {1.02, 0.98};  // over that of the case
-  const std::string speed = "pinion.speed_rpm";
-  if (problem.dry() || problem.pair.train || problem.march.start_motion) return {};
-  if (problem.march.motion == PairMotion::quasi_static) return {};
-  for (const double ratio : speeds) {
-    const double beside = ratio * problem.parameters.real(speed);
+  FoundOrbit find() {
     try {
-      OrbitProblem search = orbit_problem(case_with_parameter(problem, speed, beside));
-      search.search.with_multipliers = false;
-      const DescribedOrbit found =
-          find_orbit(search, discretise(comm, search), dry_start(search.mesh), {.check_stop = check_stop}).own;
-      const PairState start{found.orbit.start.motion, {}};
-      return StateBeside{beside, rescaled(start, search.mesh.scales, problem.scales).motion, why};
-    } catch (const SolveError&) {
-      // The other speed may have one.
-    } catch (const InputError&) {
-      // That speed may not be given.
+      FoundOrbit found =
+          find_orbit_with_errors(search_, problem_.dry() ? nullptr : films_, watch_of(comm_, run_, *output_));
+      if (search_.mesh.fatigue) flanks_ = flank_results(search_, films_, found.own.orbit, check_stop());
+      return found;
+    } catch (const Unfinished&) {
+      Summary summary = march_summary(problem_, search_.mesh, output_->statistics());
+      summary["completed"] = false;
+      output_->finish();
+      write_summary(comm_, run_.directory().path(), summary);  // what was marched until then
+      throw;
     }
   }
-  return {};
-}
 
-void search(MPI_Comm comm, const CaseInput& given) {
+  void write(const FoundOrbit& found) {
+    const MeshModel& mesh = search_.mesh;
+    const double begin = found.own.orbit.begin, end = begin + mesh.period();
+    output_->file().attribute("/history", "periodic_from", begin);
+    output_->file().attribute("/history", "periodic_to", end);
+    const std::vector<OrbitError> errors = errors_of(found);
+    Summary summary = periodic_summary(problem_, mesh, found, errors);
+    summary["spectrum_peaks"] = output_->write_spectrum(begin, end, SpectralWindow::none);
+    summary["dry"] = dry_summary(mesh);
+    output_->add_train_motion(begin, end, summary);
+    if (mesh.rating && !problem_.dry()) summary["safety"] = output_->safeties(begin, end);
+    if (mesh.fatigue) add_flanks(mesh, flanks_, summary);
+    output_->write_flanks(flanks_);
+    summary["completed"] = true;
+    output_->finish();
+    write_summary(comm_, run_.directory().path(), summary);
+    run_.complete();
+    print_result(comm_, run_.directory().path(), problem_, summary, largest_of(errors, mesh.scales),
+                 advice(problem_, found.own));
+    if (!problem_.dry()) warn_of_heating(comm_, problem_, heating_at_pitch(problem_));
+    warn_of_validity(comm_, problem_, summary);
+  }
+
+private:
+  MPI_Comm comm_;
+  CaseInput problem_;
+  SharedDiscretisation films_;
+  ResumableRun run_;
+  OrbitProblem search_;
+  std::optional<MarchOutput> output_;
+  std::optional<FlankResults> flanks_;
+};
+
+/// From the dry pair's orbit, or another start that the program chooses; each begins the files again.
+void search_anywhere(MPI_Comm comm, const CaseInput& given) {
+  const std::array<std::string, 2> start = {"start.H0", "start.V0"};
   std::string remark;
   const CaseInput problem = periodic_case(given, remark);
   if (!remark.empty()) say(comm, remark);
-  const SharedDiscretisation films = discretise(comm, problem);
-  ResumableRun run(problem, films->grid(), "periodic");
-  const OrbitProblem search = orbit_problem(problem);
-  if (!search.mesh.teeth.rigid()) warn_of_corner_contact(comm, search.mesh);
-  MarchOutput output(run, problem, films->grid(), search.mesh, MarchPurpose::search,
-                     (problem.dry() ? 1.0 : typical_periods) * search.mesh.periods());
-  FoundOrbit found;
-  std::optional<FlankResults> flanks;
-  try {
-    found = find_orbit_with_errors(search, problem.dry() ? nullptr : films, watch_of(comm, run, output));
-    if (search.mesh.fatigue) flanks = flank_results(search, films, found.own.orbit, run.stop().check_in(comm));
-  } catch (const Unfinished& error) {
-    if (dynamic_cast<const NoPeriodicState*>(&error) != nullptr) {
-      const auto beside = state_beside(comm, problem, error.what(), run.stop().check_in(comm));
-      if (beside) throw StateBeside(*beside);
-    }
-    Summary summary = march_summary(problem, search.mesh, output.statistics());
-    summary["completed"] = false;
-    output.finish();
-    write_summary(comm, run.directory().path(), summary);  // what was marched until then
-    throw;
-  }
-  write_state(problem, search.mesh, found, flanks, run, output);
-}
-
-/// From the dry pair's orbit; where none is found, from a state at another speed.
-void search_anywhere(MPI_Comm comm, const CaseInput& given) {
-  const std::array<std::string, 2> start = {"start.H0", "start.V0"};
-  ParameterValues values = given.parameters;
   const auto begin_at = [&](const std::array<std::string, 2>& motion) {
+    ParameterValues values = problem.parameters;
     for (std::size_t k : {0, 1}) values.set(start[k], motion[k], "the start that the program chose");
-    return make_case_like(given, values);
+    return make_case_like(problem, values);
   };
-  // A run that began again there goes on there.
-  if (given.run.restart && !given.march.start_motion) {
-    const auto H0 = parameter_of_kept_run(comm, given.run.directory, start[0]),
-               V0 = parameter_of_kept_run(comm, given.run.directory, start[1]);
-    if (H0 && V0) return search(comm, begin_at({*H0, *V0}));
+  std::optional<SearchRun> run;
+  // A run that began again from another start goes on there.
+  if (problem.run.restart && !problem.march.start_motion) {
+    const auto H0 = parameter_of_kept_run(comm, problem.run.directory, start[0]),
+               V0 = parameter_of_kept_run(comm, problem.run.directory, start[1]);
+    if (H0 && V0) {
+      run.emplace(comm, begin_at({*H0, *V0}));
+      return run->write(run->find());
+    }
   }
-  try {
-    search(comm, given);
-  } catch (const StateBeside& found) {
-    say(comm, found.why, ": the search begins again from the state at ", found.speed_rpm, " rpm");
-    CaseInput again =
-        begin_at({worded(std::setprecision(10), found.motion.H0()), worded(std::setprecision(10), found.motion.V0())});
-    again.run.restart = false;
-    search(comm, again);
-  }
+  const auto search = [&](const std::optional<StateBeside>& from) {
+    CaseInput here = problem;
+    if (from) {
+      say(comm, from->why, ": the search begins again from the state at ",
+          from->speed_ratio * problem.parameters.real("pinion.speed_rpm"), " rpm");
+      here = begin_at(
+          {worded(std::setprecision(10), from->motion.H0()), worded(std::setprecision(10), from->motion.V0())});
+      here.run.restart = false;
+    }
+    run.reset();
+    run.emplace(comm, std::move(here));
+    return run->find();
+  };
+  const auto beside = [&](const OrbitProblem& at_speed) {
+    return find_orbit_beside(comm, at_speed, run->check_stop());
+  };
+  const FoundOrbit found =
+      find_orbit_from_starts(orbit_problem(problem), problems_at_speeds(problem), {search, beside});
+  run->write(found);
 }
 
 }  // namespace

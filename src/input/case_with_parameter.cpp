@@ -58,4 +58,11 @@ ProblemAt problems_of_sweep(const CaseAt& case_at) {
   return remembered<OrbitProblem>([case_at](double value) { return orbit_problem(case_at(value)); });
 }
 
+ProblemAt problems_at_speeds(const CaseInput& problem) {
+  return [&problem](double ratio) {
+    const std::string speed = "pinion.speed_rpm";
+    return orbit_problem(case_with_parameter(problem, speed, ratio * problem.parameters.real(speed)));
+  };
+}
+
 }  // namespace gearfilm

@@ -21,4 +21,8 @@ CaseAt cases_of_sweep(const CaseInput& problem);
 /// Searches for the periodic states of such cases, by value; the last few are remembered.
 ProblemAt problems_of_sweep(const CaseAt& case_at);
 
+/// The search for the case's periodic state at another speed, by the speed over that of the case. The case must outlive
+/// it.
+ProblemAt problems_at_speeds(const CaseInput& problem);
+
 }  // namespace gearfilm
