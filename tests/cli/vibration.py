@@ -1,11 +1,14 @@
 """Marches, periodic states and sweeps on a coarse grid, their tables, and the fit of a free oscillation."""
-import re
+import sys
 
 import h5py
 import numpy
 
 from films import BARBIERI, summary_in
-from program import ProgramTest
+from program import SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "scripts"))
+from studies.common.trains import with_inertias  # noqa: E402
 
 # Coarse, but with positive films throughout the periodic states of the case study at 15000 and 16000 rpm.
 COARSE = ["-grid_nx", 65, "-grid_ny", 33]
@@ -18,10 +21,7 @@ SAME_ORBIT = 4e-4
 
 def barbieri_with_inertias(pinion, wheel):
     """Text of the case study with the inertias of both gears in the place of the equivalent mass."""
-    text = re.sub(r"^  equivalent_mass.*\n", "", BARBIERI.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    for gear, inertia in (("pinion", pinion), ("wheel", wheel)):
-        text = text.replace(f"{gear}:\n", f"{gear}:\n  inertia: {inertia}\n")
-    return text
+    return with_inertias(BARBIERI, pinion, wheel)
 
 
 def table_in(folder, name):
