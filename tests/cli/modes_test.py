@@ -258,6 +258,20 @@ class Order(VibrationTest):
         self.assertAlmostEqual(one[0], two[0], delta=2e-3)
 
 
+class Starts(VibrationTest):
+    def test_a_search_that_finds_nothing_begins_again_at_another_speed(self):
+        # With three periods at most the dry orbit leads to a state at 2 % more speed, not at this one.
+        run = self.run_well("periodic", BARBIERI, *MARCH, "-pinion_speed_rpm", 16400, "-periodic_max_periods", 3,
+                            "-periodic_multipliers", "no", "-output_dir", "orbit")
+        self.assertRegex(run.stdout, "no periodic state after 3 .* begins again from the state at 16728 rpm")
+        orbit, steps = summary_in(self.folder / "orbit"), table_in(self.folder / "orbit", "history/steps")
+        self.assertTrue(orbit["completed"])
+        self.assertLess(orbit["defect"], 1e-4)
+        self.assertLessEqual(orbit["periods_used"], 3)
+        self.assertTrue((numpy.diff(steps["t"]) >= 0).all())  # of the last search alone
+        self.assertAlmostEqual(steps["t"][-1] / orbit["mesh_period"], orbit["periods_used"], delta=1e-6)
+
+
 class Spectrum(VibrationTest):
     def test_dry_march_has_the_mesh_frequency_among_its_peaks(self):
         self.run_well("transient", BARBIERI, "-model", "dry", "-mesh_periods", 8, "-output_spectrum_periods", 8,
