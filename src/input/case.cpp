@@ -298,12 +298,16 @@ std::optional<ErrorTolerance> read_step_tolerance(const ParameterValues& values)
   values.refuse(films, "is given, but not " + in_quotes(motion) + "; give the tolerance on the motion too");
 }
 
+/// Whether the pair swings, and on which stiffness.
+void set_motion(CaseInput& result) {
+  result.pair.stiffness = pitch_stiffness(result.scales, *result.pair.line, result.pair.teeth);
+  result.march.model = read_model(result.parameters.text("model"));
+  result.march.motion = read_motion(result);
+}
+
 void set_march(CaseInput& result) {
   const ParameterValues& values = result.parameters;
-  result.pair.stiffness = pitch_stiffness(result.scales, *result.pair.line, result.pair.teeth);
   result.march.start_position = read_start_position(result);
-  result.march.model = read_model(values.text("model"));
-  result.march.motion = read_motion(result);
   result.march.geometry = values.text("geometry") == "held" ? MeshGeometry::held : MeshGeometry::moving;
   if (result.march.model == MarchModel::simplified || result.march.model == MarchModel::quasistatic)
     set_single_contact(result);
@@ -368,6 +372,7 @@ CaseInput build_case(const ParameterValues& values, const WornFlanks& worn, cons
   result.stress = read_stress(values);
   result.fatigue = read_fatigue(values, result.stress ? result.scales.length * result.stress->depths.back() : 0.0);
   result.rating = read_rating(result);
+  if (result.kind == CaseKind::gear_pair) set_motion(result);
   set_film_numerics(result);
   result.steady.position = read_position(result, "steady.position");
   result.steady.load_ratio = values.real("steady.load_ratio");

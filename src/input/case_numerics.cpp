@@ -9,6 +9,7 @@
 #include "contact/moes.hpp"
 #include "dynamics/mesh_march.hpp"
 #include "gearfilm/error.hpp"
+#include "grid/load_beyond_edges.hpp"
 #include "input/case_face.hpp"
 #include "mesh/natural_frequency.hpp"
 #include "numerics/tuned.hpp"
@@ -16,10 +17,25 @@
 namespace gearfilm {
 namespace {
 
-Domain read_domain(const ParameterValues& values, const Scales& scales) {
+/// As for the film alone, and for what oil beyond its edges would carry while the pair swings: with half the Hertz
+/// approach as amplitude.
+Domain domain_of_pair(const CaseInput& problem, const Scales& scales) {
+  const Domain domain = domain_of(ExpectedFilm(scales));
+  if (!problem.pair.gears || !has_ellipse(scales.solids)) return domain;
+  double velocity = 0.0;
+  if (swings(problem)) {
+    const double frequency =
+        natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
+    velocity = std::numbers::pi * frequency * problem.scales.approach;
+  }
+  return carrying(domain, LoadBeyondEdges(scales, velocity), 0.5 * problem.pair.gears->face_width / scales.hertz.b);
+}
+
+Domain read_domain(const CaseInput& problem, const Scales& scales) {
+  const ParameterValues& values = problem.parameters;
   const bool paper = values.text("grid.domain") == "paper" && has_ellipse(scales.solids);
   Domain domain = paper ? paper_domain(moes_groups(scales.solids, scales.oil, scales.operation).M)
-                        : domain_of(ExpectedFilm(scales));
+                        : domain_of_pair(problem, scales);
   domain.x_min = values.real_if_given("grid.x_min").value_or(domain.x_min);
   domain.x_max = values.real_if_given("grid.x_max").value_or(domain.x_max);
   domain.y_half = values.real_if_given("grid.y_half").value_or(domain.y_half);
@@ -34,12 +50,14 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 }
 
 /// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
-/// force at the ends of the path, where flanks may be much more curved.
+/// force at the ends of the path, where flanks may be much more curved; along Y no longer than that the force follows
+/// an ellipse which grows and shrinks.
 Steps steps_on_path(const CaseInput& problem, double accuracy) {
-  constexpr double accuracy_at_ends = 0.3;
+  constexpr double accuracy_at_ends = 0.3, longest_across = 0.18;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
   if (!problem.pair.line) return steps;
+  steps.y = std::min(steps.y, longest_across);
   const LineOfAction& line = *problem.pair.line;
   for (const double xi : {line.entry(), line.exit()}) {
     ContactSolids solids = problem.scales.solids;
@@ -158,13 +176,17 @@ double time_step_by_waves(const CaseInput& problem) {
   return shortest / (nodes_in_wave * fastest * largest_speed_ratio(problem.parameters) * problem.scales.time);
 }
 
-/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps.
+/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. And more
+/// where the case asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
   constexpr double stiffening = 15.0, most = 2.5;  // Moes' L from which on they grow, and by how much at most
+  constexpr double usual_accuracy = 0.02;
   if (problem.dry()) return steps_in_dry_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
-  return steps_in_swing * std::clamp(L * L / (stiffening * stiffening), 1.0, most);
+  const double by_accuracy =
+      std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
+  return steps_in_swing * std::max(by_accuracy, std::clamp(L * L / (stiffening * stiffening), 1.0, most));
 }
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
@@ -222,7 +244,7 @@ void set_film_numerics(CaseInput& result) {
   // Thicker films begin further before the contact.
   ContactOperation fastest = result.scales.operation;
   fastest.entrainment_velocity *= largest_speed_ratio(values);
-  result.numerics.domain = read_domain(values, make_scales(result.scales.solids, result.scales.oil, fastest));
+  result.numerics.domain = read_domain(result, make_scales(result.scales.solids, result.scales.oil, fastest));
   result.numerics.margins = margin_rule(result);
   result.numerics.discretisation =
       values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr PeriodQuantityName largest_pressure = "p_max", spike_pressure = "p_spike_max";
 constexpr ContactQuantityName smallest_film = "h_min";
+/// Relative, of forces and of the transmission error: what oil beyond the edges of the chosen domains would change.
+constexpr double left_out = 0.005;
 
 bool is_force(const PeriodQuantity& quantity) { return quantity.unit.in_si == units::static_force.in_si; }
 
@@ -46,7 +48,8 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
   const bool smallest = quantity.of_contact && quantity.source == smallest_film.place;
   Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
   if (found.discretisation == FilmDiscretisation::fitted) {
-    bar.error = std::max(bar.error, (smallest ? least_bars.smallest : least_bars.central) * std::abs(bar.value));
+    const double least = is_force(quantity) ? left_out : smallest ? least_bars.smallest : least_bars.central;
+    bar.error = std::max(bar.error, least * std::abs(bar.value));
   }
   return bar;
 }
@@ -65,7 +68,10 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
 std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
   if (!found.coarse) return {};
   const double coarse = found.coarse->transmission_error.peak_to_peak;
-  const Estimate bar = estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio);
+  Estimate bar = estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio);
+  if (found.discretisation == FilmDiscretisation::fitted) {
+    bar.error = std::max(bar.error, left_out * bar.value);
+  }
   if (!found.longer_step) return bar;
   return with_error_in_time(bar, coarse, found.longer_step->transmission_error.peak_to_peak);
 }

@@ -144,6 +144,22 @@ class Defaults(ProgramTest):
         self.assertAlmostEqual(slow["steps_in_free_oscillation"], 30, delta=1e-6)
         self.assertLess(slow["dT"], 0.5 * fast["dT"])
 
+    def test_more_accuracy_takes_more_steps_too(self):
+        slow = ("info", BARBIERI, "-pinion_speed_rpm", 500, "-grid_accuracy")
+        for accuracy, steps in ((0.05, 30), (0.02, 30), (0.005, 60)):
+            _, derived = self.summary(*slow, accuracy)
+            self.assertAlmostEqual(derived["steps_in_free_oscillation"], steps, delta=1e-6)
+
+    def test_domain_of_a_pair_goes_to_where_its_swings_carry_little(self):
+        case, _ = write_pair(self.folder / "pairs", 1, 6)  # at some speed, with films of 0.6 um
+        _, swinging = self.summary("info", case)
+        _, balanced = self.summary("info", case, "-motion", "quasi_static")
+        _, given = self.summary("info", case, "-grid_y_half", 1.5, "-grid_x_max", 1.3)
+        self.assertGreater(swinging["y_half"], 1.1 * balanced["y_half"])
+        self.assertGreater(swinging["x_max"], 1.5)
+        self.assertEqual(balanced["x_max"], 1.25)
+        self.assertEqual((given["y_half"], given["x_max"]), (1.5, 1.3))
+
     def test_slow_pairs_are_in_balance_unless_the_case_says_how_they_move(self):
         case, derived = write_pair(self.folder / "pairs", 1, 20)
         speed = float(re.search(r"(?m)^pinion.speed_rpm: (.*)$", case.read_text(encoding="utf-8"))[1])

@@ -1,6 +1,9 @@
 // Domain and steps that follow from the film to be expected, and the error that a film says its grid has.
+#include <numbers>
+
 #include "film/expected_errors.hpp"
 #include "film_case.hpp"
+#include "grid/load_beyond_edges.hpp"
 #include "solver/grid_error.hpp"
 
 namespace gearfilm {
@@ -33,6 +36,45 @@ TEST_P(ChoiceFor, domain_has_the_ellipse_and_an_inlet_before_it) {
   EXPECT_GT(domain.x_max, 1.1);
   EXPECT_GT(domain.y_half, clear_side(expected));
   EXPECT_GT(clear_side(expected), 1.0);
+}
+
+// Both loads by the pressures of rigid cylinders, p = 6 eta u x/h^2 summed up to its largest and p = 6 eta V R/h^2, in
+// strips from the edge on; the wedge's factor 4.9 is that of the rigid limit of Moes' line contact, 2.45 (u_1 + u_2).
+TEST_P(ChoiceFor, load_beyond_the_edges_is_that_of_rigid_strips) {
+  const Scales& scales = contact.scales;
+  const double V = 3.0, c = 0.5 * scales.radius_ratio / std::pow(scales.hertz.ellipticity, 2), H = expected.film;
+  if (H > 0.9 * c) return;  // no tips
+  const LoadBeyondEdges load(scales, V);
+  const double wedge = 4.9 / 12.0, approach = 3.0 * std::numbers::sqrt2 * std::numbers::pi / 12.0;
+  const double share = 2.0 * scales.lambda / scales.static_force / scales.hertz.ellipticity;  // of a strip, both sides
+  for (const double edge : {1.2, 1.7}) {
+    double sum = 0.0;
+    const int points = 20000;
+    for (int n = 0; n < points; ++n) {
+      const double z = (n + 0.5) / points, y = edge / z, gap = H + c * (y * y - 1.0);
+      sum += (wedge / gap + approach * V / std::pow(gap, 1.5)) * edge / (z * z * points);
+    }
+    EXPECT_NEAR(load.sides(edge) / (share * sum), 1.0, 0.02) << edge;
+  }
+  EXPECT_LT(load.outlet(1.8), 0.5 * load.outlet(1.25));
+  EXPECT_DOUBLE_EQ(LoadBeyondEdges(scales, 0.0).outlet(1.25), 0.0);
+}
+
+TEST_P(ChoiceFor, domain_of_a_pair_leaves_little_load_out_and_stays_on_the_face) {
+  const Domain alone = domain_of(expected);
+  for (const double velocity : {0.0, 1.0, 20.0}) {
+    const LoadBeyondEdges load(contact.scales, velocity);
+    for (const double half_face : {1.05, 1.6, 4.0}) {
+      const Domain domain = carrying(alone, load, half_face);
+      EXPECT_EQ(domain.x_min, alone.x_min);
+      EXPECT_GE(domain.y_half, alone.y_half);
+      EXPECT_LE(domain.y_half, std::max(alone.y_half, half_face));
+      if (domain.y_half < half_face) {
+        EXPECT_LE(load.sides(domain.y_half) - load.sides(half_face), 0.002 + 1e-9);
+      }
+      EXPECT_TRUE(domain.x_max > 2.49 || load.outlet(domain.x_max) <= 0.015 + 1e-9) << domain.x_max;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(contacts, ChoiceFor,
