@@ -266,6 +266,10 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
   linearised_->apply(rows, change);
 }
 
+void ContactFilm::precondition_displacement(std::span<double> change) {
+  if (!linearised_->relax_displacement(change)) linearised_->apply(displacement_column_, change);
+}
+
 void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }
 
 FilmQuantities ContactFilm::quantities(std::span<const double> pressure, double H0, StateVersion state_version) {

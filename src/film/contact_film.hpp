@@ -85,6 +85,8 @@ public:
   void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
   /// change = approximately (dG/dP)^-1 rows.
   void precondition(std::span<const double> rows, std::span<double> change);
+  /// change = approximately (dG/dP)^-1 dG/dH_0.
+  void precondition_displacement(std::span<double> change);
   /// Approximate solution as above, by one relaxation of the smoother.
   void relax(std::span<const double> rows, std::span<double> change);
   /// Sum of the squares of own rows, each relative to the scale of its node where that is large: in thick film, whose

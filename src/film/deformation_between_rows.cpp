@@ -36,10 +36,11 @@ template <class Real>
 void DeformationBetweenRows<Real>::factor(Field<Real> responses) {
   responses_ = std::move(responses);
   const std::vector<Real> stiffness = sums(responses_);
-  std::vector<Real> matrix;
+  std::vector<Real> matrix(RowFactors<Real>::entries(count_));
   for (int source = 0; source < count_; ++source) {
+    Real* column = matrix.data() + source * RowFactors<Real>::stride(count_);
     for (int row = 0; row < count_; ++row) {
-      matrix.push_back(Real(row == source ? 1 : 0) + compliance(row, source) * stiffness[source]);
+      column[row] = Real(row == source ? 1 : 0) + compliance(row, source) * stiffness[source];
     }
   }
   factors_.compute(matrix, count_);
@@ -48,11 +49,11 @@ void DeformationBetweenRows<Real>::factor(Field<Real> responses) {
 template <class Real>
 void DeformationBetweenRows<Real>::correct(Field<Real>& change) {
   const std::vector<Real> loads = sums(change);
-  std::vector<Real> displaced(count_, Real(0));
+  std::vector<Real> displaced(RowFactors<Real>::stride(count_), Real(0));
   for (int source = 0; source < count_; ++source) {
     for (int row = 0; row < count_; ++row) displaced[row] += compliance(row, source) * loads[source];
   }
-  factors_.solve(displaced);
+  factors_.solve(displaced.data());
   for (int i = 0; i < change.nx(); ++i) {
     for (int j = 0; j < own_.count(); ++j) change.row(i)[j] -= responses_.row(i)[j] * displaced[own_.begin + j];
   }

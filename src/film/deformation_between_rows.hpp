@@ -27,6 +27,7 @@ public:
 
   /// From the responses of the own rows.
   void factor(Field<Real> responses);
+  const Field<Real>& responses() const { return responses_; }
   /// change: z - f s in the place of z.
   void correct(Field<Real>& change);
 

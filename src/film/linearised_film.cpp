@@ -43,6 +43,10 @@ public:
     petsc_check(VecResetArray(solution_));
   }
 
+  bool relax_displacement(std::span<double> change) override {
+    return levels() == 1 && levels_.front()->relax_displacement(change);
+  }
+
   void relax(std::span<const double> residual, std::span<double> change) override {
     levels_.front()->smooth(residual, change, 1, true);
   }

@@ -65,6 +65,14 @@ void MultigridLevel<Real>::smooth(std::span<const double> right_side, std::span<
 }
 
 template <class Real>
+bool MultigridLevel<Real>::relax_displacement(std::span<double> change) {
+  change_.fill(Real(0));
+  if (!smoother_->relax_displacement(change_)) return false;
+  change_.store(change);
+  return true;
+}
+
+template <class Real>
 void MultigridLevel<Real>::restrict_from(MultigridLevel& fine, std::span<const double> fine_residual,
                                          std::span<double> residual) {
   const ScopedEvent event(Kernel::transfer);

@@ -29,6 +29,8 @@ public:
   void displacement_column(std::span<double> column);
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
   void smooth(std::span<const double> right_side, std::span<double> change, int sweeps, bool zero_guess);
+  /// One relaxation from a zero guess for the displacement column, where factors tell it (smoother.hpp); else false.
+  bool relax_displacement(std::span<double> change);
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
   void restrict_from(MultigridLevel& fine, std::span<const double> fine_residual, std::span<double> residual);
   void interpolate_to(MultigridLevel& fine, std::span<const double> correction, std::span<double> fine_change);

@@ -1,13 +1,18 @@
-// LU factors of a dense matrix, stored in the order in which its solves read them.
+// LU factors of a dense matrix, in single precision for solves that need three digits: those of a preconditioner.
 //
 // The matrix of a row has a hundred unknowns and more, and is solved tens of times for each time it is factored. A
-// solve reads L and U once, so that memory decides how long it takes: L lies column by column from the first to the
-// last, U from the last to the first, without their zeros. Rows are interchanged by the largest entry of a column.
+// solve reads L and U once, so that memory decides how long it takes: they lie in the order in which solves read them,
+// without their zeros, and entries of single precision in 16 bits, relative to the largest of four columns. Rows are
+// interchanged by the largest entry of a column.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace gearfilm {
@@ -15,27 +20,50 @@ namespace gearfilm {
 template <class Real>
 class RowFactors {
 public:
+  /// From one column of the given matrix to the next: columns end with entries that are of no account.
+  static std::size_t stride(int size) { return static_cast<std::size_t>(size) + tile; }
+  /// Of the given matrix: columns of no account follow it, whose entries are numbers.
+  static std::size_t entries(int size) { return stride(size) * (size + together); }
+
   /// Factors a square matrix, which is given column by column and overwritten. Factors of a singular one are not
   /// numbers.
   void compute(std::span<Real> matrix, int size);
 
-  /// x = matrix^-1 x
-  void solve(std::span<Real> x) const;
+  /// x = matrix^-1 x for `stride` values, of which those behind the unknowns stay what they are, and are numbers.
+  void solve(Real* x) const;
 
 private:
-  /// Subtracts from a column below its diagonal what the first `columns` columns of L eliminate.
-  void eliminate(Real* column, int columns) const;
-  /// Where column k of L has its entry of row i: for i = k + 1 .. size_ - 1.
-  const Real* lower(int k) const { return lower_.data() + lower_begin(k); }
-  std::ptrdiff_t lower_begin(int k) const {
-    return static_cast<std::ptrdiff_t>(k) * size_ - static_cast<std::ptrdiff_t>(k) * (k + 1) / 2 - (k + 1);
-  }
+  static constexpr int together = 4;  ///< columns that are changed, and that change others, at once
+  static constexpr int panel = 8;     ///< columns that are eliminated from all behind them at once
+  /// Entries of a column that are changed at once.
+  static constexpr int tile = std::max(panel, 64 / static_cast<int>(sizeof(Real)));
+
+  /// An entry of L or U over their scale.
+  using Entry = std::conditional_t<std::is_same_v<Real, float>, std::int16_t, Real>;
+
+  /// Four columns of L and U about the diagonal. Behind the last unknown: those of the unit matrix.
+  struct Columns {
+    std::array<std::array<Real, together>, together> triangles{};  ///< [column][row], L below the diagonal
+    std::array<Real, together> inverse_pivots{};                   ///< 1 / the diagonal of U
+    Real lower_scale{}, upper_scale{};
+  };
+
+  /// Columns of L and U from begin to end, which those before are eliminated from.
+  void factor_panel(Real* matrix, int begin, int end);
+  /// Interchanges the rows of all other columns as those of a panel were, and eliminates it from the columns behind.
+  void eliminate_panel(Real* matrix, int begin, int end) const;
+  void keep_triangles(const Real* matrix, int first);
+  /// Keeps the entries of rows begin to end of four columns behind those that are there; the scale.
+  Real keep(const Real* matrix, int first, int begin, int end, std::vector<Entry>& kept) const;
+  static const Entry* subtract(Real* __restrict values, const Entry* __restrict entries, int count,
+                               const std::array<Real, together>& factors);
 
   int size_ = 0;
-  std::vector<Real> lower_;
-  std::vector<Real> upper_;           ///< above the diagonal
-  std::vector<Real> inverse_pivots_;  ///< 1 / the diagonal of U
-  std::vector<int> swapped_;          ///< row with which row k changes places before column k is eliminated
+  std::vector<Columns> columns_;  ///< from the first to the last
+  // Beyond the four columns' own rows, [tile of rows][column][row]: L from the first columns to the last, U from the
+  // last to the first.
+  std::vector<Entry> lower_, upper_;
+  std::vector<int> swapped_;  ///< row with which row k changes places before column k is eliminated
 };
 
 extern template class RowFactors<float>;

@@ -1,5 +1,6 @@
 #include "film/row_smoother.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <numbers>
 
@@ -21,10 +22,13 @@ RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deforma
       rows_(grid.y_count()),
       long_wave_deformation_(2.0 * std::numbers::pi * deformation.elastic_coefficient()),
       factored_(grid),
+      solved_(grid),
       inverse_scale_(grid),
       deformation_between_(grid, deformation),
       flow_between_(grid, halo),
-      relaxed_(grid) {
+      relaxed_(grid),
+      line_(RowFactors<Real>::stride(nx_)),
+      lines_(rows_.size() * line_) {
   const RowAxis& axis = grid.row_axis();
   const std::array<int, places> towards = {-1, 0, 1};
   for (int at = 0; at < places; ++at) {
@@ -56,7 +60,8 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, std::ve
       u[n][i] = linear.by_thickness[n].row(i)[j];
     }
   }
-  matrix.resize(coupled.size() * coupled.size());
+  const int size = static_cast<int>(coupled.size());
+  matrix.assign(RowFactors<Real>::entries(size), Real(0));
   Real* out = matrix.data();
   std::vector<Real> column(nx_);
   const Real *u_ww = u[west_west].data(), *u_w = u[west].data(), *u_c = u[centre].data(), *u_e = u[east].data(),
@@ -72,7 +77,8 @@ void RowSmoother<Real>::assemble(const FilmStencil<Real>& linear, int j, std::ve
     if (k > 0) column[k - 1] += v[east][k - 1];
     if (k + 1 < nx_) column[k + 1] += v[west][k + 1];
     if (k + 2 < nx_) column[k + 2] += v[west_west][k + 2];
-    for (const int i : coupled) *out++ = column[i];
+    for (int m = 0; m < size; ++m) out[m] = column[coupled[m]];
+    out += RowFactors<Real>::stride(size);
   }
 }
 
@@ -123,11 +129,9 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   use_.last = 0;
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
-      inverse_scale_.row(i)[j] = Real(1) / linear.by_pressure[centre].row(i)[j];
+      solved_.row(i)[j] = factored_.row(i)[j] * this->coupled_.row(i)[j];
+      inverse_scale_.row(i)[j] = Real(Part(1) - solved_.row(i)[j]) / linear.by_pressure[centre].row(i)[j];
     }
-  }
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    for (const int i : rows_[j].coupled) inverse_scale_.row(i)[j] *= Real(1) - this->coupled_.row(i)[j];
   }
   if (single_) return;
   if (!kept) {
@@ -145,6 +149,21 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   ++use_.relaxations;
   ++use_.last;
   solve_rows(residual, relaxed_);
+  add_corrected(change);
+}
+
+// As the rows answered when their factors were made.
+template <class Real>
+bool RowSmoother<Real>::relax_displacement(Field<Real>& change) {
+  if (single_) return false;
+  const ScopedEvent event(Kernel::smoother_sweep);
+  relaxed_ = deformation_between_.responses();
+  add_corrected(change);
+  return true;
+}
+
+template <class Real>
+void RowSmoother<Real>::add_corrected(Field<Real>& change) {
   if (!single_) {
     deformation_between_.correct(relaxed_);
     flow_between_.correct(relaxed_);
@@ -156,21 +175,34 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
 
 template <class Real>
 void RowSmoother<Real>::solve_rows(const Field<Real>& residual, Field<Real>& change) {
-  for (int i = 1; i < nx_ - 1; ++i) {
-    for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] = inverse_scale_.row(i)[j] * residual.row(i)[j];
-  }
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const std::vector<int>& coupled = rows_[j].coupled;
-    if (coupled.empty()) continue;
-    values_.resize(coupled.size());
-    for (std::size_t m = 0; m < coupled.size(); ++m) {
-      values_[m] = residual.row(coupled[m])[j] * Real(this->coupled_.row(coupled[m])[j]);
+  constexpr std::size_t together = 16;  // rows, between fields and lines: neighbours in memory
+  for (std::size_t first = 0; first < rows_.size(); first += together) {
+    const std::size_t end = std::min(first + together, rows_.size());
+    for (int i = 0; i < nx_; ++i) {
+      const Part* solved = solved_.row(i);
+      for (std::size_t j = first; j < end; ++j) lines_[j * line_ + i] = residual.row(i)[j] * solved[j];
     }
-    rows_[j].factors.solve(values_);
-    for (std::size_t m = 0; m < coupled.size(); ++m) {
-      change.row(coupled[m])[j] += values_[m] * Real(this->coupled_.row(coupled[m])[j]);
+    for (std::size_t j = first; j < end; ++j) solve_row(rows_[j], lines_.data() + j * line_);
+    for (int i = 1; i < nx_ - 1; ++i) {
+      const Part* solved = solved_.row(i);
+      for (std::size_t j = first; j < end; ++j) {
+        change.row(i)[j] = inverse_scale_.row(i)[j] * residual.row(i)[j] + lines_[j * line_ + i] * solved[j];
+      }
     }
   }
+}
+
+template <class Real>
+void RowSmoother<Real>::solve_row(const Row& row, Real* line) {
+  const std::vector<int>& coupled = row.coupled;
+  if (coupled.empty()) return;
+  if (coupled.back() - coupled.front() + 1 == static_cast<int>(coupled.size())) {
+    return row.factors.solve(line + coupled.front());
+  }
+  values_.assign(RowFactors<Real>::stride(static_cast<int>(coupled.size())), Real(0));
+  for (std::size_t m = 0; m < coupled.size(); ++m) values_[m] = line[coupled[m]];
+  row.factors.solve(values_.data());
+  for (std::size_t m = 0; m < coupled.size(); ++m) line[coupled[m]] = values_[m];
 }
 
 template class RowSmoother<float>;

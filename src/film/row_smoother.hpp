@@ -32,6 +32,7 @@ public:
   void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
               SmootherFactors factors) override;
   void relax(Field<Real>& residual, Field<Real>& change) override;
+  bool relax_displacement(Field<Real>& change) override;
   /// What the changes of each row are where those of all others are zero.
   void solve_rows(const Field<Real>& residual, Field<Real>& change);
 
@@ -43,7 +44,9 @@ private:
   const Part* influence(At at, int j) const {
     return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
   }
-  /// Fills the matrix of the coupled nodes of row j, column by column.
+  /// change += relaxed_, corrected.
+  void add_corrected(Field<Real>& change);
+  /// Fills the matrix of the coupled nodes of row j, column by column as its factors take it.
   void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
   /// Factors the matrices of all rows at their present coupled nodes.
   void make_factors(const FilmStencil<Real>& linear);
@@ -54,6 +57,8 @@ private:
     std::vector<int> coupled;  ///< lines of the nodes that were coupled when its factors were made
     RowFactors<Real> factors;
   };
+  /// The changes of a row in the place of its residual, whose other nodes have zero.
+  void solve_row(const Row& row, Real* line);
   /// What the present factors have been used for.
   struct Use {
     ShiftOf<Real> shift{};
@@ -69,11 +74,14 @@ private:
   std::vector<Row> rows_;
   double long_wave_deformation_;  ///< 2 pi C_h
   Field<Part> factored_;          ///< coupled() when factors were made
-  Field<Real> inverse_scale_;     ///< of nodes that factors are not used for, else 0
+  Field<Part> solved_;            ///< 1 where it is so now too: factors are used
+  Field<Real> inverse_scale_;     ///< of all other nodes, else 0
   Use use_;
   DeformationBetweenRows<Real> deformation_between_;
   FlowBetweenRows<Real> flow_between_;
   Field<Real> relaxed_;
+  std::size_t line_;          ///< of the following, more than nx
+  std::vector<Real> lines_;   ///< [row][x]
   std::vector<Real> values_;  ///< of the coupled nodes of a row
 };
 

@@ -157,7 +157,7 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimi
   if (elimination_ == BlockElimination::exact) {
     responses_.resize(scalars_at());
     for (std::size_t k = 0; k < films(); ++k) {
-      films_[k]->precondition(films_[k]->displacement_column(), part(std::span(responses_), k));
+      films_[k]->precondition_displacement(part(std::span(responses_), k));
     }
     const Eigen::VectorXd stiffness = forces(responses_);
     coupling_factors_ = lu_factors(compliance_.coupling_matrix(stiffness));
