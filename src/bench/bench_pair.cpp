@@ -68,14 +68,15 @@ constexpr auto period_members = std::to_array<Member<PeriodSpeed>>({
      [](const PeriodSpeed& of) -> Summary { return of.contact_step(); }},
 });
 
-PeriodSpeed mesh_period_speed(MPI_Comm comm, const CaseInput& problem) {
+PeriodSpeed mesh_period_speed(MPI_Comm comm, const CaseInput& problem, const char* films) {
   const GridSize size = size_of(problem);
   const PeriodSpeed speed{size, problem.numerics.steps.dT, march_a_period(comm, problem)};
-  petsc_check(PetscPrintf(comm,
-                          "\nmesh period, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
-                          "Newton and %.2f Krylov iterations a step\n",
-                          size.nx, size.ny, speed.dT, speed.period.seconds, speed.contact_steps(), speed.contact_step(),
-                          speed.newton(), speed.krylov()));
+  petsc_check(
+      PetscPrintf(comm,
+                  "\nmesh period, %s, %d x %d nodes, dT = %g: %.3g s; %d contact-steps of %.3g convolutions, %.2f "
+                  "Newton and %.2f Krylov iterations a step\n",
+                  films, size.nx, size.ny, speed.dT, speed.period.seconds, speed.contact_steps(), speed.contact_step(),
+                  speed.newton(), speed.krylov()));
   return speed;
 }
 
@@ -150,11 +151,11 @@ TractionModel warm_film(const CaseInput& problem) {
 
 Summary bench_pair(MPI_Comm comm, const CaseInput& problem, const Job& periodic) {
   const CaseInput resized = on_grid(problem, small);
-  const PeriodSpeed speed = mesh_period_speed(comm, resized);
+  const PeriodSpeed speed = mesh_period_speed(comm, resized, "films of the case");
   CaseInput warm = resized;
   warm.traction = warm_film(problem);
   warm.numerics.on_widening = widening_notice(warm.scales, contacts_at_a_time(warm), heated_points(warm));
-  const PeriodSpeed thermal = mesh_period_speed(comm, warm);
+  const PeriodSpeed thermal = mesh_period_speed(comm, warm, "films that feel their heat");
   Summary summary;
   summary["mesh_period"] = as_summary(period_members, speed);
   summary["contact_step_convolutions"] = speed.contact_step();

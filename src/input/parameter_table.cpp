@@ -74,12 +74,14 @@ Records grid_records() {
       "grid", Scope::any,
       {choice("domain", {"auto", "paper"},
               "where the edges are at first: auto, the inlet so far before the contact that it is flooded, sides and "
-              "outlet clear of its ellipse; paper, Table 1 of the paper (" +
+              "outlet clear of its ellipse, those of a pair where little would be carried beyond; paper, Table 1 of "
+              "the paper (" +
                   in_words(paper_domain(0.0)) + " for M < 200, else " + in_words(paper_domain(HUGE_VAL)) +
                   "). They move outwards where a contact needs it"),
        preset(0.02, number("accuracy", "", "-", closed(1e-4, 0.2),
                            "relative error of the central and the smallest film that nx and ny are chosen for, where "
-                           "they are not given; where they are, the error above which a warning says so")),
+                           "they are not given; where they are, the error above which a warning says so. Below 0.02 "
+                           "free oscillations get more steps")),
        optional("by grid.accuracy",
                 whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
        optional("by grid.accuracy",
