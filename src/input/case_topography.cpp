@@ -12,14 +12,14 @@
 namespace gearfilm {
 namespace {
 
-const std::string model = "roughness.model", direction = "roughness.direction", cutoff_key = "roughness.cutoff";
+const std::string model_key = "roughness.model", direction = "roughness.direction", cutoff_key = "roughness.cutoff";
 const std::array<std::string, 2> surfaces = {"pinion.surface", "wheel.surface"};
 
 struct WaveKeys {
   std::string amplitude, wavelength, phase;
 };
 WaveKeys wave_keys(std::size_t body) {
-  const std::string ending = "_" + std::to_string(body + 1);
+  const std::string ending = body == 0 ? "_1" : "_2";
   return {"roughness.amplitude" + ending, "roughness.wavelength" + ending, "roughness.phase" + ending};
 }
 
@@ -33,7 +33,8 @@ void refuse_heights(const ParameterValues& values) {
   }
   for (const std::string& key : keys) {
     if (!values.given(key)) continue;
-    values.refuse(key, "is given, but " + model + " is " + values.text(model) + "; set it to deterministic or both");
+    values.refuse(key,
+                  "is given, but " + model_key + " is " + values.text(model_key) + "; set it to deterministic or both");
   }
 }
 
@@ -91,9 +92,9 @@ FlankTopography heights_of(const ParameterValues& values, const LineOfAction& li
     result.shortest_along = std::min(result.shortest_along, shortest);
   }
   if (flanks[0].flat() && flanks[1].flat())
-    values.refuse(model, "is " + values.text(model) + ", but neither flank has waves or a measured surface; give '" +
-                             wave_keys(0).amplitude + "' and '" + wave_keys(0).wavelength + "', or '" + surfaces[0] +
-                             "'");
+    values.refuse(model_key,
+                  "is " + values.text(model_key) + ", but neither flank has waves or a measured surface; give '" +
+                      wave_keys(0).amplitude + "' and '" + wave_keys(0).wavelength + "', or '" + surfaces[0] + "'");
   result.flanks = std::make_shared<const std::array<Topography, 2>>(std::move(flanks));
   return result;
 }
@@ -101,12 +102,12 @@ FlankTopography heights_of(const ParameterValues& values, const LineOfAction& li
 }  // namespace
 
 bool has_stochastic_roughness(const ParameterValues& values) {
-  return values.text(model) == "stochastic" || values.text(model) == "both";
+  return values.text(model_key) == "stochastic" || values.text(model_key) == "both";
 }
 
 bool has_deterministic_roughness(const ParameterValues& values) {
   return values.text("case.kind") == "gear_pair" &&
-         (values.text(model) == "deterministic" || values.text(model) == "both");
+         (values.text(model_key) == "deterministic" || values.text(model_key) == "both");
 }
 
 FlankTopography read_topography(const ParameterValues& values, const std::optional<LineOfAction>& line,
