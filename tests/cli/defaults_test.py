@@ -90,7 +90,8 @@ class Defaults(ProgramTest):
     # Half the nodes, 65 x 17, have no film that is positive; 257 x 65 have a smallest one of 0.999 um.
     def test_state_that_half_the_grid_cannot_carry_has_errors(self):
         run, found = self.summary("periodic", BARBIERI, "-pinion_speed_rpm", 5000, "-pinion_torque", 100,
-                                  "-grid_domain", "auto", "-grid_nx", 129, "-grid_ny", 33, "-periodic_multipliers", "no")
+                                  "-grid_domain", "auto", "-grid_nx", 129, "-grid_ny", 33, "-grid_y_half", 1.85,
+                                  "-periodic_multipliers", "no")
         self.assertRegex(run.stdout, r"on 65 x 17 nodes .* is not positive.*; the search goes on without")
         self.assertGreater(found["h_min_error"], 0.1 * found["h_min"])
         self.assertAlmostEqual(found["h_min_extrapolated"], 0.999e-6, delta=0.07e-6)
