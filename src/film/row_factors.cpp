@@ -79,25 +79,21 @@ void RowFactors<Real>::factor_panel(Real* matrix, int begin, int end) {
   }
 }
 
+template <class Real>
+void RowFactors<Real>::interchange_rows(Real* matrix, int begin, int end) const {
+  const std::size_t step = stride(size_);
+  const auto interchange = [&](int column) {
+    Real* values = matrix + column * step;
+    for (int k = begin; k < end; ++k) std::swap(values[k], values[swapped_[k]]);
+  };
+  for (int j = 0; j < begin; ++j) interchange(j);
+  for (int j = end; j < size_; ++j) interchange(j);
+}
+
 // What the panel's own rows become is their product with the inverse of its triangle.
 template <class Real>
 void RowFactors<Real>::eliminate_panel(Real* matrix, int begin, int end) const {
   const std::size_t step = stride(size_);
-  std::array<std::pair<int, int>, panel> swaps;
-  auto last = swaps.begin();
-  for (int k = begin; k < end; ++k) {
-    if (swapped_[k] != k) *last++ = {k, swapped_[k]};
-  }
-  const auto interchange = [&](int first, int behind) {
-    for (int j = first; j < behind; ++j) {
-      for (auto swap = swaps.begin(); swap != last; ++swap) {
-        std::swap(matrix[j * step + swap->first], matrix[j * step + swap->second]);
-      }
-    }
-  };
-  interchange(0, begin);
-  interchange(end, size_);
-  if (end - begin < panel) return;  // the last one
   std::array<Real, static_cast<std::size_t>(panel) * tile> minus_inverse{};
   for (int p = 0; p < panel; ++p) {
     Real* column = minus_inverse.data() + p * tile;
@@ -109,7 +105,7 @@ void RowFactors<Real>::eliminate_panel(Real* matrix, int begin, int end) const {
   }
   for (int j = end; j < size_; j += together) {
     Real* columns = matrix + j * step;
-    std::array<Real, panel * together> u;
+    std::array<Real, panel * together> u{};
     std::array<Real, static_cast<std::size_t>(together) * tile> solved{};
     for (int c = 0; c < together; ++c) {
       for (int p = 0; p < panel; ++p) u[p * together + c] = columns[c * step + begin + p];
@@ -172,7 +168,8 @@ void RowFactors<Real>::compute(std::span<Real> matrix, int size) {
   for (int begin = 0; begin < size; begin += panel) {
     const int end = std::min(begin + panel, size);
     factor_panel(matrix.data(), begin, end);
-    eliminate_panel(matrix.data(), begin, end);
+    interchange_rows(matrix.data(), begin, end);
+    if (end < size) eliminate_panel(matrix.data(), begin, end);
   }
   columns_.clear();
   lower_.clear();
@@ -210,7 +207,7 @@ void RowFactors<Real>::solve(Real* x) const {
     values[1] -= l[0][1] * values[0];
     values[2] -= l[0][2] * values[0] + l[1][2] * values[1];
     values[3] -= l[0][3] * values[0] + l[1][3] * values[1] + l[2][3] * values[2];
-    std::array<Real, together> factors;
+    std::array<Real, together> factors{};
     for (int p = 0; p < together; ++p) factors[p] = own.lower_scale * values[p];
     values += together;
     entries = subtract(values, entries, size_ - static_cast<int>(values - x), factors);
@@ -224,7 +221,7 @@ void RowFactors<Real>::solve(Real* x) const {
     values[2] = (values[2] - u[3][2] * values[3]) * inverse[2];
     values[1] = (values[1] - u[3][1] * values[3] - u[2][1] * values[2]) * inverse[1];
     values[0] = (values[0] - u[3][0] * values[3] - u[2][0] * values[2] - u[1][0] * values[1]) * inverse[0];
-    std::array<Real, together> factors;
+    std::array<Real, together> factors{};
     for (int p = 0; p < together; ++p) factors[p] = own->upper_scale * values[p];
     entries = subtract(x, entries, static_cast<int>(values - x), factors);
   }

@@ -50,7 +50,9 @@ private:
 
   /// Columns of L and U from begin to end, which those before are eliminated from.
   void factor_panel(Real* matrix, int begin, int end);
-  /// Interchanges the rows of all other columns as those of a panel were, and eliminates it from the columns behind.
+  /// Interchanges the rows of all other columns as those of a panel were.
+  void interchange_rows(Real* matrix, int begin, int end) const;
+  /// Eliminates a whole panel from the columns behind it.
   void eliminate_panel(Real* matrix, int begin, int end) const;
   void keep_triangles(const Real* matrix, int first);
   /// Keeps the entries of rows begin to end of four columns behind those that are there; the scale.
