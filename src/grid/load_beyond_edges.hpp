@@ -7,8 +7,9 @@
 //   0.39 lambda {ln[(Y + q)/(Y - q)]/(2 c q) + 2.7 V [Y/sqrt(Y^2 - q^2) - 1]/(c^(3/2) q^2)} .
 // Behind the contact the pressure of the approach, 6 eta_0 V R_x/h^2, carries beyond X
 //   0.48 lambda V Int dX/H^2 ,   H = H_c + [X sqrt(X^2 - 1) - ln(X + sqrt(X^2 - 1))]/2 .
-// Assumptions: no strip feels the next one, H_c everywhere as the film formula has it. Largest forces of seven periodic
-// pairs changed by 0.4 to 1.2 times the first, and by a tenth of the second, where domains were extended.
+// Assumptions: no strip feels the next one, H_c everywhere as the film formula has it. Where domains were extended, the
+// largest forces of eight periodic pairs changed by at most 1.3 times the first and a quarter of the second
+// (docs/notes/2026-11-edges-and-forces.md).
 #pragma once
 
 #include "grid/domain.hpp"
@@ -32,7 +33,7 @@ private:
 };
 
 /// The domain with sides that leave 0.2 % of the load out, where the face is wide enough, and an outlet that leaves
-/// 1.5 %: about as much of the forces of a vibrating pair. half_face in units of b.
+/// 1.5 %. half_face in units of b.
 Domain carrying(Domain domain, const LoadBeyondEdges& load, double half_face);
 
 }  // namespace gearfilm

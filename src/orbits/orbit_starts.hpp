@@ -16,7 +16,7 @@ namespace gearfilm {
 struct StateBeside {
   double speed_ratio = 1.0;  ///< over the speed of the pair whose state is sought
   Motion motion;             ///< where it begins, in the scales of that pair
-  std::string why;           ///< the search from the dry pair's orbit has failed
+  std::string why;           ///< why the search from the dry pair's orbit has failed
 };
 
 struct SearchesFromStarts {
