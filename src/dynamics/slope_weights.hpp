@@ -4,7 +4,7 @@
 //   p'(T_0) = sum_n a_n p(T_n) ,    a_0 = sum_(j>0) 1/(T_0 - T_j) ,
 //   a_n = 1/(T_n - T_0) prod_(j>0, j/=n) (T_0 - T_j)/(T_n - T_j) .
 //
-// Of an oscillation exp(i w T) it is D = sum_n a_n exp(-i w (T_0 - T_n)) times the oscillation instead of i w.
+// For p = exp(i w T), whose slope is i w p, these weights make D p of it: D = sum_n a_n exp(-i w (T_0 - T_n)).
 #pragma once
 
 #include <complex>

@@ -40,6 +40,9 @@ FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm
 /// Relative, what errors of fitted films that change their sign with the step may be though two grids agree.
 inline constexpr FilmErrors least_bars{.central = 0.0035, .smallest = 0.0125};
 
+/// Of both errors, where a case does not say it (grid.accuracy).
+inline constexpr double usual_accuracy = 0.02;
+
 /// The longest steps on which neither error exceeds `accuracy`.
 Steps steps_for(FilmDiscretisation discretisation, const ExpectedFilm& expected, double accuracy);
 

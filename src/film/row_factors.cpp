@@ -31,7 +31,8 @@ auto largest_order(const Real* values, int count) {
   return largest;
 }
 
-/// Of four columns: a tile of rows -= those of `count` columns of L times their factors, [column of L][column].
+/// Subtracts from `tile` rows of four columns the same rows of `count` columns of L times their factors: four factors,
+/// one a column, for each column of L.
 template <int tile, class Real>
 [[gnu::noinline]] void subtract_products(const Real* __restrict l, std::size_t l_stride, const Real* __restrict factors,
                                          int count, Real* __restrict columns, std::size_t stride) {
@@ -183,7 +184,8 @@ void RowFactors<Real>::compute(std::span<Real> matrix, int size) {
   }
 }
 
-/// Of `count` values, rounded up to whole tiles; what comes behind the entries.
+/// Subtracts four columns of L or U times their factors from `count` values, rounded up to whole tiles; returns the
+/// entry behind those of these columns.
 template <class Real>
 auto RowFactors<Real>::subtract(Real* __restrict values, const Entry* __restrict entries, int count,
                                 const std::array<Real, together>& factors) -> const Entry* {

@@ -22,7 +22,8 @@ class RowFactors {
 public:
   /// From one column of the given matrix to the next: columns end with entries that are of no account.
   static std::size_t stride(int size) { return static_cast<std::size_t>(size) + tile; }
-  /// Of the given matrix: columns of no account follow it, whose entries are numbers.
+  /// Numbers that a given matrix takes in memory: behind its own columns lie a few whose entries do not matter, but
+  /// must be finite.
   static std::size_t entries(int size) { return stride(size) * (size + together); }
 
   /// Factors a square matrix, which is given column by column and overwritten. Factors of a singular one are not

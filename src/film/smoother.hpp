@@ -29,7 +29,8 @@ public:
   const Field<Part>& coupled() const { return coupled_; }
   /// change += one relaxation of (linearised rows) * change = residual. Uses `residual` as work space.
   virtual void relax(Field<Real>& residual, Field<Real>& change) = 0;
-  /// The same for a change of 1 of the film everywhere as the residual, where factors tell it; else false.
+  /// change += one relaxation with the displacement column, dG/dH_0, as the residual, if that is known from the
+  /// present factors without a solve; returns whether it is.
   virtual bool relax_displacement(Field<Real>& /*change*/) { return false; }
 
 protected:

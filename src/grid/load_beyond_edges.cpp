@@ -41,7 +41,7 @@ double LoadBeyondEdges::sides(double y) const {
 
 double LoadBeyondEdges::outlet(double X) const {
   constexpr int points = 200;
-  // Z = X/s from 0 to 1: the tail falls with X^-4.
+  // By z from 0 to 1, at the places X/z: what is summed falls with the fourth power of the place.
   double sum = 0.0;
   for (int n = 0; n < points; ++n) {
     const double z = (n + 0.5) / points, gap = film_ + dry_gap(X / z);

@@ -17,17 +17,18 @@
 namespace gearfilm {
 namespace {
 
+/// Of the pair on its dry contacts, of a pair that swings [1/t*].
+double frequency_of_swings(const CaseInput& problem) {
+  return natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
+}
+
 /// As for the film alone, and for what oil beyond its edges would carry while the pair swings: with half the Hertz
 /// approach as amplitude.
 Domain domain_of_pair(const CaseInput& problem, const Scales& scales) {
   const Domain domain = domain_of(ExpectedFilm(scales));
   if (!problem.pair.gears || !has_ellipse(scales.solids)) return domain;
-  double velocity = 0.0;
-  if (swings(problem)) {
-    const double frequency =
-        natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
-    velocity = std::numbers::pi * frequency * problem.scales.approach;
-  }
+  const double velocity =
+      swings(problem) ? std::numbers::pi * frequency_of_swings(problem) * problem.scales.approach : 0.0;
   return carrying(domain, LoadBeyondEdges(scales, velocity), 0.5 * problem.pair.gears->face_width / scales.hertz.b);
 }
 
@@ -180,7 +181,6 @@ double time_step_by_waves(const CaseInput& problem) {
 /// where the case asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
   constexpr double stiffening = 15.0, most = 2.5;  // Moes' L from which on they grow, and by how much at most
-  constexpr double usual_accuracy = 0.02;
   if (problem.dry()) return steps_in_dry_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
@@ -227,7 +227,7 @@ double natural_period(const CaseInput& problem) {
     }
     return 1.0 / (highest * problem.scales.time);
   }
-  return 1.0 / natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
+  return 1.0 / frequency_of_swings(problem);
 }
 
 double largest_speed_ratio(const ParameterValues& values) {

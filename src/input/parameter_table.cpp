@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "film/expected_errors.hpp"
 #include "film/solver_options.hpp"
 #include "grid/domain.hpp"
 #include "input/continuation_options.hpp"
@@ -78,10 +79,11 @@ Records grid_records() {
               "the paper (" +
                   in_words(paper_domain(0.0)) + " for M < 200, else " + in_words(paper_domain(HUGE_VAL)) +
                   "). They move outwards where a contact needs it"),
-       preset(0.02, number("accuracy", "", "-", closed(1e-4, 0.2),
-                           "relative error of the central and the smallest film that nx and ny are chosen for, where "
-                           "they are not given; where they are, the error above which a warning says so. Below 0.02 "
-                           "free oscillations get more steps")),
+       preset(usual_accuracy,
+              number("accuracy", "", "-", closed(1e-4, 0.2),
+                     "relative error of the central and the smallest film that nx and ny are chosen for, where "
+                     "they are not given; where they are, the error above which a warning says so. Below 0.02 "
+                     "free oscillations get more steps")),
        optional("by grid.accuracy",
                 whole("nx", "N_x", odd(17, 16385), "nodes along the entrainment, boundaries included")),
        optional("by grid.accuracy",

@@ -23,6 +23,12 @@ bool has_error(const PeriodQuantity& quantity) {
   return of(units::metre) || of(units::pascal) || is_force(quantity) || of(units::watt);
 }
 
+/// Fitted films, and what follows from them, have a bar of so much of themselves at least.
+Estimate with_least_bar(Estimate bar, double least, FilmDiscretisation discretisation) {
+  if (discretisation == FilmDiscretisation::fitted) bar.error = std::max(bar.error, least * std::abs(bar.value));
+  return bar;
+}
+
 /// With the errors of steps in time, where the coarse orbit tells those in space alone.
 Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
   const Estimate in_time = estimate(coarse, longer_step, FoundOrbit::step_ratio);
@@ -46,12 +52,9 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
     return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.own.orbit.end.shape.h_x(),
                             found.ratio);
   const bool smallest = quantity.of_contact && quantity.source == smallest_film.place;
-  Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
-  if (found.discretisation == FilmDiscretisation::fitted) {
-    const double least = is_force(quantity) ? left_out : smallest ? least_bars.smallest : least_bars.central;
-    bar.error = std::max(bar.error, least * std::abs(bar.value));
-  }
-  return bar;
+  const Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
+  const double least = is_force(quantity) ? left_out : smallest ? least_bars.smallest : least_bars.central;
+  return with_least_bar(bar, least, found.discretisation);
 }
 
 /// Value, error in space and time, and limit of the quantity at that place, dimensionless; nothing where an orbit has
@@ -68,10 +71,8 @@ std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
 std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
   if (!found.coarse) return {};
   const double coarse = found.coarse->transmission_error.peak_to_peak;
-  Estimate bar = estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio);
-  if (found.discretisation == FilmDiscretisation::fitted) {
-    bar.error = std::max(bar.error, left_out * bar.value);
-  }
+  const Estimate bar = with_least_bar(estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio),
+                                      left_out, found.discretisation);
   if (!found.longer_step) return bar;
   return with_error_in_time(bar, coarse, found.longer_step->transmission_error.peak_to_peak);
 }
