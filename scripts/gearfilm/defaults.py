@@ -115,7 +115,6 @@ grid.domain = auto
 grid.accuracy = 0.02
 grid.whole_face = auto
 grid.row_growth = 1.35
-grid.largest_row = 2.5
 film.discretisation = fitted
 steady.position = 0
 steady.load_ratio = 1

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/hertz.hpp"
+#include "film/expected_errors.hpp"
 #include "input/point_table.hpp"
 
 namespace gearfilm {
@@ -158,12 +159,26 @@ void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& 
   if (values.text(whole) == "yes" || reaches_ends(*face, solids, load)) solids.face = face;
 }
 
-RowGrading read_row_grading(const ParameterValues& values, const Face& face) {
-  const bool sharp = face.gap.reliefs.empty() && face.gap.logarithmic == 0.0;
+namespace {
+
+/// Away from ends and kinks pressure changes over the whole contact, or with the waves of the flanks.
+double longest_between_rows(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
+  constexpr double always = 2.5, part_of_contact = 0.1;
+  const double by_accuracy = std::sqrt(std::min(1.0, values.real("grid.accuracy") / usual_accuracy));
+  const double by_contact = std::min(part_of_contact * by_accuracy * scales.hertz.b, longest_by_waves);
+  return std::max(always * by_accuracy, by_contact / scales.length);
+}
+
+}  // namespace
+
+RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
+  const FaceGap& gap = scales.solids.face->gap;
+  const bool sharp = gap.reliefs.empty() && gap.logarithmic == 0.0;
   RowGrading grading;
   grading.first = values.real_if_given("grid.first_row").value_or(sharp ? 0.03 : 0.06);
   grading.growth = values.real("grid.row_growth");
-  grading.largest = values.real("grid.largest_row");
+  grading.largest =
+      values.real_if_given("grid.largest_row").value_or(longest_between_rows(values, scales, longest_by_waves));
   return grading;
 }
 

@@ -20,7 +20,7 @@ std::shared_ptr<const Face> read_face_of_pair(const ParameterValues& values);
 void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& face, double load,
               ContactSolids& solids);
 
-/// How rows along it are graded.
-RowGrading read_row_grading(const ParameterValues& values, const Face& face);
+/// How rows along the face of such scales are graded. longest_by_waves: distance that resolves waves of the flanks [m].
+RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, double longest_by_waves);
 
 }  // namespace gearfilm

@@ -248,7 +248,10 @@ void set_film_numerics(CaseInput& result) {
   result.numerics.margins = margin_rule(result);
   result.numerics.discretisation =
       values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;
-  if (result.scales.solids.face) result.numerics.face_rows = read_row_grading(values, *result.scales.solids.face);
+  if (result.scales.solids.face) {
+    const double by_waves = steps_by_waves(result).y * result.scales.hertz.b;
+    result.numerics.face_rows = read_row_grading(values, result.scales, by_waves);
+  }
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance"),
                                                 values.real("solver.krylov_tolerance")),

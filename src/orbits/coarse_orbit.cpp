@@ -106,10 +106,6 @@ bool keeps_phase(const OrbitProblem& problem) {
   return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
 }
 
-/// Whether the films of a pair follow its motion on a coarse grid in steps of twice the length. Over whole faces
-/// Newton's method fails in many such steps.
-bool follows_films(const OrbitProblem& problem) { return problem.mesh.scales.face_law == nullptr; }
-
 /// Words before what is said of a march there.
 std::string place_of(const PairNumerics& numerics) {
   return worded("on ", numerics.nx, " x ", numerics.ny, " nodes with dT = ", numerics.steps.dT, ": ");
@@ -122,7 +118,7 @@ public:
       : twice_the_step_(coarse),
         own_step_(coarse),
         watch_(watch),
-        doubles_the_step_(resolves_swings(coarse) && keeps_phase(coarse) && follows_films(coarse)),
+        doubles_the_step_(resolves_swings(coarse) && keeps_phase(coarse)),
         with_multipliers_(fine.search.with_multipliers),
         newton_of_decay_(fine.numerics.steps.newton),
         films_(discretise(comm, coarse)) {

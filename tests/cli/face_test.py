@@ -27,7 +27,7 @@ contact:
   entrainment_velocity: 10
   reduced_modulus: 226.3736e9
 lubricant: {viscosity: 0.04, pressure_viscosity: 2.2e-8}
-grid: {x_min: -3, x_max: 1.5}
+grid: {x_min: -3, x_max: 1.5, largest_row: 2.5}
 film: {discretisation: central}
 """
 LINE = CONTACT.replace("kind: contact", "kind: line").replace("load: 4000", "line_load: 285714.2857").replace(
