@@ -213,7 +213,7 @@ def page(run):
     text.write(f"<h1>{html.escape(title)}</h1>\n<p>gearfilm {version}</p>\n")
     if not summary.get("completed", True):
         text.write(markup.warning("This run is not complete: the page shows what was computed until it ended."))
-    if summary.get("stable") is False:
+    if summary.get("stable") is False and summary["floquet_modulus"] - 1 > summary["floquet_modulus_error"]:
         text.write(markup.warning("The periodic state is unstable: no march stays on it."))
     headings, main = main_results(summary)
     section("Main results", rows(main, headings))

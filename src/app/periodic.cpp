@@ -1,6 +1,7 @@
 // `gearfilm periodic`: the periodic state of the lubricated pair by shooting, with its Floquet multipliers.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 
 #include "app/commands.hpp"
@@ -51,9 +52,12 @@ std::string advice(const CaseInput& problem, const DescribedOrbit& found) {
 
 std::string stability(const Summary& summary) {
   if (!summary.contains("stable")) return "not asked for (periodic.multipliers no)";
-  return worded(summary["stable"].get<bool>() ? "stable" : "unstable", ", a disturbance is multiplied by ",
-                std::setprecision(4), summary["floquet_modulus"].get<double>(), " +- ", std::setprecision(1),
-                summary["floquet_modulus_error"].get<double>(), " in a period");
+  const double modulus = summary["floquet_modulus"].get<double>(),
+               error = summary["floquet_modulus_error"].get<double>();
+  const std::string word = summary["stable"].get<bool>() ? "stable" : "unstable";
+  const bool known = std::abs(modulus - 1.0) > error;
+  return worded(known ? word : word + " by less than the error", ", a disturbance is multiplied by ",
+                std::setprecision(4), modulus, " +- ", std::setprecision(1), error, " in a period");
 }
 
 void print_result(MPI_Comm comm, const std::filesystem::path& folder, const CaseInput& problem, const Summary& summary,

@@ -15,7 +15,8 @@ namespace gearfilm {
 namespace {
 
 const Tuned<double> difference_step("orbit_difference_step", 2e-3, "step of differences of the map");
-const Tuned<double> telling_step("orbit_telling_step", 1e-3, "step of the motion by which the map's Jacobian is measured");
+const Tuned<double> telling_step("orbit_telling_step", 1e-3,
+                                 "step of the motion by which the map's Jacobian is measured");
 const Tuned<double> worth_keeping("orbit_worth_keeping", 5e-3, "defect of a period whose end serves as a disturbance");
 const Tuned<double> largest_change("orbit_largest_change", 0.5, "largest change of the motion in a Newton step");
 const Tuned<double> shortest_step("orbit_shortest_step", 0.2,
@@ -148,8 +149,11 @@ private:
            best_->film_defect < loosely * options_.film_tolerance;
   }
 
-  bool repeats(const Trial& trial) const {
-    return mesh_.weighted_norm(trial.defect) < options_.tolerance && trial.film_defect < options_.film_tolerance;
+  /// How far a period is from repeating, below 1 where it does. A motion may repeat by chance while films have yet to
+  /// follow it.
+  double distance(const Trial& trial) const {
+    return std::max(mesh_.weighted_norm(trial.defect) / options_.tolerance,
+                    trial.film_defect / options_.film_tolerance);
   }
 
   /// One period from where the march is; true if it repeats. A march that fails counts as a bad step, but for the
@@ -177,12 +181,12 @@ private:
       jacobian_.update(step, difference(trial.end.motion, last_.end.motion));
     }
     const double change = mesh_.weighted_norm(trial.defect);
-    better_ = !best_ || first_true || settling_ > 0 || change < options_.tolerance ||
-              change < mesh_.weighted_norm(best_->defect);
+    better_ =
+        !best_ || first_true || settling_ > 0 || change < options_.tolerance || distance(trial) < distance(*best_);
     last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
-    const bool found = repeats(trial);
+    const bool found = distance(trial) < 1.0;
     observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
   }
