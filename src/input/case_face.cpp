@@ -161,11 +161,20 @@ void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& 
 
 namespace {
 
+/// Half the length of a contact along the face [m]: of the ellipse where flanks are crowned, at most half the face.
+double half_length(ContactSolids solids, double load) {
+  const double half_face = 0.5 * solids.face->width;
+  if (!std::isfinite(solids.radius_y)) return half_face;
+  solids.face.reset();
+  return std::min(half_face, hertz_contact(solids, load).b);
+}
+
 /// Away from ends and kinks pressure changes over the whole contact, or with the waves of the flanks.
 double longest_between_rows(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
   constexpr double always = 2.5, part_of_contact = 0.1;
   const double by_accuracy = std::sqrt(std::min(1.0, values.real("grid.accuracy") / usual_accuracy));
-  const double by_contact = std::min(part_of_contact * by_accuracy * scales.hertz.b, longest_by_waves);
+  const double contact = half_length(scales.solids, scales.operation.load);
+  const double by_contact = std::min(part_of_contact * by_accuracy * contact, longest_by_waves);
   return std::max(always * by_accuracy, by_contact / scales.length);
 }
 

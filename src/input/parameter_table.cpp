@@ -96,7 +96,7 @@ Records grid_records() {
        optional("by the end of the face: 0.06, at free ends without relief 0.03",
                 number("first_row", "", "a", closed(1e-3, 1.0), "distance of rows at the ends of a loaded face")),
        preset(1.35, number("row_growth", "", "-", closed(1.02, 3.0), "ratio of two distances of rows on it")),
-       optional("by grid.accuracy: a tenth of b, at least 2.5",
+       optional("by grid.accuracy: a tenth of half the contact's length, at least 2.5",
                 number("largest_row", "", "a", closed(0.05, 20.0), "largest distance of rows on it")),
        optional(by_domain, number("x_min", "X_min", "a", right_open(-100, -1), "inlet edge of the domain")),
        optional(by_domain, number("x_max", "X_max", "a", left_open(1, 100), "outlet edge of the domain")),
