@@ -163,8 +163,9 @@ namespace {
 
 /// Half the length of a contact along the face [m]: of the ellipse where flanks are crowned, at most half the face.
 double half_length(ContactSolids solids, double load) {
+  constexpr double straight = 1e-6;  // R_x/R_y of flanks that have no ellipse
   const double half_face = 0.5 * solids.face->width;
-  if (!std::isfinite(solids.radius_y)) return half_face;
+  if (solids.radius_x <= straight * solids.radius_y) return half_face;
   solids.face.reset();
   return std::min(half_face, hertz_contact(solids, load).b);
 }
