@@ -12,7 +12,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
-ROOMS = ["gear", "lubricant", "roughness", "contact", "train", "parallel", "numerics", "grid", "elasticity", "stress",
+ROOMS = ["gear", "lubricant", "roughness", "algebra", "contact", "train", "parallel", "numerics", "grid", "elasticity", "stress",
          "fatigue", "rating", "film", "solver", "traction", "mesh", "dynamics", "orbits", "input", "output", "results", "bench", "interface", "app"]
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150

@@ -9,7 +9,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/gearfilm DESTINATION ${CMAKE_INS
 
 # One archive of all rooms but those of the program itself; how they are built is no concern of those who link it.
 set(objects "")
-foreach(room gear lubricant roughness contact train parallel numerics grid elasticity stress fatigue rating film solver traction mesh
+foreach(room gear lubricant roughness algebra contact train parallel numerics grid elasticity stress fatigue rating film solver traction mesh
              dynamics orbits input output results interface)
   list(APPEND objects $<TARGET_OBJECTS:gearfilm_${room}>)
 endforeach()

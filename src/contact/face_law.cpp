@@ -1,8 +1,9 @@
 #include "contact/face_law.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -35,7 +36,7 @@ FaceLaw::Curve FaceLaw::fitted(const std::vector<FaceContact>& contacts, double 
     }
     values[n] = logarithm ? std::log(contact.*quantity) : contact.*quantity;
   }
-  const Eigen::VectorXd solved = powers.colPivHouseholderQr().solve(values);
+  const Eigen::VectorXd solved = least_squares(powers, values);
   curve.coefficients.assign(solved.begin(), solved.end());
   return curve;
 }

@@ -1,7 +1,8 @@
 #include "dynamics/train_equations.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <utility>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -41,9 +42,8 @@ Swings swings_of(const MeshTrain& train, double contact_stiffness) {
   MatrixXd K = train.stiffness();
   K = 0.5 * (K + K.transpose()).eval();
   K(0, 0) += contact_stiffness;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(K, 0.5 * (train.mass + train.mass.transpose()));
-  const MatrixXd& shapes = eigen.eigenvectors();
-  return {eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt(), shapes, shapes.transpose() * train.mass, contact_stiffness};
+  const auto [values, shapes] = symmetric_eigen_pairs(K, 0.5 * (train.mass + train.mass.transpose()));
+  return {values.cwiseMax(0.0).cwiseSqrt(), shapes, shapes.transpose() * train.mass, contact_stiffness};
 }
 
 // S e_1^T (shift^2 M + K + S e_1 e_1^T)^-1 e_1 is the contacts' part of what holds the flanks.

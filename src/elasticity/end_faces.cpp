@@ -1,11 +1,11 @@
 #include "elasticity/end_faces.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
+#include "algebra/dense.hpp"
 #include "elasticity/fftw.hpp"
 #include "elasticity/love.hpp"
 
@@ -150,7 +150,7 @@ void fill_free_end(EvenTransforms& added, const FromEnd& rows, int count, double
   for (int k = 0; k < count; ++k) {
     const Eigen::MatrixXd S = stress.at(k), system = identity - S * S;
     // (K + K_mirrored) (1 - S^2)^-1 - K
-    added.at(k) = scale * (both.at(k) * system.partialPivLu().solve(of_rows) - added.at(k));
+    added.at(k) = scale * (both.at(k) * LuFactors(system).solve_columns(of_rows) - added.at(k));
   }
   added.transform();
 }

@@ -1,12 +1,12 @@
 #include "elasticity/row_contact.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 #include "lubricant/independent_iterations.hpp"
 #include "lubricant/vector_math.hpp"
@@ -143,16 +143,16 @@ double RowContact::balance(double force) {
       right[r] = -gaps_[set[r]];
     }
     right[size] = force;
-    const Eigen::VectorXd solved = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd found = solved(matrix, right);
     loads_.assign(count, 0.0);
     bool pulls = false;
     for (Eigen::Index r = 0; r < size; ++r) {
-      loads_[set[r]] = std::max(0.0, solved[r]);
-      if (solved[r] >= 0.0) continue;
+      loads_[set[r]] = std::max(0.0, found[r]);
+      if (found[r] >= 0.0) continue;
       loaded_[set[r]] = false;
       pulls = true;
     }
-    if (!pulls) return solved[size];
+    if (!pulls) return found[size];
   }
   throw SolveError("no row of the face carries its dry contact");
 }

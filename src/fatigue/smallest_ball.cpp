@@ -1,8 +1,9 @@
 #include "fatigue/smallest_ball.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -31,7 +32,7 @@ Projection project(const DeviatorPoint& centre, const Points& core, const std::v
   if (edges == 0) return found;
   Eigen::Matrix<double, 5, Eigen::Dynamic> edge(5, edges);
   for (Eigen::Index n = 0; n < edges; ++n) edge.col(n) = core[support[n + 1]] - origin;
-  const Eigen::VectorXd weights = edge.colPivHouseholderQr().solve(centre - origin);
+  const Eigen::VectorXd weights = least_squares(edge, centre - origin);
   found.place = origin + edge * weights;
   found.coordinates.front() -= weights.sum();
   found.coordinates.insert(found.coordinates.end(), weights.begin(), weights.end());

@@ -1,11 +1,11 @@
 #include "mesh/dry_force.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -178,7 +178,7 @@ double DryContacts::stiffness(const std::vector<double>& forces) const {
     for (std::size_t k = 0; k < forces.size(); ++k) sum += own[k] / (1.0 + own[k] * compliance_(k, k));
     return sum;
   }
-  return compliance_.coupling_matrix(own).partialPivLu().solve(own).sum();
+  return solved(compliance_.coupling_matrix(own), own).sum();
 }
 
 // The total force falls monotonically with H_0, to zero where the last gap opens.

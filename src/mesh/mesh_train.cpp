@@ -1,9 +1,10 @@
 #include "mesh/mesh_train.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -56,10 +57,9 @@ Eigen::MatrixXd basis_of(const DampedTrain& damped, const std::vector<bool>& rea
   }
   Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(size, size);
   if (beside.cols() == 1) return basis;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(beside);
-  const Eigen::Index others = size - beside.cols();
-  basis.conservativeResize(Eigen::NoChange, 1 + others);
-  basis.rightCols(others) = Eigen::MatrixXd(factors.householderQ()).rightCols(others);
+  const Eigen::MatrixXd others = orthogonal_complement(beside);
+  basis.conservativeResize(Eigen::NoChange, 1 + others.cols());
+  basis.rightCols(others.cols()) = others;
   return basis;
 }
 
@@ -113,9 +113,9 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
   // Both sides of the equation over p_h R_x*, so that a mass is as in Scales::inertia.
   const double force = scales.pressure * scales.solids.radius_x;
   const Eigen::MatrixXd mass = relative.projected(train.mass()) / (force * scales.time * scales.time);
-  const Eigen::MatrixXd inverse = mass.inverse();
-  const Eigen::MatrixXd by_displacement = -inverse * K / force;
-  const Eigen::MatrixXd by_velocity = -inverse * relative.projected(damped->damping) / (force * scales.time);
+  const Eigen::MatrixXd inverse_mass = inverse(mass);
+  const Eigen::MatrixXd by_displacement = -inverse_mass * K / force;
+  const Eigen::MatrixXd by_velocity = -inverse_mass * relative.projected(damped->damping) / (force * scales.time);
   std::vector<Eigen::RowVectorXd> acting = {train.contacts().row(0)};
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(K.cols());
   if (rows.back.size() > 0) {
@@ -130,7 +130,7 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
   }
   const Eigen::MatrixXd V = basis_of(*damped, reached_modes(*damped, acting));
   const auto by_moment = [&](double moment, const NodeTorque& torque) -> Eigen::VectorXd {
-    return V.transpose() * (moment / scales.force(1.0) * inverse * (torque.node * relative.motions).transpose());
+    return V.transpose() * (moment / scales.force(1.0) * inverse_mass * (torque.node * relative.motions).transpose());
   };
   std::vector<MeshTrain::Ripple> ripples;
   Eigen::VectorXd by_run_up;
@@ -141,8 +141,8 @@ MeshTrain mesh_train(const std::shared_ptr<const DampedTrain>& damped, const Fla
     }
   }
   return {.mass = V.transpose() * mass * V,
-          .by_force = V.transpose() * inverse.col(0),
-          .by_back_force = -V.transpose() * inverse * b.transpose(),
+          .by_force = V.transpose() * inverse_mass.col(0),
+          .by_back_force = -V.transpose() * inverse_mass * b.transpose(),
           .by_displacement = V.transpose() * by_displacement * V,
           .by_velocity = V.transpose() * by_velocity * V,
           .back = b * V,

@@ -1,10 +1,11 @@
 #include "mesh/train_outputs.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -17,7 +18,7 @@ Eigen::VectorXd displacement_at_rest(const WholeTrain& whole) {
   for (const NodeTorque& torque : whole.torques) forces += torque.mean * (torque.node * relative.motions).transpose();
   Eigen::VectorXd y = Eigen::VectorXd::Zero(K.rows());
   const Eigen::Index others = K.cols() - 1;
-  if (others > 0) y.tail(others) = K.bottomRightCorner(others, others).partialPivLu().solve(forces.tail(others));
+  if (others > 0) y.tail(others) = solved(K.bottomRightCorner(others, others), forces.tail(others));
   return relative.motions * y;
 }
 
@@ -127,7 +128,7 @@ Eigen::VectorXd TrainOutputs::velocity(const TrainMoment& moment) const {
 Eigen::VectorXd TrainOutputs::acceleration(const TrainMoment& moment) const {
   const double pull = moment.teeth - moment.damper - mesh_.scales.static_force;
   Eigen::VectorXd of_motion = train_.acceleration(moment.motion, pull, moment.back, mesh_.path, moment.T);
-  if (moment.friction.size() > 0) of_motion -= train_.mass.partialPivLu().solve(moment.friction);
+  if (moment.friction.size() > 0) of_motion -= solved(train_.mass, moment.friction);
   const double scale = mesh_.scales.thickness / (mesh_.scales.time * mesh_.scales.time);
   Eigen::VectorXd acceleration = scale * (train_.whole.motions * of_motion);
   if (rigid_.size() > 0) acceleration += swing(moment.T).acceleration * rigid_;

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "numerics/lu_factors.hpp"
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -46,7 +46,7 @@ std::vector<double> AndersonMixing::change(const std::vector<double>& x, const s
   for (double& value : change) value *= relaxation_;
   if (trace == 0.0) return change;
   matrix.diagonal().array() += regularity * trace;
-  const Eigen::VectorXd c = lu_factors(matrix).solve(products.col(count));
+  const Eigen::VectorXd c = solved(matrix, products.col(count));
   for (Eigen::Index j = 0; j < count; ++j) {
     for (std::size_t n = 0; n < change.size(); ++n) {
       change[n] -= c[j] * (differences_[j].x[n] + relaxation_ * differences_[j].f[n]);

@@ -1,10 +1,9 @@
 #include "orbits/affine_fit.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -17,7 +16,7 @@ AffineFit::AffineFit(const std::vector<Return>& returns) {
     X.row(n) << to_vector(returns[n].from).transpose(), scale_;
     y.row(n) = to_vector(returns[n].to).transpose();
   }
-  inverse_ = (X.transpose() * X).inverse();
+  inverse_ = inverse(X.transpose() * X);
   solution_ = inverse_ * (X.transpose() * y);
   const Eigen::Index spare = count - unknowns;
   variance_ = Eigen::VectorXd::Zero(unknowns - 1);
@@ -26,18 +25,16 @@ AffineFit::AffineFit(const std::vector<Return>& returns) {
 
 Motion AffineFit::fixed_point() const {
   const Eigen::Index size = solution_.cols();
-  return to_motion((Monodromy::Identity(size, size) - map()).inverse() * (scale_ * solution_.row(size).transpose()));
+  return to_motion(solved(Monodromy::Identity(size, size) - map(), scale_ * solution_.row(size).transpose()));
 }
 
 double AffineFit::deviation(const std::complex<double>& mu) const {
-  const Eigen::EigenSolver<Monodromy> eigen(map());
-  if (eigen.info() != Eigen::Success) return std::numeric_limits<double>::quiet_NaN();
+  const EigenPairs eigen = eigen_pairs(map());
   const Eigen::Index size = solution_.cols();
   Eigen::Index n = 0;
-  (eigen.eigenvalues().array() - mu).abs().minCoeff(&n);
-  const Eigen::MatrixXcd vectors = eigen.eigenvectors();
-  const Eigen::VectorXcd v = vectors.col(n);
-  const Eigen::RowVectorXcd w = vectors.inverse().row(n);  // w.v = 1
+  (eigen.values.array() - mu).abs().minCoeff(&n);
+  const Eigen::VectorXcd v = eigen.vectors.col(n);
+  const Eigen::RowVectorXcd w = eigen.left.row(n);
   const double spread = v.dot(inverse_.topLeftCorner(size, size) * v).real();
   return std::sqrt(w.cwiseAbs2().dot(variance_) * spread);
 }

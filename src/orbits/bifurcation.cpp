@@ -1,10 +1,10 @@
 #include "orbits/bifurcation.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -48,7 +48,7 @@ const std::array<Test, 4> tests = {{
     {PointKind::flip,
      [](const BranchPoint& point) {
        const Monodromy& map = point.value.by_motion;
-       return (map + Monodromy::Identity(map.rows(), map.rows())).determinant();
+       return determinant(map + Monodromy::Identity(map.rows(), map.rows()));
      },
      always},
     {PointKind::neimark_sacker, neimark_sacker, complex_pair_on_the_circle},
@@ -116,11 +116,10 @@ bool meets_half_order(const BranchPoint& before, const BranchPoint& after) {
   return half(before).dot(half(after)) < 0.0;
 }
 
-// (M + I) v = 0: the last right singular vector.
+// (M + I) v = 0
 Motion flip_direction(const Monodromy& monodromy) {
   const Eigen::Index size = monodromy.rows();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> factors(monodromy + Monodromy::Identity(size, size), Eigen::ComputeFullV);
-  return to_motion(factors.matrixV().col(size - 1));
+  return to_motion(nearest_to_kernel(monodromy + Monodromy::Identity(size, size)));
 }
 
 }  // namespace gearfilm

@@ -1,10 +1,9 @@
 #include "orbits/branch_point.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 #include <utility>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -20,9 +19,9 @@ Eigen::MatrixXd rows_of(const MapValue& value, double unit) {
 
 /// The direction orthogonal to one row less than there are columns; nothing where there are several.
 std::optional<BranchVector> orthogonal_to(const Eigen::MatrixXd& rows) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(rows.transpose());
-  if (factors.rank() < rows.rows()) return {};
-  return factors.householderQ() * BranchVector::Unit(rows.cols(), rows.rows());
+  const Eigen::MatrixXd directions = orthogonal_complement(rows.transpose());
+  if (directions.cols() > 1) return {};
+  return directions.col(0);
 }
 
 }  // namespace
@@ -55,12 +54,11 @@ std::optional<BranchCorrector::Corrected> BranchCorrector::correct(const BranchV
     }
     Eigen::MatrixXd equations(u.size(), u.size());
     equations << rows_of(point.value, options_.unit), normal.transpose();
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(equations);
-    if (factors.determinant() == 0.0) return {};
     const Motion defect = difference(point.value.image(), point.state.motion);
     BranchVector right(u.size());
     right << -to_vector(defect), normal.dot(predicted - u);
-    const BranchVector step = factors.solve(right);
+    const BranchVector step = solved(equations, right);
+    if (!step.allFinite()) return {};
     if (length(defect) < tolerance || step.norm() < tolerance) {
       if (!finish(point, normal)) return {};
       return Corrected{std::move(point), iteration};

@@ -1,7 +1,8 @@
 #include "orbits/described_dry_orbit.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 /// Of the modulus of multipliers: their product is exp(-c T), c the damper's, with the trace of M^-1 C of a drive train
 /// (Liouville).
 double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit& orbit) {
-  const double product = orbit.monodromy.determinant();
+  const double product = determinant(orbit.monodromy);
   double decay = -dry_damping(mesh, damping_ratio);
   if (mesh.train) decay = decay * mesh.inertia * mesh.train->by_force[0] + mesh.train->by_velocity.trace();
   const double expected = std::exp(decay * mesh.period());

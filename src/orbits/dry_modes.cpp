@@ -1,9 +1,10 @@
 #include "orbits/dry_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -12,14 +13,14 @@ std::array<RotationalMode, 2> dry_modes(double stiffness, const std::array<doubl
   const Eigen::Vector2d r(base_radii[0], -base_radii[1]);
   const Eigen::Matrix2d K = stiffness * r * r.transpose();
   const Eigen::Matrix2d M = Eigen::Vector2d(inertias.pinion, inertias.wheel).asDiagonal();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> eigen(K, M);
+  const SymmetricEigenPairs eigen = symmetric_eigen_pairs(K, M);
   std::array<RotationalMode, 2> modes;
   for (int n = 0; n < 2; ++n) {
-    const Eigen::Vector2d shape = eigen.eigenvectors().col(n);
+    const Eigen::Vector2d shape = eigen.vectors.col(n);
     Eigen::Index larger = 0;
     shape.cwiseAbs().maxCoeff(&larger);
     // The rigid mode's eigenvalue is zero but for round-off, of either sign.
-    modes[n] = {std::sqrt(std::max(0.0, eigen.eigenvalues()[n])) / (2.0 * std::numbers::pi),
+    modes[n] = {std::sqrt(std::max(0.0, eigen.values[n])) / (2.0 * std::numbers::pi),
                 {shape[0] / shape[larger], shape[1] / shape[larger]}};
   }
   return modes;

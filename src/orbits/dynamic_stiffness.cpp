@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "algebra/dense.hpp"
 #include "film/oscillating_film.hpp"
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
-#include "numerics/lu_factors.hpp"
 #include "numerics/tuned.hpp"
 #include "orbits/mode_solver.hpp"
 
@@ -146,7 +146,7 @@ public:
       FilmResponse response(system_.film(k), pressure, displaced[k], s);
       stiffness[k] = of_film(response, s, krylov_tolerance, memories_[k]);
     }
-    return lu_factors(system_.compliance().coupling_matrix(stiffness)).solve(stiffness).sum();
+    return solved_complex(system_.compliance().coupling_matrix(stiffness), stiffness).sum();
   }
 
   int solutions() const { return solutions_; }

@@ -1,10 +1,9 @@
 #include "orbits/free_decay.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/dense.hpp"
 #include "numerics/tuned.hpp"
 #include "orbits/affine_fit.hpp"
 #include "orbits/map_jacobian.hpp"
@@ -78,10 +77,10 @@ PushedPeriods pushed_periods(MeshMarch& march, const PeriodicOrbit& orbit, const
 /// Of a pair in a drive train.
 FreeDecay decay_of_train(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   PushedPeriods pushed = pushed_periods(march, orbit, options);
-  const Eigen::EigenSolver<Monodromy> eigen(pushed.map);
+  const EigenPairs eigen = eigen_pairs(pushed.map);
   Eigen::Index larger = 0;
-  eigen.eigenvalues().cwiseAbs().maxCoeff(&larger);
-  const Eigen::RowVectorXcd mode = eigen.eigenvectors().inverse().row(larger);
+  eigen.values.cwiseAbs().maxCoeff(&larger);
+  const Eigen::RowVectorXcd mode = eigen.left.row(larger);
   const auto part_of = [&](const PairState& state) {
     const Eigen::VectorXd way = to_vector(difference(state.motion, orbit.end.motion));
     return std::abs((mode * way).value()) / march.mesh().weighted_norm(to_motion(way));

@@ -1,9 +1,10 @@
 #include "orbits/map_jacobian.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
@@ -14,7 +15,7 @@ MapJacobian::MapJacobian(Eigen::Index freedoms, double velocity_worth, Monodromy
 
 Motion MapJacobian::newton_step(const Motion& defect, double largest) const {
   const Eigen::Index size = entries_.rows();
-  const Eigen::VectorXd step = (Monodromy::Identity(size, size) - entries_).inverse() * to_vector(defect);
+  const Eigen::VectorXd step = solved(Monodromy::Identity(size, size) - entries_, to_vector(defect));
   const Motion whole = to_motion(step);
   const double of_flanks = std::max(std::abs(whole.H0()), worth_ * std::abs(whole.V0()));
   return moved(Motion::zero(whole.freedoms()), std::min(1.0, largest / of_flanks), whole);

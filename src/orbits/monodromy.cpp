@@ -1,22 +1,21 @@
 #include "orbits/monodromy.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 
 Multipliers multipliers(const Monodromy& monodromy) {
   if (monodromy.rows() == 2) {
     const double half_trace = 0.5 * monodromy.trace();
-    const std::complex<double> root =
-        std::sqrt(std::complex<double>(half_trace * half_trace - monodromy.determinant()));
+    const std::complex<double> root = std::sqrt(std::complex<double>(half_trace * half_trace - determinant(monodromy)));
     return {half_trace + root, half_trace - root};
   }
-  const Eigen::VectorXcd values = monodromy.eigenvalues();
+  const Eigen::VectorXcd values = eigen_pairs(monodromy).values;
   Multipliers mu(values.begin(), values.end());
   std::ranges::sort(mu, [](const std::complex<double>& a, const std::complex<double>& b) {
     return std::pair(std::abs(a), a.imag()) > std::pair(std::abs(b), b.imag());

@@ -1,11 +1,11 @@
 #include "orbits/periodic_orbit.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 #include "grid/remap.hpp"
 #include "numerics/tuned.hpp"
@@ -28,7 +28,7 @@ const Tuned<int> settling_periods("orbit_settling_periods", 3,
 const Tuned<double> time_to_follow("orbit_time_to_follow", 0.2, "time in which films follow a Newton step");
 
 /// x with map x = right.
-Motion solved(const Monodromy& map, const Motion& right) { return to_motion(map.inverse() * to_vector(right)); }
+Motion preimage(const Monodromy& map, const Motion& right) { return to_motion(solved(map, to_vector(right))); }
 
 /// What a field has changed by over its nodes.
 struct FieldChange {
@@ -223,7 +223,7 @@ private:
     }
     const double next = march_.T() > begin - lead_ ? begin + mesh_.period() : begin;
     march_.resume(next - lead_, *best_->before);
-    march_.displace(moved(best_->before->motion, 1.0, solved(*lead_map_, difference(motion, best_->end.motion))),
+    march_.displace(moved(best_->before->motion, 1.0, preimage(*lead_map_, difference(motion, best_->end.motion))),
                     time_to_follow);
     march_.run(next);
     march_.displace(motion, time_to_follow);

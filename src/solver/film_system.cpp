@@ -6,8 +6,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "numerics/lu_factors.hpp"
-
 namespace gearfilm {
 namespace {
 
@@ -160,10 +158,10 @@ void FilmSystem::linearise(Vec state, const Rate& rate, double shift, BlockElimi
       films_[k]->precondition_displacement(part(std::span(responses_), k));
     }
     const Eigen::VectorXd stiffness = forces(responses_);
-    coupling_factors_ = lu_factors(compliance_.coupling_matrix(stiffness));
-    coupled_stiffness_ = coupling_factors_.solve(stiffness.asDiagonal() * bodies_.displacement);
+    coupling_factors_ = LuFactors(compliance_.coupling_matrix(stiffness));
+    coupled_stiffness_ = coupling_factors_.solve_columns(stiffness.asDiagonal() * bodies_.displacement);
   }
-  body_factors_ = lu_factors(bodies_.jacobian(shift, coupled_stiffness_) + reverse_jacobian_);
+  body_factors_ = LuFactors(bodies_.jacobian(shift, coupled_stiffness_) + reverse_jacobian_);
 }
 
 double FilmSystem::merit(Vec rows) {

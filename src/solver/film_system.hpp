@@ -16,9 +16,9 @@
 // has not got on with the cycle has cycle and smoother by turns.
 #pragma once
 
-#include <Eigen/LU>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "elasticity/compliance.hpp"
 #include "film/contact_film.hpp"
 #include "grid/integral.hpp"
@@ -123,11 +123,10 @@ private:
   BlockElimination elimination_ = BlockElimination::scalars_first;
   StateVersions versions_;    ///< of states
   int preconditionings_ = 0;  ///< with the present Jacobian
-  using Factors = Eigen::PartialPivLU<Eigen::MatrixXd>;
-  Factors body_factors_;
+  LuFactors body_factors_;
   // Of exact elimination, all approximately.
   std::vector<double> responses_;      ///< (dG_k/dP_k)^-1 dG_k/dH_k of all contacts
-  Factors coupling_factors_;           ///< of I + S C, S_k = Int Int of the response
+  LuFactors coupling_factors_;         ///< of I + S C, S_k = Int Int of the response
   Eigen::MatrixXd coupled_stiffness_;  ///< -dF/ds, n x m, the compliance included
   std::vector<double> work_;
 };

@@ -1,8 +1,8 @@
 #include "train/contact_modes.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -45,7 +45,7 @@ std::complex<double> contact_mode(const DampedTrain& train, const TrainMode& und
     if (std::abs(s - before) > told_by_tolerance * tolerance_before * std::abs(s)) {
       slope = (stiffness - stiffness_before) / (s - before);
     }
-    const Eigen::VectorXcd next = pencil.at(s, stiffness).partialPivLu().solve(pencil.derivative(s, slope) * shape);
+    const Eigen::VectorXcd next = solved_complex(pencil.at(s, stiffness), pencil.derivative(s, slope) * shape);
     const std::complex<double> step = (weight * shape).value() / (weight * next).value();
     const double change = std::abs(step) / std::abs(s);
     shape = next / next.norm();

@@ -1,9 +1,9 @@
 #include "train/relative_motion.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <numeric>
 
+#include "algebra/dense.hpp"
 #include "gearfilm/error.hpp"
 
 namespace gearfilm {
@@ -42,15 +42,6 @@ IndependentRows independent(const Eigen::MatrixXd& rows, const Eigen::VectorXd& 
     found.rows.bottomRows(1) = rows.row(k) / rows.row(k).cwiseQuotient(lengths.transpose()).cwiseAbs().maxCoeff();
   }
   return found;
-}
-
-/// Columns that all rows of an orthonormal basis miss.
-Eigen::MatrixXd missed_by(const Eigen::MatrixXd& basis) {
-  const Eigen::Index all = basis.cols(), spanned = basis.rows();
-  if (spanned == 0) return Eigen::MatrixXd::Identity(all, all);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(basis.transpose());
-  const Eigen::MatrixXd whole = factors.householderQ() * Eigen::MatrixXd::Identity(all, all);
-  return whole.rightCols(all - spanned);
 }
 
 /// Which entries of q hang together: the number of a part for each. Those that the first contact joins are part 0.
@@ -115,16 +106,16 @@ RelativeMotion relative_motion(const Train& train) {
   const Eigen::VectorXd lengths = train.lengths();
   const Eigen::MatrixXd rows = all_rows(train);
   const IndependentRows found = independent(rows, lengths);
-  const Eigen::MatrixXd free = missed_by(found.basis);
+  const Eigen::MatrixXd free = orthogonal_complement(found.basis.transpose());
   require_one_rotation(train, rows, free);
-  if (free.cols() == 0) return {.coordinates = found.rows, .motions = found.rows.inverse()};
+  if (free.cols() == 0) return {.coordinates = found.rows, .motions = inverse(found.rows)};
   Eigen::Index largest = 0;
   free.col(0).cwiseAbs().maxCoeff(&largest);
   const Eigen::VectorXd rigid = free.col(0).cwiseQuotient(lengths) / free(largest, 0);
   // R and phi_0^T M together have the inverse [Z, phi_0/(phi_0^T M phi_0)].
   Eigen::MatrixXd whole(train.freedoms(), train.freedoms());
   whole << found.rows, rigid.transpose() * train.mass();
-  return {.coordinates = found.rows, .motions = whole.inverse().leftCols(found.rows.rows()), .rigid = rigid};
+  return {.coordinates = found.rows, .motions = inverse(whole).leftCols(found.rows.rows()), .rigid = rigid};
 }
 
 }  // namespace gearfilm

@@ -1,8 +1,9 @@
 #include "train/train_modes.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -34,12 +35,11 @@ std::vector<TrainMode> train_modes(const Train& train, const RelativeMotion& rel
     const auto row = train.contacts().row(static_cast<Eigen::Index>(p));
     K += stiffness[p] * row.transpose() * row;
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(relative.projected(K),
-                                                                        relative.projected(train.mass()));
+  const SymmetricEigenPairs eigen = symmetric_eigen_pairs(relative.projected(K), relative.projected(train.mass()));
   std::vector<TrainMode> modes;
-  for (Eigen::Index n = 0; n < eigen.eigenvalues().size(); ++n) {
-    modes.push_back(described(train, stiffness, std::sqrt(std::max(0.0, eigen.eigenvalues()[n])),
-                              relative.motions * eigen.eigenvectors().col(n)));
+  for (Eigen::Index n = 0; n < eigen.values.size(); ++n) {
+    modes.push_back(described(train, stiffness, std::sqrt(std::max(0.0, eigen.values[n])),
+                              relative.motions * eigen.vectors.col(n)));
   }
   return modes;
 }

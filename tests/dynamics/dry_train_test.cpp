@@ -1,12 +1,12 @@
 // The dry pair in its drive train: energy, and the derivatives of its motion.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "mesh/train_outputs.hpp"
 #include "numerics/sampled_integral.hpp"
 #include "pair_case.hpp"
@@ -27,10 +27,10 @@ CaseInput undamped_reducer(const Settings& settings = {}) {
 class TrainEnergy {
 public:
   explicit TrainEnergy(const MeshTrain& train) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(-train.by_displacement);
-    const Eigen::MatrixXd modes = eigen.eigenvectors().real();
-    to_modes_ = modes.inverse();
-    rates_ = eigen.eigenvalues().real();
+    const EigenPairs eigen = eigen_pairs(-train.by_displacement);
+    const Eigen::MatrixXd modes = eigen.vectors.real();
+    to_modes_ = inverse(modes);
+    rates_ = eigen.values.real();
     masses_ = modes.row(0).transpose().cwiseQuotient(to_modes_ * train.by_force);
   }
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "numerics/lu_factors.hpp"
+#include "algebra/dense.hpp"
 
 namespace gearfilm {
 namespace {
@@ -62,7 +62,7 @@ TEST(BodyEquations, solution_fulfils_the_rows) {
                                       equation_of_motion(without_inertia, 2)}) {
     const VectorXd wanted = VectorXd::LinSpaced(bodies.size(), 0.3, -0.5);
     const MatrixXd film_stiffness = stiffness.asDiagonal() * bodies.displacement;
-    const VectorXd scalars = lu_factors(bodies.jacobian(shift, film_stiffness)).solve(wanted);
+    const VectorXd scalars = solved(bodies.jacobian(shift, film_stiffness), wanted);
     const VectorXd rows = bodies.rows_of_change(scalars, shift * scalars, -film_stiffness * scalars);
     EXPECT_LT(largest_entry(rows - wanted), 1e-13);
   }
@@ -84,10 +84,10 @@ TEST(BodyEquations, reverse_flanks_have_a_row_and_a_column_of_their_own) {
 // Films that have all parted carry nothing, wherever they are held: a failed step, not the end of the program.
 TEST(BodyEquations, that_nothing_holds_have_no_solution) {
   const VectorXd ones = VectorXd::Ones(2);
-  for (const double scalar : lu_factors(MatrixXd{{0.0, 0.0}, {1.0, 2.0}}).solve(ones).eval()) {
+  for (const double scalar : solved(MatrixXd{{0.0, 0.0}, {1.0, 2.0}}, ones)) {
     EXPECT_TRUE(std::isnan(scalar));
   }
-  EXPECT_EQ(lu_factors(MatrixXd{{2.0, 0.0}, {0.0, 4.0}}).solve(ones), vector_of({0.5, 0.25}));
+  EXPECT_EQ(solved(MatrixXd{{2.0, 0.0}, {0.0, 4.0}}, ones), vector_of({0.5, 0.25}));
 }
 
 }  // namespace

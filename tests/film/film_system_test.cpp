@@ -2,8 +2,7 @@
 // time step, the Jacobian, and the elimination of scalars.
 #include "solver/film_system.hpp"
 
-#include <Eigen/LU>
-
+#include "algebra/dense.hpp"
 #include "film_case.hpp"
 
 namespace gearfilm {
@@ -57,8 +56,8 @@ protected:
       system.set_field(state, k, film.pressure);
       H[k] = film.H0;
     }
-    const VectorXd q = displacement_of_films.leftCols(2).partialPivLu().solve(
-        H - compliance.displacements(VectorXd::Zero(2), VectorXd::Constant(2, static_force)));
+    const VectorXd q = solved(displacement_of_films.leftCols(2),
+                              H - compliance.displacements(VectorXd::Zero(2), VectorXd::Constant(2, static_force)));
     system.set_scalars(state, std::array{q[0], q[1], 0.0});
   }
 
@@ -322,11 +321,11 @@ TEST_P(TwoFilms, elimination_is_exact_with_exact_films) {
     stiffness[k] = integral(grid, films[k].of_displacement);
   }
   const MatrixXd C{{compliance(0, 0), compliance(0, 1)}, {compliance(1, 0), compliance(1, 1)}};
-  const MatrixXd S = stiffness.asDiagonal(), coupled = (MatrixXd::Identity(2, 2) + S * C).inverse();
+  const MatrixXd S = stiffness.asDiagonal(), coupled = inverse(MatrixXd::Identity(2, 2) + S * C);
   const BodyEquations bodies = two_bodies(static_force, 1.1);
   const MatrixXd schur = shift * bodies.mass + bodies.stiffness + bodies.force * coupled * S * displacement_of_films +
                          between_bodies(static_force).jacobian(scalars_of(state));
-  const VectorXd s = schur.inverse() * (scalars_of(rows) / system.weight() + bodies.force * coupled * force);
+  const VectorXd s = solved(schur, scalars_of(rows) / system.weight() + bodies.force * coupled * force);
   const VectorXd F = coupled * (force - S * displacement_of_films * s), H = displacement_of_films * s + C * F;
 
   for (const auto by : {FilmSystem::BlockElimination::exact, FilmSystem::BlockElimination::scalars_first}) {
