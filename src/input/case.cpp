@@ -212,17 +212,15 @@ MarchModel read_model(const std::string& name) {
 
 PairMotion read_motion(const CaseInput& result) {
   const ParameterValues& values = result.parameters;
-  const std::string name = "motion";
-  if (values.text(name) == "dynamic") return PairMotion::dynamic;
+  if (values.text("motion") == "dynamic") return PairMotion::dynamic;
   const std::string other = [&]() -> std::string {
     if (result.march.model != MarchModel::dynamic) return "model";
     if (values.text("geometry") == "held") return "geometry";
     if (values.yes("friction.in_motion")) return "friction.in_motion";
-    const std::string multipliers = "periodic.multipliers";
-    return values.given(multipliers) && values.yes(multipliers) ? multipliers : "";
+    return values.asked_for("periodic.multipliers") ? "periodic.multipliers" : "";
   }();
   if (other.empty()) return PairMotion::quasi_static;
-  values.refuse(name, "is quasi_static, but '" + other + "' is " + values.text(other) + "; use one of the two");
+  values.refuse("motion", "is quasi_static, but '" + other + "' is " + values.text(other) + "; use one of the two");
 }
 
 std::vector<std::pair<double, double>> read_share_table(const ParameterValues& values) {
@@ -325,7 +323,9 @@ void set_march(CaseInput& result) {
                            .max_periods = values.integer("periodic.max_periods")};
   result.search.order = values.integer("periodic.order");
   result.search.max_pattern = values.integer("periodic.max_pattern");
-  result.search.with_multipliers = values.yes("periodic.multipliers") && result.march.motion == PairMotion::dynamic;
+  const std::string multipliers = values.text("periodic.multipliers");
+  result.search.with_multipliers = multipliers != "no" && result.march.motion == PairMotion::dynamic;
+  result.search.multipliers_on_own_grid = multipliers == "own_grid";
   result.sweep = read_sweep(values);
   result.continuation = read_continuation(values, result.search.order);
   result.march.dry_damping_ratio = values.real_if_given("dry.damping_ratio");

@@ -88,6 +88,7 @@ struct MarchCase {
 struct SearchCase {
   PeriodicOptions options;
   bool with_multipliers = true;
+  bool multipliers_on_own_grid = false;
   int order = 1;        ///< mesh periods, or patterns of the teeth, after which it repeats
   int max_pattern = 1;  ///< mesh periods after which the same teeth meet again, at most
 };

@@ -276,8 +276,7 @@ void set_time_steps(CaseInput& result) {
 
 CaseInput with_chosen_motion(const CaseInput& given, double many_swings, std::string& remark) {
   ParameterValues values = given.parameters;
-  const bool multipliers_asked = values.given("periodic.multipliers") && values.yes("periodic.multipliers");
-  const bool choosable = !given.pair.train && !values.given("motion") && !multipliers_asked &&
+  const bool choosable = !given.pair.train && !values.given("motion") && !values.asked_for("periodic.multipliers") &&
                          !values.given("periodic.order") && !values.yes("friction.in_motion") &&
                          given.march.model == MarchModel::dynamic && given.march.geometry == MeshGeometry::moving &&
                          !given.march.start_motion && swings(given);

@@ -231,6 +231,7 @@ OrbitProblem orbit_problem(const CaseInput& problem) {
           .numerics = problem.numerics,
           .search = {.options = problem.search.options,
                      .with_multipliers = problem.search.with_multipliers,
+                     .multipliers_on_own_grid = problem.search.multipliers_on_own_grid,
                      .start = problem.march.start_motion,
                      .dry_damping_ratio = problem.march.dry_damping_ratio.value_or(typical_film_damping)}};
 }

@@ -259,7 +259,10 @@ Records periodic_records() {
               whole("max_pattern", "", closed(1, 10000),
                     "with pitch errors or a torque that fluctuates: most mesh periods after which the same teeth meet "
                     "again at the same torque")),
-       choice("multipliers", {"yes", "no"}, "Floquet multipliers, by up to four more periods")});
+       choice(
+           "multipliers", {"yes", "no", "own_grid"},
+           "Floquet multipliers, by up to eight more periods: yes, on half the nodes, but where that leaves in doubt "
+           "whether the state is stable; own_grid, on those of the case")});
 }
 
 Records eigen_records() {

@@ -49,6 +49,8 @@ public:
   /// The keys of a quantity of both bodies: in sections pinion and wheel of a pair, section contact of a bare contact.
   std::array<std::string, 2> body_keys(const std::string& quantity) const;
   bool yes(const std::string& name) const { return text(name) == "yes"; }
+  /// What may be "no" was given and is not.
+  bool asked_for(const std::string& name) const { return given(name) && text(name) != "no"; }
 
   /// Throws InputError: where the value stands, "'NAME' ", and what is said of it.
   [[noreturn]] void refuse(const std::string& name, const std::string& what) const;

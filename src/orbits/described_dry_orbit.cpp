@@ -25,7 +25,8 @@ double modulus_error(const MeshModel& mesh, double damping_ratio, const DryOrbit
 
 DescribedOrbit find_described_dry_orbit(const OrbitProblem& problem, const StepObserver& observer,
                                         const DryWatch& watch) {
-  const auto& [options, with_multipliers, near, zeta] = problem.search;
+  const double zeta = problem.search.dry_damping_ratio;
+  const std::optional<Motion>& near = problem.search.start;
   return describe(problem,
                   near ? dry_orbit_from(problem.mesh, zeta, *near, watch) : find_dry_orbit(problem.mesh, zeta, watch),
                   observer);

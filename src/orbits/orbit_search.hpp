@@ -14,7 +14,8 @@ namespace gearfilm {
 
 struct OrbitSearch {
   PeriodicOptions options;
-  bool with_multipliers = true;                     ///< Floquet multipliers too, by up to four more periods
+  bool with_multipliers = true;                     ///< Floquet multipliers too, by up to eight more periods
+  bool multipliers_on_own_grid = false;             ///< and not on a coarser one where that will do
   std::optional<Motion> start{};                    ///< where it begins; absent: by the dry pair's orbit
   double dry_damping_ratio = typical_film_damping;  ///< of dry pairs' orbits
 };

@@ -15,7 +15,7 @@ namespace gearfilm {
 namespace {
 
 const Tuned<double> difference_step("orbit_difference_step", 2e-3, "step of differences of the map");
-const Tuned<double> telling_step("orbit_telling_step", 1e-3,
+const Tuned<double> telling_step("orbit_telling_step", 2e-4,
                                  "step of the motion by which the map's Jacobian is measured");
 const Tuned<double> worth_keeping("orbit_worth_keeping", 5e-3, "defect of a period whose end serves as a disturbance");
 const Tuned<double> largest_change("orbit_largest_change", 0.5, "largest change of the motion in a Newton step");
@@ -109,6 +109,7 @@ public:
   PeriodicOrbit run() {
     while (!march_period()) {
       if (best_will_do()) return orbit_of(*best_);
+      if (stagnates()) throw not_found(periods_);
       place_next();
     }
     return orbit_of(last_);
@@ -147,6 +148,16 @@ private:
     return options_.enough_periods && periods_ >= *options_.enough_periods * mesh_.periods() && best_ &&
            mesh_.weighted_norm(best_->defect) < loosely * options_.tolerance &&
            best_->film_defect < loosely * options_.film_tolerance;
+  }
+
+  /// Whether the best period so far has come nearer for the last time too long ago.
+  bool stagnates() {
+    const double now = distance(*best_);
+    if (now < 0.5 * halved_) {
+      halved_ = now;
+      halved_at_ = periods_;
+    }
+    return options_.patience && periods_ - halved_at_ >= *options_.patience * mesh_.periods();
   }
 
   /// How far a period is from repeating, below 1 where it does. A motion may repeat by chance while films have yet to
@@ -261,15 +272,18 @@ private:
 
   void count_period() {
     periods_ += mesh_.periods();
-    if (periods_ <= options_.max_periods) return;
+    if (periods_ > options_.max_periods) throw not_found(options_.max_periods);
+  }
+
+  NoPeriodicState not_found(int periods) const {
     std::string left;
     if (best_) {
       left = worded(": (H0, V0) still changes by ", mesh_.weighted_norm(best_->defect), ", the films by ",
                     best_->film_defect);
     }
     if (!trouble_.empty()) left += " (on the way: " + trouble_ + ")";
-    throw NoPeriodicState(
-        "no periodic state after ", options_.max_periods, " mesh periods", left,
+    return NoPeriodicState(
+        "no periodic state after ", periods, " mesh periods", left,
         "; allow more periods (periodic_max_periods) or come from a neighbouring speed (gearfilm sweep)");
   }
 
@@ -281,7 +295,9 @@ private:
   std::optional<Monodromy> lead_map_;
   MapJacobian jacobian_;
   int periods_ = 0;
-  int trials_ = 0;  ///< periods marched to their end
+  int trials_ = 0;            ///< periods marched to their end
+  double halved_ = HUGE_VAL;  ///< the distance of the best period when it had halved for the last time
+  int halved_at_ = 0;         ///< after so many mesh periods
   std::optional<PairState> beside_;
   Trial last_;
   std::optional<Trial> best_;

@@ -23,6 +23,9 @@ struct PeriodicOptions {
   /// Periods after which the best one will do that repeats within four times the tolerances: for a search that is only
   /// to be begun with it. None: never.
   std::optional<int> enough_periods{};
+  /// Periods over which the best has to come twice as near to repeating, else the search fails: for one that has
+  /// another to follow it. None: all that are allowed.
+  std::optional<int> patience{};
   double lead = 0.0;  ///< time before the orbit's end at which a state is kept, for a search on finer films
 };
 

@@ -1,5 +1,8 @@
 #include "results/orbit_summary.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "results/error_bar.hpp"
 #include "results/friction_summary.hpp"
 #include "results/march_summary.hpp"
@@ -89,10 +92,26 @@ constexpr auto swing_members = std::to_array<Member<OrbitOfPair>>({
      Column::real},
 });
 
+/// zeta = L/hypot(L, theta) of the logarithm L of the modulus and the angle theta in a period, by the error of L.
+double damping_ratio_error(const OrbitOfPair& of, const FreeOscillation& oscillation) {
+  const FreeDecay& decay = *of.found.decay;
+  const double theta = 2.0 * std::numbers::pi * oscillation.frequency * of.mesh.periods() / of.mesh.mesh_frequency_si();
+  const double undamped = 1.0 - oscillation.damping_ratio * oscillation.damping_ratio;
+  return decay.modulus_error / largest_modulus(decay.multipliers) * std::pow(undamped, 1.5) / theta;
+}
+
 constexpr auto decay_members = std::to_array<Member<OrbitOfPair>>({
     {"floquet_modulus_error", "", "-", "error of floquet_modulus",
      [](const OrbitOfPair& of) -> Summary {
        return of.found.decay ? Summary(of.found.decay->modulus_error) : absent();
+     },
+     Column::real},
+    {"damping_ratio_error", "", "-", "error of damping_ratio by that of floquet_modulus",
+     [](const OrbitOfPair& of) -> Summary {
+       if (!of.found.decay) return absent();
+       const std::optional<FreeOscillation> oscillation =
+           PairMultipliers(of.mesh, of.found.decay->multipliers).oscillation;
+       return oscillation ? Summary(damping_ratio_error(of, *oscillation)) : Summary();
      },
      Column::real},
 });

@@ -88,6 +88,26 @@ class Films(ProgramTest):
         self.assertAlmostEqual(float(said[1]), 100 * worst, delta=0.05 * 100 * worst)
 
 
+class Multipliers(ProgramTest):
+    def periodic(self, seed, number, *options):
+        case, _ = catalogue.write_pair(self.folder, seed, number)
+        self.run_well("periodic", case, "-output_dir", "out", *options)
+        return json.loads((self.folder / "out/summary.json").read_text(encoding="utf-8"))
+
+    def test_those_of_half_the_nodes_hold_those_of_the_own_grid(self):
+        half, own = self.periodic(2, 33), self.periodic(2, 33, "-periodic_multipliers", "own_grid")
+        self.assertEqual(half["pitch_h_central"], own["pitch_h_central"])
+        self.assertGreater(half["floquet_modulus_error"], 2 * own["floquet_modulus_error"])
+        for name in ("floquet_modulus", "damping_ratio"):
+            self.assertNotEqual(half[name], own[name])
+            self.assertLess(abs(half[name] - own[name]), half[f"{name}_error"] + own[f"{name}_error"])
+
+    def test_a_state_that_half_the_nodes_would_call_unstable_is_stable(self):
+        pair = self.periodic(1, 8)
+        self.assertTrue(pair["stable"])
+        self.assertLess(abs(pair["floquet_modulus"] - 0.9257), pair["floquet_modulus_error"])  # with accuracy 0.004
+
+
 class Tables(unittest.TestCase):
     COARSE = {"h_min": 1.0, "h_min_error": 0.1, "p_max": 2.0, "p_max_error": None, "floquet_modulus": 0.5,
               "floquet_modulus_error": 0.1}

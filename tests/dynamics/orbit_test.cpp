@@ -128,6 +128,18 @@ TEST(Orbit, a_period_and_a_newton_step_improve_a_guess) {
   EXPECT_TRUE(better.neighbour);
 }
 
+TEST(Orbit, a_search_that_comes_no_nearer_is_given_up) {
+  RecordedMarch march(table3_case(with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}})));
+  PeriodicOptions options = march.problem().search.options;
+  options.tolerance = options.film_tolerance = 1e-15;  // below the noise of marches
+  options.patience = 3;
+  int periods = 0;
+  const auto count = [&](const SearchPeriod& period) { periods = period.number; };
+  EXPECT_THROW(find_periodic_orbit(march.march(), dry_guess_of(march), options, count), NoPeriodicState);
+  EXPECT_GT(periods, options.patience);
+  EXPECT_LT(periods, options.max_periods);
+}
+
 TEST(Orbit, films_that_begin_before_a_period_repeat_sooner) {
   constexpr double lead = 1.0;
   const Settings settings = with(coarse_orbit(), {{"grid.y_half", "1.4"}, {"grid.x_max", "1.5"}});
