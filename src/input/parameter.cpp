@@ -129,7 +129,7 @@ std::string Parameter::option() const { return option_of(name); }
 std::string Parameter::former_option() const { return former.empty() ? former : option_of(former); }
 
 bool Parameter::is_yes_or_no() const {
-  return choices.size() == 2 && std::ranges::count(choices, "yes") == 1 && std::ranges::count(choices, "no") == 1;
+  return std::ranges::count(choices, "yes") == 1 && std::ranges::count(choices, "no") == 1;
 }
 
 const Parameter* find_parameter(std::string_view name) {

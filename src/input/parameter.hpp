@@ -52,7 +52,7 @@ struct Parameter {
   std::string option() const;
   /// The option of the former key; empty without one.
   std::string former_option() const;
-  /// Whether the choices are yes and no, which may also be written true and false.
+  /// Whether yes and no are among the choices, which may also be written true and false.
   bool is_yes_or_no() const;
 };
 

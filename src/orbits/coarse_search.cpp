@@ -21,13 +21,12 @@ const Tuned<double> left_by_the_fit("search_left_by_the_fit", 0.1, "part of the 
 const Tuned<int> enough_periods("search_enough_periods", 6, "periods of a coarse search after which the best will do");
 const Tuned<int> brief_periods("search_brief_periods", 12, "periods of searches for error bars alone");
 const Tuned<double> well_known("search_well_known", 0.1, "error of a multiplier whose map serves a search");
-// Pairs whose films are expected to err by more than a tenth, most of it at the exit, have multipliers that err no
-// more.
-const Tuned<double> telling_film_error("search_telling_film_error", 0.08,
+// Multipliers of pairs whose films err by more do not.
+const Tuned<double> telling_film_error("search_telling_film_error", 0.04,
                                        "largest error of films on the coarser grid that counts for multipliers");
-const Tuned<double> damping_by_grid("search_damping_by_grid", 10.0,
+const Tuned<double> damping_by_grid("search_damping_by_grid", 7.5,
                                     "relative error of damping on the coarser grid, over that of its films");
-const Tuned<double> growth_by_grid("search_growth_by_grid", 4.0,
+const Tuned<double> growth_by_grid("search_growth_by_grid", 5.0,
                                    "error of a real multiplier's logarithm there, over that of films");
 const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's tolerance for a decay, in that of the case");
 
