@@ -34,20 +34,6 @@ const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's toler
 /// in 1.5.
 double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
 
-/// What the coarser grid has wrong is added to the error of the larger multiplier mu, in proportion to that of its
-/// films. By Liouville's formula the product of all tells the damping alone, and so does each of a complex pair; real
-/// ones depend on the stiffness and its phase as well.
-void add_grid_error(const OrbitProblem& coarse, FreeDecay& decay) {
-  const double modulus = largest_modulus(decay.multipliers);
-  const FilmErrors films =
-      expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.mesh.scales), steps_of(coarse.numerics));
-  const double of_films = std::isfinite(films.smallest) ? std::max(films.central, films.smallest) : films.central;
-  const bool real = largest_multiplier(decay.multipliers).imag() == 0.0;
-  const double of_logarithm = real ? +growth_by_grid : damping_by_grid * std::abs(std::log(modulus));
-  decay.modulus_error =
-      std::hypot(decay.modulus_error, modulus * of_logarithm * std::min<double>(of_films, telling_film_error));
-}
-
 OrbitGuess guess_from(const DescribedOrbit& run) {
   const PeriodicOrbit& orbit = run.orbit;
   const bool told = run.decay && run.decay->modulus_error < well_known;
@@ -179,8 +165,22 @@ DescribedOrbit CoarseSearch::with_decay(DescribedOrbit run) {
   coarse.numerics.steps.newton = newton_of_decay_;
   run.decay = attempt<FreeDecay>("coarse_decay", coarse,
                                  [&](const SearchWatch& own) { return decay_from(coarse, films_, run, own); });
-  if (run.decay) add_grid_error(coarse, *run.decay);
   return run;
+}
+
+// By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
+// real ones depend on the stiffness and its phase as well.
+FreeDecay CoarseSearch::with_grid_error(FreeDecay decay) const {
+  const OrbitProblem& coarse = problem();
+  const FilmErrors films =
+      expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.mesh.scales), steps_of(coarse.numerics));
+  const double of_films = std::isfinite(films.smallest) ? std::max(films.central, films.smallest) : films.central;
+  const double modulus = largest_modulus(decay.multipliers);
+  const bool real = largest_multiplier(decay.multipliers).imag() == 0.0;
+  const double of_logarithm = real ? +growth_by_grid : damping_by_grid * std::abs(std::log(modulus));
+  decay.modulus_error =
+      std::hypot(decay.modulus_error, modulus * of_logarithm * std::min<double>(of_films, telling_film_error));
+  return decay;
 }
 
 double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const SharedDiscretisation& films) {
