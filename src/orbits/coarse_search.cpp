@@ -34,6 +34,10 @@ const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's toler
 /// in 1.5.
 double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
 
+FilmErrors film_errors(const OrbitProblem& coarse) {
+  return expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.mesh.scales), steps_of(coarse.numerics));
+}
+
 OrbitGuess guess_from(const DescribedOrbit& run) {
   const PeriodicOrbit& orbit = run.orbit;
   const bool told = run.decay && run.decay->modulus_error < well_known;
@@ -165,15 +169,18 @@ DescribedOrbit CoarseSearch::with_decay(DescribedOrbit run) {
   coarse.numerics.steps.newton = newton_of_decay_;
   run.decay = attempt<FreeDecay>("coarse_decay", coarse,
                                  [&](const SearchWatch& own) { return decay_from(coarse, films_, run, own); });
+  if (run.decay) {
+    const double modulus = largest_modulus(run.decay->multipliers);
+    const double of_damping = modulus * std::log(modulus) * film_errors(coarse).central;
+    run.decay->modulus_error = std::hypot(run.decay->modulus_error, of_damping);
+  }
   return run;
 }
 
 // By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
 // real ones depend on the stiffness and its phase as well.
 FreeDecay CoarseSearch::with_grid_error(FreeDecay decay) const {
-  const OrbitProblem& coarse = problem();
-  const FilmErrors films =
-      expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.mesh.scales), steps_of(coarse.numerics));
+  const FilmErrors films = film_errors(problem());
   const double of_films = std::isfinite(films.smallest) ? std::max(films.central, films.smallest) : films.central;
   const double modulus = largest_modulus(decay.multipliers);
   const bool real = largest_multiplier(decay.multipliers).imag() == 0.0;
