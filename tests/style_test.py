@@ -12,8 +12,9 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.path.abspath(os.environ.get("GEARFILM", SOURCE / "build/release/bin/gearfilm"))
 # In the order in which data flows: a room includes itself and the rooms to its left. app includes all.
-ROOMS = ["gear", "lubricant", "roughness", "algebra", "contact", "train", "parallel", "numerics", "grid", "elasticity", "stress",
-         "fatigue", "rating", "film", "solver", "traction", "mesh", "dynamics", "orbits", "input", "output", "results", "bench", "interface", "app"]
+ROOMS = ["gear", "lubricant", "roughness", "algebra", "contact", "train", "parallel", "numerics", "grid", "elasticity",
+         "stress", "fatigue", "rating", "film", "solver", "traction", "mesh", "dynamics", "orbits", "input", "output",
+         "results", "bench", "interface", "app"]
 LONGEST_FILE = 400
 MEDIAN_LENGTH = 150
 MOST_ARGUMENTS = 6  # of a constructor

@@ -31,7 +31,8 @@ std::string place_of(const PairNumerics& numerics);
 /// The orbits on the coarser grid, one from the other.
 class CoarseSearch {
 public:
-  /// Of the coarse problem, with multipliers where the fine one asks for them.
+  /// coarse: the problem on half the nodes with twice the time step. fine: the problem of the case, whose step is taken
+  /// where twice that is too long, and which says whether multipliers are wanted. The watch is kept by reference.
   CoarseSearch(const OrbitProblem& coarse, const OrbitProblem& fine, const SearchWatch& watch, MPI_Comm comm);
 
   /// With which a search begins: with twice the step, where the pair stays in phase and films follow it.
