@@ -98,7 +98,7 @@ OrbitGuess with_marched_films(const OrbitProblem& problem, const SharedDiscretis
 FreeDecay decay_of(const OrbitProblem& problem, const SharedDiscretisation& films, const DescribedOrbit& found,
                    const std::optional<FreeDecay>& coarse, const SearchWatch& watch) {
   const auto clear = [](const FreeDecay& decay) {
-    return std::abs(largest_modulus(decay.multipliers) - 1.0) > near_one * decay.modulus_error;
+    return std::abs(largest_modulus(decay.multipliers) - 1.0) > near_one * decay.modulus_error();
   };
   if (coarse && !problem.search.multipliers_on_own_grid && clear(*coarse)) return *coarse;
   const std::unique_ptr<RunStore> store = store_within(watch.store, "decay", films->grid());
@@ -123,8 +123,7 @@ std::optional<FreeDecay> coarse_decay(const OrbitProblem& problem, const SharedD
     const std::optional<DescribedOrbit> found = search.orbit("coarse", [&] { return guess; });
     if (!found || problem.mesh.weighted_norm(difference(found->orbit.start.motion, guess.motion)) > same_orbit)
       return {};
-    const std::optional<FreeDecay> decay = search.with_decay(*found).decay;
-    return decay ? std::optional(search.with_grid_error(*decay)) : std::nullopt;
+    return search.with_decay(*found).decay;
   } catch (const SolveError&) {
     return {};
   }
@@ -137,7 +136,6 @@ FoundOrbit find_orbit(const OrbitProblem& problem, const SharedDiscretisation& f
   FoundOrbit found{.discretisation = problem.numerics.discretisation};
   std::optional<OrbitGuess> guess;
   std::optional<DescribedOrbit> nearest;
-  std::optional<FreeDecay> decay_there;
   const std::optional<OrbitProblem> coarse = coarser_problem(problem, *films);
   if (coarse) {
     CoarseSearch search(*coarse, problem, watch, films->grid().comm());
@@ -146,20 +144,20 @@ FoundOrbit find_orbit(const OrbitProblem& problem, const SharedDiscretisation& f
       if (!search.has_twice_the_step()) found.longer_step = search.with_longer_step(*first, FoundOrbit::step_ratio);
       if (search.has_twice_the_step() || found.longer_step) found.coarse = first;
       nearest = search.with_decay(*first);
-      if (nearest->decay) decay_there = search.with_grid_error(*nearest->decay);
       guess = guess_on_grid(problem, films, search, *nearest);
     }
   }
   if (!guess) guess = first_guess(problem, films, dry);
   OrbitProblem last = problem;
-  if (decay_there) last.search.with_multipliers = false;
+  const bool has_decay = nearest && nearest->decay;
+  if (has_decay) last.search.with_multipliers = false;
   try {
     found.own = find_described_orbit(last, films, *guess, watch);
   } catch (const SolveError& error) {
     if (nearest) throw with_remedy(error, coarse->numerics);
     throw;
   }
-  if (decay_there) found.own.decay = decay_of(problem, films, found.own, decay_there, watch);
+  if (has_decay) found.own.decay = decay_of(problem, films, found.own, nearest->decay, watch);
   return found;
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "film/expected_errors.hpp"
 #include "numerics/tuned.hpp"
 #include "orbits/halving_check.hpp"
+#include "orbits/multiplier_error.hpp"
 
 namespace gearfilm {
 namespace {
@@ -21,28 +21,11 @@ const Tuned<double> left_by_the_fit("search_left_by_the_fit", 0.1, "part of the 
 const Tuned<int> enough_periods("search_enough_periods", 6, "periods of a coarse search after which the best will do");
 const Tuned<int> brief_periods("search_brief_periods", 12, "periods of searches for error bars alone");
 const Tuned<double> well_known("search_well_known", 0.1, "error of a multiplier whose map serves a search");
-// Multipliers of pairs whose films err by more do not.
-const Tuned<double> telling_film_error("search_telling_film_error", 0.04,
-                                       "largest error of films on the coarser grid that counts for multipliers");
-const Tuned<double> damping_by_grid("search_damping_by_grid", 7.5,
-                                    "relative error of damping on the coarser grid, over that of its films");
-const Tuned<double> growth_by_grid("search_growth_by_grid", 5.0,
-                                   "error of a real multiplier's logarithm there, over that of films");
 const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's tolerance for a decay, in that of the case");
 
 /// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
 /// in 1.5.
 double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
-
-FilmErrors film_errors(const OrbitProblem& coarse) {
-  return expected_errors(coarse.numerics.discretisation, ExpectedFilm(coarse.mesh.scales), steps_of(coarse.numerics));
-}
-
-OrbitGuess guess_from(const DescribedOrbit& run) {
-  const PeriodicOrbit& orbit = run.orbit;
-  const bool told = run.decay && run.decay->modulus_error < well_known;
-  return {orbit.end.motion, told ? run.decay->map : orbit.monodromy, orbit.end};
-}
 
 /// A pair that swings often in a mesh period ends it elsewhere with steps that are too long. Formulas of second order
 /// have the frequency w wrong by (w dT)^2/3 of it, most of which the fit of frequencies takes away.
@@ -169,25 +152,18 @@ DescribedOrbit CoarseSearch::with_decay(DescribedOrbit run) {
   coarse.numerics.steps.newton = newton_of_decay_;
   run.decay = attempt<FreeDecay>("coarse_decay", coarse,
                                  [&](const SearchWatch& own) { return decay_from(coarse, films_, run, own); });
-  if (run.decay) {
-    const double modulus = largest_modulus(run.decay->multipliers);
-    const double of_damping = modulus * std::log(modulus) * film_errors(coarse).central;
-    run.decay->modulus_error = std::hypot(run.decay->modulus_error, of_damping);
-  }
   return run;
 }
 
-// By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
-// real ones depend on the stiffness and its phase as well.
-FreeDecay CoarseSearch::with_grid_error(FreeDecay decay) const {
-  const FilmErrors films = film_errors(problem());
-  const double of_films = std::isfinite(films.smallest) ? std::max(films.central, films.smallest) : films.central;
-  const double modulus = largest_modulus(decay.multipliers);
-  const bool real = largest_multiplier(decay.multipliers).imag() == 0.0;
-  const double of_logarithm = real ? +growth_by_grid : damping_by_grid * std::abs(std::log(modulus));
-  decay.modulus_error =
-      std::hypot(decay.modulus_error, modulus * of_logarithm * std::min<double>(of_films, telling_film_error));
-  return decay;
+// Damping as wrong as the central film would be: what the map has wrong besides, the search finds out.
+OrbitGuess CoarseSearch::guess_from(const DescribedOrbit& run) const {
+  const PeriodicOrbit& orbit = run.orbit;
+  const auto serves = [&](const FreeDecay& decay) {
+    const double modulus = largest_modulus(decay.multipliers);
+    const double of_damping = modulus * std::log(modulus) * film_errors(problem()).central;
+    return std::hypot(decay.fit_error, of_damping) < well_known;
+  };
+  return {orbit.end.motion, run.decay && serves(*run.decay) ? run.decay->map : orbit.monodromy, orbit.end};
 }
 
 double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const SharedDiscretisation& films) {
@@ -200,7 +176,7 @@ double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const
 
 OrbitGuess guess_on_grid(const OrbitProblem& problem, const SharedDiscretisation& films, const CoarseSearch& search,
                          const DescribedOrbit& coarse) {
-  OrbitGuess guess = guess_from(coarse);
+  OrbitGuess guess = search.guess_from(coarse);
   const double shift = film_shift(search, problem, films);
   guess.motion.H0() += shift;
   guess.neighbour = refined(*coarse.orbit.before, films->grid().comm());

@@ -49,11 +49,10 @@ public:
   /// What an orbit with the step of the case itself has with one that is longer by the ratio. Nothing where it has none
   /// that is found about as soon.
   std::optional<DescribedOrbit> with_longer_step(const DescribedOrbit& found, double ratio);
-  /// An orbit with its decay, where multipliers are asked for; its error, of the fit and of damping as wrong as
-  /// the central film, says whether its map serves a search.
+  /// An orbit with its decay, where multipliers are asked for.
   DescribedOrbit with_decay(DescribedOrbit run);
-  /// What this grid has wrong is added to the error of the larger multiplier, in proportion to that of its films.
-  FreeDecay with_grid_error(FreeDecay decay) const;
+  /// Where a search from an orbit that was found here begins: with the map of its decay, where that is known well.
+  OrbitGuess guess_from(const DescribedOrbit& run) const;
 
 private:
   std::optional<DescribedOrbit> orbit_of(const std::string& name, const OrbitProblem& coarse,

@@ -3,7 +3,18 @@
 #include <cmath>
 #include <map>
 
+#include "orbits/multiplier_error.hpp"
+
 namespace gearfilm {
+namespace {
+
+FreeDecay decay_after(MeshMarch& march, const OrbitProblem& problem, const PeriodicOrbit& orbit) {
+  FreeDecay decay = free_decay(march, orbit, {.lead = problem.search.options.lead});
+  decay.grid_error = multiplier_grid_error(problem, decay.multipliers);
+  return decay;
+}
+
+}  // namespace
 
 DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDiscretisation& films,
                                     const OrbitGuess& guess, const SearchWatch& watch) {
@@ -34,8 +45,7 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   found.memory = march.memory();
   found.contact_lost = statistics.contact_lost(begin, end);
   found.transmission_error = signal.deviation(begin, end);
-  if (problem.search.with_multipliers)
-    found.decay = free_decay(march, found.orbit, {.lead = problem.search.options.lead});
+  if (problem.search.with_multipliers) found.decay = decay_after(march, problem, found.orbit);
   return found;
 }
 
@@ -49,7 +59,7 @@ FreeDecay decay_from(const OrbitProblem& problem, const SharedDiscretisation& fi
                      const SearchWatch& watch) {
   MeshMarch march = watched_march(problem, films, watch);
   march.remember(found.memory);
-  return free_decay(march, found.orbit, {.lead = problem.search.options.lead});
+  return decay_after(march, problem, found.orbit);
 }
 
 std::size_t true_order(const std::vector<Motion>& states, double tolerance) {

@@ -94,9 +94,9 @@ FreeDecay decay_of_train(MeshMarch& march, const PeriodicOrbit& orbit, const Dec
   MapJacobian map(way.freedoms(), march.mesh().velocity_weight(), pushed.map);
   map.update(way, came_to);
   FreeDecay decay{map.monodromy(), multipliers(map.monodromy()), 0.0};
-  decay.modulus_error = std::abs((mode * error).value() / (mode * to_vector(way)).value());
+  decay.fit_error = std::abs((mode * error).value() / (mode * to_vector(way)).value());
   pushed.leads.push_back({Motion::zero(way.freedoms()), Motion::zero(way.freedoms())});
-  if (pushed.leads.size() > static_cast<std::size_t>(pushed.map.rows()) && decay.modulus_error < well_known)
+  if (pushed.leads.size() > static_cast<std::size_t>(pushed.map.rows()) && decay.fit_error < well_known)
     decay.lead_map = AffineFit(pushed.leads).map();
   return decay;
 }
@@ -115,7 +115,7 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
   FreeDecay decay{fit.map(), multipliers(fit.map()), 0.0};
   const std::complex<double> larger = largest_multiplier(decay.multipliers);
   const bool spare = returns.size() > AffineFit::unknowns(begin);
-  decay.modulus_error = spare ? 2.0 * fit.deviation(larger) : std::abs(larger);
+  decay.fit_error = spare ? 2.0 * fit.deviation(larger) : std::abs(larger);
   return decay;
 }
 
@@ -143,11 +143,11 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
     return {{}, small, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
-  if (decay.modulus_error >= well_known) {
+  if (decay.fit_error >= well_known) {
     const Returns other_way = returns_of(march, orbit, -push, options, leads);
     decay = fit_decay({first, other_way}, begin, orbit.end.motion);
   }
-  if (leads.size() > AffineFit::unknowns(begin) && decay.modulus_error < well_known)
+  if (leads.size() > AffineFit::unknowns(begin) && decay.fit_error < well_known)
     decay.lead_map = AffineFit(leads).map();
   return decay;
 }

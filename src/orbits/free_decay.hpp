@@ -11,6 +11,7 @@
 // another, now with films that have followed: what is new to the map in that gives the error, and corrects the map.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -27,9 +28,13 @@ struct DecayOptions {
 struct FreeDecay {
   Monodromy map;  ///< empty where the push was gone at once
   Multipliers multipliers;
-  double modulus_error = 0.0;  ///< of the larger modulus: twice its standard deviation; the modulus itself, where the
-                               ///< push was gone before there was more to fit than unknowns
+  /// Of the larger modulus: twice its standard deviation; the modulus itself, where the push was gone before there was
+  /// more to fit than unknowns.
+  double fit_error = 0.0;
+  double grid_error = 0.0;              ///< of the larger modulus, by the grid and the steps of the march
   std::optional<Monodromy> lead_map{};  ///< of the motion over the lead before the end of a period, where there is one
+
+  double modulus_error() const { return std::hypot(fit_error, grid_error); }
 };
 
 /// The motion of a pushed pair after 0, 1, 2, ... mesh periods, at least three.

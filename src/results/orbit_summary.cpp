@@ -97,13 +97,13 @@ double damping_ratio_error(const OrbitOfPair& of, const FreeOscillation& oscilla
   const FreeDecay& decay = *of.found.decay;
   const double theta = 2.0 * std::numbers::pi * oscillation.frequency * of.mesh.periods() / of.mesh.mesh_frequency_si();
   const double undamped = 1.0 - oscillation.damping_ratio * oscillation.damping_ratio;
-  return decay.modulus_error / largest_modulus(decay.multipliers) * std::pow(undamped, 1.5) / theta;
+  return decay.modulus_error() / largest_modulus(decay.multipliers) * std::pow(undamped, 1.5) / theta;
 }
 
 constexpr auto decay_members = std::to_array<Member<OrbitOfPair>>({
     {"floquet_modulus_error", "", "-", "error of floquet_modulus",
      [](const OrbitOfPair& of) -> Summary {
-       return of.found.decay ? Summary(of.found.decay->modulus_error) : absent();
+       return of.found.decay ? Summary(of.found.decay->modulus_error()) : absent();
      },
      Column::real},
     {"damping_ratio_error", "", "-", "error of damping_ratio by that of floquet_modulus",

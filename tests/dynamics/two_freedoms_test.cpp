@@ -190,7 +190,7 @@ TEST(TwoFreedoms, a_push_decays_by_all_four_multipliers) {
   const Multipliers expected = {std::polar(0.8, 0.7), std::polar(0.8, -0.7), 0.7, 0.5};
   ASSERT_EQ(decay.multipliers.size(), 4u);
   for (std::size_t n = 0; n < 4; ++n) EXPECT_LT(std::abs(decay.multipliers[n] - expected[n]), 1e-6) << n;
-  EXPECT_LT(decay.modulus_error, 1e-6);
+  EXPECT_LT(decay.modulus_error(), 1e-6);
 }
 
 TEST(TwoFreedoms, a_march_settles_by_its_largest_multiplier) {
