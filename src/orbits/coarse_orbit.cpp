@@ -14,7 +14,7 @@ namespace {
 const Tuned<double> many_node_steps(
     "search_many_node_steps", 4e6,
     "nodes times steps of a mesh period from which the coarser grid begins on one coarser still");
-const Tuned<int> patience("search_patience", 16,
+const Tuned<int> patience("search_patience", 10,
                           "periods in which the first searches have to come twice as near to repeating");
 const Tuned<double> more_damping("search_more_damping", 3.0, "damping of a further start, over the expected one");
 const Tuned<double> same_orbit("search_same_orbit", 0.1, "distance of the motions of one orbit on two grids");

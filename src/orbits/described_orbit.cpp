@@ -9,9 +9,8 @@ namespace gearfilm {
 namespace {
 
 FreeDecay decay_after(MeshMarch& march, const OrbitProblem& problem, const PeriodicOrbit& orbit) {
-  FreeDecay decay = free_decay(march, orbit, {.lead = problem.search.options.lead});
-  decay.grid_error = multiplier_grid_error(problem, decay.multipliers);
-  return decay;
+  const auto grid_error = [&](const Multipliers& found) { return multiplier_grid_error(problem, found); };
+  return free_decay(march, orbit, {.lead = problem.search.options.lead, .grid_error = grid_error});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ const Tuned<double> gone("decay_gone", 0.02, "part of a push that is noise");
 const Tuned<double> far("decay_far", 4e-2, "distance from the orbit beyond which the map bends");
 const Tuned<double> smallest_push("decay_smallest_push", 1e-4, "smallest push of a pair off its orbit");
 const Tuned<double> well_known("decay_well_known", 0.02, "error of a modulus for which one push is enough");
+const Tuned<double> of_grid_error("decay_of_grid_error", 0.5, "the same, over the error by the grid");
 
 /// The pair has come back, to where it stays: near the orbit, which repeats within a tolerance only.
 bool forgotten(const MeshModel& mesh, const Returns& motions, const Motion& orbit) {
@@ -119,9 +120,11 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
   return decay;
 }
 
-FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
+namespace {
+
+/// Of a pair with one degree of freedom.
+FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
-  if (begin.freedoms() > 1) return decay_of_train(march, orbit, options);
   const auto near = [&](const Returns& motions) {
     return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
   };
@@ -143,12 +146,22 @@ FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOp
     return {{}, small, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
-  if (decay.fit_error >= well_known) {
+  const double by_grid = options.grid_error ? options.grid_error(decay.multipliers) : 0.0;
+  if (decay.fit_error >= std::max<double>(well_known, of_grid_error * by_grid)) {
     const Returns other_way = returns_of(march, orbit, -push, options, leads);
     decay = fit_decay({first, other_way}, begin, orbit.end.motion);
   }
   if (leads.size() > AffineFit::unknowns(begin) && decay.fit_error < well_known)
     decay.lead_map = AffineFit(leads).map();
+  return decay;
+}
+
+}  // namespace
+
+FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
+  const bool alone = orbit.start.motion.freedoms() == 1;
+  FreeDecay decay = alone ? decay_of_pair(march, orbit, options) : decay_of_train(march, orbit, options);
+  if (options.grid_error) decay.grid_error = options.grid_error(decay.multipliers);
   return decay;
 }
 

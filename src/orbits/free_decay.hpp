@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct DecayOptions {
   double lead = 0.0;   ///< PeriodicOptions::lead with which the orbit was found
   int periods = 4;     ///< marched at most; at least 3
   double push = 5e-3;  ///< of the first q [-]: well above the noise of a march, within its linear range
+  std::function<double(const Multipliers&)> grid_error{};  ///< FreeDecay::grid_error; none: zero
 };
 
 struct FreeDecay {

@@ -24,8 +24,7 @@ FilmErrors film_errors(const OrbitProblem& problem) {
 
 double multiplier_grid_error(const OrbitProblem& problem, const Multipliers& multipliers) {
   const FilmErrors films = film_errors(problem);
-  const double of_films = std::isfinite(films.smallest) ? std::max(films.central, films.smallest) : films.central;
-  const double ratio = std::min(of_films / telling_film_error, 1.0);
+  const double ratio = std::min(std::max(films.central, films.smallest) / telling_film_error, 1.0);
   const double modulus = largest_modulus(multipliers);
   const bool real = largest_multiplier(multipliers).imag() == 0.0;
   const double of_logarithm = real ? +growth_by_grid : damping_by_grid * std::abs(std::log(modulus));

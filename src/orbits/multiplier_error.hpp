@@ -1,5 +1,5 @@
 // What a grid has wrong of the multipliers of a periodic state on films, by the error f that is expected of its films
-// (expected_errors.hpp).
+// (expected_errors.hpp), the larger one.
 //
 // By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
 // real ones depend on the stiffness and its phase as well. With r = min(f/0.04, 1)^2, the larger multiplier mu has

@@ -116,8 +116,8 @@ def motion_row(pair, runs, folder):
     modes, orbit = runs["eigen"].found, runs["periodic"].found
     force = hand.tooth_force(pair)
     swing = f"{hand.natural_frequency(pair) / hand.mesh_frequency(pair):.1f}"
-    modes = (beside(modes.get("f_n"), hand.natural_frequency(pair)), value(modes.get("film_frequency"), 1, 5),
-             value(modes.get("film_damping_ratio"), 0.01, 2))
+    modes = (beside(modes.get("f_n"), hand.natural_frequency(pair)), barred(modes, "film_frequency", 1, 5),
+             barred(modes, "film_damping_ratio", 0.01, 2))
     if not orbit:
         return (swing, *modes, *6 * ["-"])
     loss = orbit["power_sliding"] / (FRICTION * pair.torque * pair.rpm * math.pi / 30)
