@@ -7,8 +7,8 @@
 #include "app/commands.hpp"
 #include "app/corner_contact.hpp"
 #include "app/march_output.hpp"
+#include "app/over_the_face.hpp"
 #include "app/result_warnings.hpp"
-#include "film/domain_margins.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_numerics.hpp"
 #include "input/case_setup.hpp"
@@ -215,26 +215,9 @@ void search_anywhere(MPI_Comm comm, const CaseInput& given) {
 
 }  // namespace
 
-// Forces of a pair in motion are known when they are computed.
 void run_periodic(MPI_Comm comm, const CaseInput& given) {
-  const std::string whole_face = "grid.whole_face";
-  ParameterValues values = given.parameters;
-  const bool asked_for = values.text(whole_face) == "yes";
-  values.set(whole_face, "yes", "the choice of rows by the program");
-  // A run that began again over the whole face goes on there.
-  if (given.run.restart && !asked_for && parameter_of_kept_run(comm, given.run.directory, whole_face) == "yes") {
-    search_anywhere(comm, make_case_like(given, values));
-    return;
-  }
-  try {
-    search_anywhere(comm, given);
-  } catch (const EdgesReached& error) {
-    if (asked_for) throw;
-    say(comm, error.what(), ": the search begins again with films over the whole face (", whole_face, ": yes)");
-    CaseInput over_the_face = make_case_like(given, values);
-    over_the_face.run.restart = false;
-    search_anywhere(comm, over_the_face);
-  }
+  run_over_the_face_if_needed(comm, given, "the search",
+                              [&](const CaseInput& problem) { search_anywhere(comm, problem); });
 }
 
 }  // namespace gearfilm

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "film/domain_margins.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
 #include "input/case_with_parameter.hpp"
@@ -18,6 +19,8 @@
 
 namespace gearfilm {
 namespace {
+
+constexpr const char *own_checkpoint = ".checkpoint", *whole_face_checkpoint = ".whole_face.checkpoint";
 
 const char* name_of(SweepDirection direction) { return direction == SweepDirection::up ? "up" : "down"; }
 
@@ -48,6 +51,14 @@ public:
   }
 
 private:
+  /// A point on its own grid, or over the whole face.
+  struct Attempt {
+    SweepPoint point;
+    double value;
+    CaseInput here;
+    const char* checkpoint;  ///< extension of its name
+  };
+
   /// Goes on from a point that is on disk, since a program before has computed it.
   void resume_from(const SweepPoint& point, const Summary& result) {
     if (result.contains("error")) {
@@ -79,29 +90,38 @@ private:
   /// What only a point that is still to be computed needs.
   void remove_outdated(const SweepPoint& done) const {
     if (rank_in(group_) != 0) return;
-    remove_all_written_here(points_.file(done, ".checkpoint"));
+    for (const char* kept : {own_checkpoint, whole_face_checkpoint}) remove_all_written_here(points_.file(done, kept));
     if (before_point_) remove_if_written_here(points_.file(*before_point_, ".films"));
   }
 
-  Checkpoint checkpoint(const SweepPoint& point, const SharedDiscretisation& films) const {
-    return {films->grid(), points_.file(point, ".checkpoint"), Checkpoint::Begin::where_it_stopped};
+  Checkpoint checkpoint(const Attempt& at, const SharedDiscretisation& films) const {
+    return {films->grid(), points_.file(at.point, at.checkpoint), Checkpoint::Begin::where_it_stopped};
   }
 
   Summary compute(const SweepPoint& point, double value) {
-    const CaseInput here = case_at_(value);
-    const OrbitProblem search = orbit_problem(here);
-    const MeshModel& mesh = search.mesh;
-    Summary result = {{"direction", name_of(point.direction)}, {"value", value}};
-    add_conditions({here, mesh}, result);
     try {
-      if (here.sweep.marched()) {
-        march(search, value, point, result);
-      } else if (here.dry()) {
-        stop_.check(group_, value);
-        add_dry_orbit(search, chain_.find_dry(value, counted(stop_.check_in(group_))), result);
+      return compute({point, value, case_at_(value), own_checkpoint});
+    } catch (const EdgesReached&) {
+      return compute({point, value, case_of_sweep(over_whole_face(problem_), value), whole_face_checkpoint});
+    }
+  }
+
+  Summary compute(const Attempt& at) {
+    const OrbitProblem search = orbit_problem(at.here);
+    const MeshModel& mesh = search.mesh;
+    Summary result = {{"direction", name_of(at.point.direction)}, {"value", at.value}};
+    add_conditions({at.here, mesh}, result);
+    try {
+      if (at.here.sweep.marched()) {
+        march(search, at, result);
+      } else if (at.here.dry()) {
+        stop_.check(group_, at.value);
+        add_dry_orbit(search, chain_.find_dry(at.value, counted(stop_.check_in(group_))), result);
       } else {
-        find_on_films(search, value, point, result);
+        find_on_films(search, at, result);
       }
+    } catch (const EdgesReached&) {
+      throw;
     } catch (const SolveError& error) {
       result["error"] = error.what();
       forget();
@@ -119,8 +139,8 @@ private:
     return search.search.start ? std::optional(PairState{*search.search.start, {}}) : std::nullopt;
   }
 
-  void march(const OrbitProblem& search, double value, const SweepPoint& point, Summary& result) {
-    const std::optional<PairState> from = march_start(search, point);
+  void march(const OrbitProblem& search, const Attempt& at, Summary& result) {
+    const std::optional<PairState> from = march_start(search, at.point);
     if (problem_.sweep.kind == SweepKind::basins) {
       result["H0"] = from->motion.H0();
       result["V0"] = from->motion.V0();
@@ -132,21 +152,21 @@ private:
       marched = march_dry(search, from ? std::optional(from->motion) : std::nullopt, length, watch.check_stop);
     } else {
       const SharedDiscretisation films = discretise(group_, search);
-      Checkpoint kept = checkpoint(point, films);
+      Checkpoint kept = checkpoint(at, films);
       watch.store = &kept;
       marched = march_on_films(search, films, from, length, watch);
-      write_films(point, marched.end);
+      write_films(at.point, marched.end);
     }
     result.update(marched_summary(marched, search.mesh.scales, !problem_.dry()));
-    ChainLink link{value, {}, {}};
+    ChainLink link{at.value, {}, {}};
     link.guess.motion = marched.end.motion;
     if (!problem_.dry()) link.guess.neighbour = marched.end;
     chain_.keep(std::move(link));
   }
 
-  void find_on_films(const OrbitProblem& problem, double value, const SweepPoint& point, Summary& result) {
+  void find_on_films(const OrbitProblem& problem, const Attempt& at, Summary& result) {
     const SharedDiscretisation films = discretise(group_, problem);
-    Checkpoint kept = checkpoint(point, films);
+    Checkpoint kept = checkpoint(at, films);
     result["search"] = Summary::array();
     const auto list = [&](const char* name) {
       return [&result, name](const SearchPeriod& period) {
@@ -167,9 +187,9 @@ private:
       if (!search.neighbour_error.empty()) result["neighbour_error"] = search.neighbour_error;
     };
     try {
-      const DescribedOrbit found = chain_.find_on_films(value, problem, films, watch, search);
+      const DescribedOrbit found = chain_.find_on_films(at.value, problem, films, watch, search);
       describe_search();
-      write_films(point, found.orbit.end);
+      write_films(at.point, found.orbit.end);
       add_orbit(problem.mesh, found, result);
       if (problem.mesh.rating) {
         result["safety"] = ratings.safeties(found.orbit.begin, found.orbit.begin + problem.mesh.period());

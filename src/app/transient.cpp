@@ -5,6 +5,7 @@
 #include "app/corner_contact.hpp"
 #include "app/flank_march.hpp"
 #include "app/march_output.hpp"
+#include "app/over_the_face.hpp"
 #include "app/result_warnings.hpp"
 #include "gearfilm/error.hpp"
 #include "input/case_setup.hpp"
@@ -96,9 +97,7 @@ Summary write_march(const ResumableRun& run, const CaseInput& problem, const Mes
   return summary;
 }
 
-}  // namespace
-
-void run_transient(MPI_Comm comm, const CaseInput& given) {
+void march_case(MPI_Comm comm, const CaseInput& given) {
   std::string remark;
   const CaseInput problem = transient_case(given, remark);
   if (!remark.empty()) say(comm, remark);
@@ -131,6 +130,12 @@ void run_transient(MPI_Comm comm, const CaseInput& given) {
   warn_of_validity(comm, problem, summary);
   if (!problem.dry()) warn_of_heating(comm, problem, heating_at_pitch(problem));
   run.complete();
+}
+
+}  // namespace
+
+void run_transient(MPI_Comm comm, const CaseInput& given) {
+  run_over_the_face_if_needed(comm, given, "the march", [&](const CaseInput& problem) { march_case(comm, problem); });
 }
 
 }  // namespace gearfilm

@@ -17,6 +17,7 @@ constexpr double relaxations_for_factors = 0.1;
 template <class Real>
 RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deformation<Part>& deformation)
     : Smoother<Real>(grid),
+      comm_(grid.comm()),
       nx_(grid.nx()),
       single_(grid.row_axis().single()),
       rows_(grid.y_count()),
@@ -87,13 +88,16 @@ bool RowSmoother<Real>::serve(ShiftOf<Real> shift) const {
   constexpr double same = 1e-6;          // lengths of steps differ by round-off
   constexpr double most_changed = 0.01;  // of the coupled nodes
   if (use_.linearisations == 0 || std::abs(shift - use_.shift) > same * std::abs(shift)) return false;
-  double changed = 0.0, all = 0.0;
+  std::array<double, 2> nodes{};
+  auto& [changed, all] = nodes;
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       all += this->coupled_.row(i)[j];
       changed += std::abs(this->coupled_.row(i)[j] - factored_.row(i)[j]);
     }
   }
+  // Factors are made together: all processes decide alike.
+  MPI_Allreduce(MPI_IN_PLACE, nodes.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
   if (changed > most_changed * all) return false;
   return use_.last * use_.linearisations <= use_.cost + use_.relaxations;
 }

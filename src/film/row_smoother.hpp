@@ -50,7 +50,7 @@ private:
   void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
   /// Factors the matrices of all rows at their present coupled nodes.
   void make_factors(const FilmStencil<Real>& linear);
-  /// Whether the present factors serve a linearisation about this state as well.
+  /// Whether the present factors serve a linearisation about this state as well. Collective.
   bool serve(ShiftOf<Real> shift) const;
 
   struct Row {
@@ -68,6 +68,7 @@ private:
     int last = 0;         ///< of the last one
   };
 
+  MPI_Comm comm_;
   int nx_;
   bool single_;  ///< no rows beside it
   std::array<std::vector<Part>, places> influence_;

@@ -44,8 +44,8 @@ double inlet_rise(const ExpectedFilm& expected);
 /// Distance between the Hertz ellipse and the inlet edge [a] with which 0.3 % of the central film are lacking.
 double flooded_inlet(const ExpectedFilm& expected);
 
-/// Half the width [b] that the sides of a film need: pressure reaches about as far beyond the tips of the ellipse as into
-/// the inlet. Forces of pairs need more (load_beyond_edges.hpp).
+/// Half the width [b] that the sides of a film need: pressure reaches about as far beyond the tips of the ellipse as
+/// into the inlet. Forces of pairs need more (load_beyond_edges.hpp).
 double clear_side(const ExpectedFilm& expected);
 
 /// Flooded and clear, under up to 1.25 times the force too.

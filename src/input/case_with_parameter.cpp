@@ -27,6 +27,12 @@ CaseInput case_with_parameter(const CaseInput& problem, const std::string& param
   return make_case_like(problem, values);
 }
 
+CaseInput over_whole_face(const CaseInput& problem) {
+  ParameterValues values = problem.parameters;
+  values.set(whole_face_parameter, "yes", "the choice of rows by the program");
+  return make_case_like(problem, values);
+}
+
 CaseInput case_of_sweep(const CaseInput& problem, double value) {
   return problem.sweep.kind == SweepKind::basins ? problem
                                                  : case_with_parameter(problem, problem.sweep.parameter, value);

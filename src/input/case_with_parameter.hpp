@@ -1,4 +1,5 @@
-// A case at another value of one of its parameters: sweeps and continuations go from value to value.
+// A case at another value of one of its parameters: sweeps and continuations go from value to value, and contacts that
+// come to the edges of the face have films over all of it.
 #pragma once
 
 #include <functional>
@@ -11,6 +12,10 @@ namespace gearfilm {
 
 /// The case with another value, on the grid that it has by itself. Throws InputError where there is no such pair.
 CaseInput case_with_parameter(const CaseInput& problem, const std::string& parameter, double value);
+
+inline constexpr const char* whole_face_parameter = "grid.whole_face";
+/// The case with films over the whole face, on which no contact comes to its edges.
+CaseInput over_whole_face(const CaseInput& problem);
 
 /// The case of a point of its sweep: of basins all are of the case itself.
 CaseInput case_of_sweep(const CaseInput& problem, double value);

@@ -5,6 +5,7 @@
 
 #include "dynamics/dry_flow.hpp"
 #include "dynamics/march_statistics.hpp"
+#include "grid/remap.hpp"
 
 namespace gearfilm {
 namespace {
@@ -29,7 +30,7 @@ SettledMarch march_on_films(const OrbitProblem& problem, const SharedDiscretisat
   PoincareSection section;
   MeshMarch march = watched_march(
       problem, films, watch, [&](const StepRecord& record, const std::vector<ActiveContact>&) { section.add(record); });
-  if (from && !from->films.empty()) {
+  if (from && !from->films.empty() && same_lattice(from->shape, films->grid().shape())) {
     march.resume(0.0, *from);
   } else {
     march.start(from ? std::optional(from->motion) : std::nullopt);

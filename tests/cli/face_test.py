@@ -10,7 +10,7 @@ import unittest
 import h5py
 import numpy
 
-from films import BALANCE, SAME, summary_in
+from films import BALANCE, BARBIERI, SAME, summary_in
 from program import RESULT_FILES, SOURCE, ProgramTest
 
 sys.path.insert(0, str(SOURCE / "scripts"))
@@ -34,6 +34,11 @@ LINE = CONTACT.replace("kind: contact", "kind: line").replace("load: 4000", "lin
     "  face_width: 14e-3\n", "")
 RELIEVED = ["-contact_end_relief", "10e-6", "-contact_end_relief_length", "3e-3"]
 HALF_SPACE = ["-contact_end_face", "half_space"]
+
+
+def history_in(folder):
+    with h5py.File(folder / "results.h5") as results:
+        return results["history/steps"][()]
 
 
 class FaceTest(ProgramTest):
@@ -116,6 +121,21 @@ class Faces(FaceTest):
         run = self.run_program("steady", self.write_case(CONTACT), "-output_dir", "none", *HALF_SPACE, "-grid_nx", 33)
         self.assert_message(run, 2, "gearfilm: not solved: ", ["end_face", "relief"])
         self.assertFalse(list((self.folder / "none").iterdir()))
+
+    def test_a_march_whose_load_comes_to_the_ends_begins_again_over_the_whole_face(self):
+        # The radii of the case study on a narrow face: its ends are reached under half as much force again.
+        narrow = ["transient", BARBIERI, "-gear_face_width", 8e-3, "-pinion_crowning", 0.02096e-3, "-wheel_crowning",
+                  0.02096e-3, "-grid_nx", 65, "-time_dt", 0.1]
+        whole = self.run_program(*narrow, "-grid_whole_face", "yes", "-output_dir", "asked")
+        self.assertEqual(whole.status, 0, whole)
+        self.run_well(*narrow, "-mesh_periods", 1.2, "-keep_checkpoint", "-output_dir", "chosen")
+        run = self.run_well(*narrow, "-restart", "-keep_checkpoint", "-output_dir", "chosen")
+        self.assertIn("the march begins again with films over the whole face", run.stdout)
+        asked, chosen = (history_in(self.folder / name) for name in ("asked", "chosen"))
+        numpy.testing.assert_array_equal(chosen["H0"], asked["H0"])
+        # There it also goes on.
+        self.run_well(*narrow, "-mesh_periods", 2.1, "-restart", "-output_dir", "chosen")
+        numpy.testing.assert_array_equal(history_in(self.folder / "chosen")["H0"][:len(asked)], asked["H0"])
 
     def test_a_crowned_contact_within_its_face_does_not_know_it(self):
         crowned = CONTACT.replace("load: 4000", "load: 400\n  radius_y: 0.1")
