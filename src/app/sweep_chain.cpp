@@ -54,9 +54,9 @@ private:
   /// A point on its own grid, or over the whole face.
   struct Attempt {
     SweepPoint point;
-    double value;
+    double value = 0.0;
     CaseInput here;
-    const char* checkpoint;  ///< extension of its name
+    const char* checkpoint = own_checkpoint;  ///< extension of its name
   };
 
   /// Goes on from a point that is on disk, since a program before has computed it.
@@ -100,7 +100,7 @@ private:
 
   Summary compute(const SweepPoint& point, double value) {
     try {
-      return compute({point, value, case_at_(value), own_checkpoint});
+      return compute({point, value, case_at_(value)});
     } catch (const EdgesReached&) {
       return compute({point, value, case_of_sweep(over_whole_face(problem_), value), whole_face_checkpoint});
     }
