@@ -52,7 +52,7 @@ namespace {
 /// An action that may fail on some of the processes only: InputError on all.
 template <class Action>
 void require_on_all(MPI_Comm comm, Action action) {
-  const std::string reason = first_reason(comm, reason_against(action));
+  const std::string reason = first_of_all_reasons(comm, reason_against(action));
   if (!reason.empty()) throw InputError(reason);
 }
 

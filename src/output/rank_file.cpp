@@ -40,7 +40,7 @@ std::optional<std::vector<double>> read_rank_file(MPI_Comm comm, const std::file
   file.read(mark_found.data(), static_cast<std::streamsize>(mark_found.size()));
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
   const bool whole = file && marked && mark_found == restart_mark && size % sizeof(double) == 0;
-  const bool all_whole = first_reason(comm, whole ? "" : "not whole").empty();
+  const bool all_whole = first_of_all_reasons(comm, whole ? "" : "not whole").empty();
   if (mark_of(comm, values).checksum != mark.checksum || !all_whole) return {};
   return values;
 }

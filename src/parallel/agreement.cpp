@@ -65,6 +65,26 @@ bool wait_briefly(MPI_Request& request) {
   return done != 0;
 }
 
+namespace {
+
+/// The text of a process, on all; empty where there is no such process.
+std::string text_of(MPI_Comm comm, int process, std::string own) {
+  if (process == processes_in(comm)) return {};
+  int length = static_cast<int>(own.size());
+  MPI_Bcast(&length, 1, MPI_INT, process, comm);
+  own.resize(length);
+  MPI_Bcast(own.data(), length, MPI_CHAR, process, comm);
+  return own;
+}
+
+}  // namespace
+
+std::string first_of_all_reasons(MPI_Comm comm, const std::string& own) {
+  int first = own.empty() ? processes_in(comm) : rank_in(comm);
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
+  return text_of(comm, first, own);
+}
+
 std::string first_reason(MPI_Comm comm, const std::string& own) {
   const int size = processes_in(comm);
   const int own_place = own.empty() ? size : rank_in(comm);
@@ -76,13 +96,7 @@ std::string first_reason(MPI_Comm comm, const std::string& own) {
   } else if (!wait_briefly(agreement)) {
     return own;  // the others are stuck in what failed here
   }
-  if (first == size) return {};
-  std::string reason = own;
-  int length = static_cast<int>(reason.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  reason.resize(length);
-  MPI_Bcast(reason.data(), length, MPI_CHAR, first, comm);
-  return reason;
+  return text_of(comm, first, own);
 }
 
 void require_written(MPI_Comm comm, const std::filesystem::path& path, const std::string& own_reason) {

@@ -26,7 +26,12 @@ void wait_asleep(MPI_Request& request);
 /// A barrier at which early processes sleep.
 void wait_asleep(MPI_Comm comm);
 
-/// The text of the lowest process that has one; empty where none has.
+/// The text of the lowest process that has one; empty where none has. All processes are waited for: they must come here
+/// whatever strikes one of them.
+std::string first_of_all_reasons(MPI_Comm comm, const std::string& own);
+
+/// The same where others may be stuck in what failed here: a process that has a reason waits for them for a few seconds
+/// and has its own then. Only for what ends the run.
 std::string first_reason(MPI_Comm comm, const std::string& own);
 
 /// Throws OutputError on all processes where any of them has a reason: the path, what its file system says, the remedy.

@@ -310,6 +310,17 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
   return result;
 }
 
+namespace {
+
+/// Of so many values that one process has: whose row lies in the middle depends on how rows are cut.
+std::vector<double> on_all(MPI_Comm comm, std::vector<double> values, int count) {
+  values.resize(static_cast<std::size_t>(count), 0.0);
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), count, MPI_DOUBLE, MPI_SUM, comm);
+  return values;
+}
+
+}  // namespace
+
 void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& result) {
   const ContactFilm& film = *result.solved.film;
   const TractionFields& friction = result.friction.fields;
@@ -327,7 +338,8 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   }
   const std::vector<std::string> datasets = write_fields(file, group, domain, scales, fields, group);
   if (problem.traction && problem.traction->heat) {
-    file.rows(group, "temperature_across", "K", film.grid().nx(), problem.traction->heat->points, friction.across);
+    const int nx = film.grid().nx(), points = problem.traction->heat->points;
+    file.rows(group, "temperature_across", "K", nx, points, on_all(comm, friction.across, nx * points));
   }
   if (problem.scales.solids.face) write_face(file, group, scales, face_quantities(film));
   if (problem.stress) {

@@ -87,7 +87,7 @@ TractionFields agreed(const ContactFilm& film, Computation computation) {
   } catch (const SolveError& error) {
     reason = error.what();
   }
-  reason = first_reason(film.grid().comm(), reason);
+  reason = first_of_all_reasons(film.grid().comm(), reason);
   if (!reason.empty()) throw SolveError(reason);
   return fields;
 }

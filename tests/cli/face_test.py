@@ -88,6 +88,17 @@ class Faces(FaceTest):
                      "h_min_y", "p_max_y"):
             self.assert_near(together[name], alone[name], SAME, name)
 
+    def test_a_misaligned_face_has_the_temperatures_of_its_middle_on_any_process(self):
+        across = []
+        for processes in (1, 2):
+            self.run_well("steady", SOURCE / "input/misaligned.yaml", "-friction_law", "eyring", "-thermal_model", "film",
+                          "-lubricant_temperature_viscosity", 0.04, "-grid_nx", 65, "-grid_largest_row", 8,
+                          "-solver_processes", "all", "-output_dir", f"film{processes}", processes=processes)
+            with h5py.File(self.folder / f"film{processes}/results.h5") as results:
+                across.append(results["contact0/temperature_across"][()])
+        numpy.testing.assert_allclose(across[1], across[0], rtol=1e-6)
+        self.assertGreater(across[0].max(), across[0].min() + 0.1)
+
     def test_rows_of_the_face_are_stored(self):
         summary = self.steady(CONTACT, *RELIEVED, *HALF_SPACE, "-contact_misalignment", "10e-6", "-grid_nx", 65)
         self.assertEqual({path.name for path in (self.folder / "film").iterdir()}, RESULT_FILES)
