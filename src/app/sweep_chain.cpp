@@ -98,19 +98,34 @@ private:
     return {films->grid(), points_.file(at.point, at.checkpoint), Checkpoint::Begin::where_it_stopped};
   }
 
+  /// On its own grid; where the load comes to the ends of the face, over all of it.
   Summary compute(const SweepPoint& point, double value) {
+    const Attempt own{point, value, case_at_(value)};
     try {
-      return compute({point, value, case_at_(value)});
-    } catch (const EdgesReached&) {
-      return compute({point, value, case_of_sweep(over_whole_face(problem_), value), whole_face_checkpoint});
+      return compute(own);
+    } catch (const EdgesReached& error) {
+      try {
+        return compute({point, value, case_of_sweep(over_whole_face(problem_), value), whole_face_checkpoint});
+      } catch (const InputError& refusal) {
+        Summary result = begun(own, orbit_problem(own.here).mesh);
+        result["error"] = worded(error.what(), "; but ", refusal.what());
+        forget();
+        return result;
+      }
     }
+  }
+
+  /// What the record of a point begins with.
+  static Summary begun(const Attempt& at, const MeshModel& mesh) {
+    Summary result = {{"direction", name_of(at.point.direction)}, {"value", at.value}};
+    add_conditions({at.here, mesh}, result);
+    return result;
   }
 
   Summary compute(const Attempt& at) {
     const OrbitProblem search = orbit_problem(at.here);
     const MeshModel& mesh = search.mesh;
-    Summary result = {{"direction", name_of(at.point.direction)}, {"value", at.value}};
-    add_conditions({at.here, mesh}, result);
+    Summary result = begun(at, mesh);
     try {
       if (at.here.sweep.marched()) {
         march(search, at, result);
