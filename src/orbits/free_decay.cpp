@@ -122,7 +122,7 @@ FreeDecay fit_decay(const std::vector<Returns>& pushes, const Motion& begin, con
 
 namespace {
 
-/// Of a pair with one degree of freedom.
+/// How a pushed pair with one degree of freedom returns to its orbit.
 FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const Motion& begin = orbit.start.motion;
   const auto near = [&](const Returns& motions) {
@@ -146,8 +146,7 @@ FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const Deca
     return {{}, small, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
-  const double by_grid = options.grid_error ? options.grid_error(decay.multipliers) : 0.0;
-  if (decay.fit_error >= std::max<double>(well_known, of_grid_error * by_grid)) {
+  if (decay.fit_error >= std::max<double>(well_known, of_grid_error * options.grid_error(decay.multipliers))) {
     const Returns other_way = returns_of(march, orbit, -push, options, leads);
     decay = fit_decay({first, other_way}, begin, orbit.end.motion);
   }
@@ -161,7 +160,7 @@ FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const Deca
 FreeDecay free_decay(MeshMarch& march, const PeriodicOrbit& orbit, const DecayOptions& options) {
   const bool alone = orbit.start.motion.freedoms() == 1;
   FreeDecay decay = alone ? decay_of_pair(march, orbit, options) : decay_of_train(march, orbit, options);
-  if (options.grid_error) decay.grid_error = options.grid_error(decay.multipliers);
+  decay.grid_error = options.grid_error(decay.multipliers);
   return decay;
 }
 

@@ -4,11 +4,12 @@
 // The pair is pushed off the orbit and marched; q and v are taken once a mesh period. From the first return on the
 // films have followed the motion, and each motion follows from the one before by an affine map, of which the orbit is
 // the fixed point: least squares over all returns give its numbers, and what is left over gives their errors. Where
-// contact is lost that is also what bends of the map contribute. Where the multipliers are not known well by that, the
-// pair is pushed the other way too: a kink of the map, whose sides differ, then shows in the error.
-// With n degrees of freedom as many returns would be needed as 2 n and more, of ever smaller motions. There each q and
-// v is pushed by itself for one period, and the pair that then has most of the largest multiplier's mode goes on for
-// another, now with films that have followed: what is new to the map in that gives the error, and corrects the map.
+// contact is lost that is also what bends of the map contribute. Where the multipliers are not known well by that, and
+// less well than half of what the grid has wrong of them, the pair is pushed the other way too: a kink of the map,
+// whose sides differ, then shows in the error. With n degrees of freedom as many returns would be needed as 2 n and
+// more, of ever smaller motions. There each q and v is pushed by itself for one period, and the pair that then has most
+// of the largest multiplier's mode goes on for another, now with films that have followed: what is new to the map in
+// that gives the error, and corrects the map.
 #pragma once
 
 #include <cmath>
@@ -24,18 +25,20 @@ struct DecayOptions {
   double lead = 0.0;   ///< PeriodicOptions::lead with which the orbit was found
   int periods = 4;     ///< marched at most; at least 3
   double push = 5e-3;  ///< of the first q [-]: well above the noise of a march, within its linear range
-  std::function<double(const Multipliers&)> grid_error{};  ///< FreeDecay::grid_error; none: zero
+  /// FreeDecay::grid_error of multipliers that are found.
+  std::function<double(const Multipliers&)> grid_error = [](const Multipliers&) { return 0.0; };
 };
 
 struct FreeDecay {
   Monodromy map;  ///< empty where the push was gone at once
   Multipliers multipliers;
-  /// Of the larger modulus: twice its standard deviation; the modulus itself, where the push was gone before there was
-  /// more to fit than unknowns.
+  /// What the fit leaves unknown of the modulus of the larger multiplier [-]: twice its standard deviation; the modulus
+  /// itself, where the push was gone before there was more to fit than unknowns.
   double fit_error = 0.0;
-  double grid_error = 0.0;              ///< of the larger modulus, by the grid and the steps of the march
+  double grid_error = 0.0;              ///< what grid and steps of the march have wrong of that modulus [-]
   std::optional<Monodromy> lead_map{};  ///< of the motion over the lead before the end of a period, where there is one
 
+  /// Of the modulus of the larger multiplier, by both [-].
   double modulus_error() const { return std::hypot(fit_error, grid_error); }
 };
 

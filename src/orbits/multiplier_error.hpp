@@ -1,5 +1,5 @@
-// What a grid has wrong of the multipliers of a periodic state on films, by the error f that is expected of its films
-// (expected_errors.hpp), the larger one.
+// What a grid has wrong of the Floquet multipliers mu of a periodic state on films. f: the larger one of the relative
+// errors that are expected of central and smallest film on that grid (expected_errors.hpp).
 //
 // By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
 // real ones depend on the stiffness and its phase as well. With r = min(f/0.04, 1)^2, the larger multiplier mu has
@@ -14,9 +14,10 @@
 
 namespace gearfilm {
 
+/// Relative, expected of the films on the problem's grid at the pitch point.
 FilmErrors film_errors(const OrbitProblem& problem);
 
-/// Of the modulus of the larger multiplier, which was found with this problem's grid.
+/// What the problem's grid, with which the multipliers were found, has wrong of the larger modulus [-]; the law above.
 double multiplier_grid_error(const OrbitProblem& problem, const Multipliers& multipliers);
 
 }  // namespace gearfilm

@@ -4,7 +4,8 @@
 //   sweep.json                the parameters of the sweep; another sweep must not mix its points with these
 //   points/up_0003.json       the fourth point of the way up: its results, or the error that ended it
 //   points/up_0003.films      the films of its periodic state, until the next point is done
-//   points/up_0003.checkpoint the search for it, as long as it goes on
+//   points/up_0003.checkpoint the search for it, as long as it goes on; over the whole face, where it came to the ends
+//                             of the face, in points/up_0003.whole_face.checkpoint
 #pragma once
 
 #include <filesystem>

@@ -30,8 +30,8 @@ void wait_asleep(MPI_Comm comm);
 /// whatever strikes one of them.
 std::string first_of_all_reasons(MPI_Comm comm, const std::string& own);
 
-/// The same where others may be stuck in what failed here: a process that has a reason waits for them for a few seconds
-/// and has its own then. Only for what ends the run.
+/// The text of the lowest process that has one, where others may be stuck in what failed here: a process that has a text
+/// waits for the others for a few seconds, and returns its own where they do not come. Only for what ends the run.
 std::string first_reason(MPI_Comm comm, const std::string& own);
 
 /// Throws OutputError on all processes where any of them has a reason: the path, what its file system says, the remedy.

@@ -312,7 +312,7 @@ SteadyResult solve_steady(const Grid& grid, const CaseInput& problem, const Stea
 
 namespace {
 
-/// Of so many values that one process has: whose row lies in the middle depends on how rows are cut.
+/// `count` values that one process has and the others lack, on all of them. Collective.
 std::vector<double> on_all(MPI_Comm comm, std::vector<double> values, int count) {
   values.resize(static_cast<std::size_t>(count), 0.0);
   MPI_Allreduce(MPI_IN_PLACE, values.data(), count, MPI_DOUBLE, MPI_SUM, comm);
@@ -338,6 +338,7 @@ void write_results(MPI_Comm comm, const CaseInput& problem, const SteadyResult& 
   }
   const std::vector<std::string> datasets = write_fields(file, group, domain, scales, fields, group);
   if (problem.traction && problem.traction->heat) {
+    // The process whose rows have the middle one of the face has them, the first or another.
     const int nx = film.grid().nx(), points = problem.traction->heat->points;
     file.rows(group, "temperature_across", "K", nx, points, on_all(comm, friction.across, nx * points));
   }
