@@ -13,7 +13,17 @@ constexpr int most_rows = 24;  // FFTW has wider vectors than the compiler is al
 constexpr int most_spectra = 10000;  // wave numbers of all rows, each of which has a row of the matrix
 constexpr int piece_bytes = 12288;   // messages that wait in memory that is shared until they are received
 constexpr int tag = 1;
-constexpr int few = 24, many = 40;  // rows that are summed side by side: they fill vectors, and their sums registers
+
+/// Of 24, 32 and 40 rows that are summed side by side, which fill vectors, and their sums registers: those of which
+/// blocks have fewest more rows than there are.
+int width_for(int rows) {
+  const auto more = [rows](int width) { return (width - rows % width) % width; };
+  int best = 40;
+  for (const int width : {32, 24}) {
+    if (more(width) < more(best)) best = width;
+  }
+  return best;
+}
 
 /// sums += matrix times rows.
 template <int width, class Real>
@@ -52,7 +62,7 @@ DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const XSpectra<Real
       rank_(grid.rank()),
       waves_(spectra.waves()),
       sources_(grid.row_axis().inner({0, grid.rows()}).end),
-      width_(grid.y_count() <= few ? few : many),
+      width_(width_for(grid.y_count())),
       blocks_((grid.y_count() + width_ - 1) / width_),
       y_ranges_(grid.y_ranges().begin(), grid.y_ranges().end()),
       pieces_(pieces(waves_, (grid.rows() + grid.processes() - 1) / grid.processes())),
@@ -118,10 +128,15 @@ void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real*
   const int first = y_ranges_[process], count = std::min(rows_of(process), sources_ - first);
   for (int block = 0; block < blocks_; ++block, sums += 2 * width_) {
     const Real* matrix = matrix_.data() + ((static_cast<std::size_t>(k) * blocks_ + block) * sources_ + first) * width_;
-    if (width_ == few) {
-      add_rows<few>(matrix, rows, count, sums);
-    } else {
-      add_rows<many>(matrix, rows, count, sums);
+    switch (width_) {
+      case 24:
+        add_rows<24>(matrix, rows, count, sums);
+        break;
+      case 32:
+        add_rows<32>(matrix, rows, count, sums);
+        break;
+      default:
+        add_rows<40>(matrix, rows, count, sums);
     }
   }
 }

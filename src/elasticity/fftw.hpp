@@ -22,6 +22,7 @@ struct Interface<double> {
   static constexpr auto many_r2c = fftw_plan_many_dft_r2c;
   static constexpr auto many_c2r = fftw_plan_many_dft_c2r;
   static constexpr auto many_c2c = fftw_plan_many_dft;
+  static constexpr auto guru_c2c = fftw_plan_guru_dft;
   static constexpr auto execute = fftw_execute;
   static constexpr auto destroy = fftw_destroy_plan;
 };
@@ -31,6 +32,7 @@ struct Interface<float> {
   using Plan = fftwf_plan;
   using Complex = fftwf_complex;
   static constexpr auto many_c2c = fftwf_plan_many_dft;
+  static constexpr auto guru_c2c = fftwf_plan_guru_dft;
   static constexpr auto execute = fftwf_execute;
   static constexpr auto destroy = fftwf_destroy_plan;
 };

@@ -92,7 +92,7 @@ double RowContact::influence(double at_x, double at_y, const Place& source, bool
   const double near = std::min(std::abs(upper), std::abs(lower)), far = std::max(std::abs(upper), std::abs(lower));
   const Quadrature& rule = quadrature_for(near / s);
   const std::size_t count = rule.nodes.size();
-  std::array<double, nodes_of_finest> values{};
+  std::array<double, nodes_of_finest> values;  // as many as the rule has nodes
   GEARFILM_INDEPENDENT_ITERATIONS
   for (std::size_t n = 0; n < count; ++n) {
     const double d = std::max(std::abs(at_x - s * rule.nodes[n]), 1e-12 * s);
@@ -157,8 +157,7 @@ double RowContact::balance(double force) {
   throw SolveError("no row of the face carries its dry contact");
 }
 
-// Half of the way to the edges at which the gap of each row is closed.
-double RowContact::follow_edges(double force, double approach, double relative_radius) {
+double RowContact::follow_edges(double force, double approach, double relative_radius, double share) {
   const auto count = static_cast<std::size_t>(rows_.count());
   double change = 0.0;
   for (std::size_t row = 0; row < count; ++row) {
@@ -178,7 +177,7 @@ double RowContact::follow_edges(double force, double approach, double relative_r
     const double wanted = std::sqrt(std::max(2.0 * relative_radius * sinking, narrowest * narrowest));
     const double before = half_width > narrowest ? half_width : wanted;
     change = std::max(change, std::abs(wanted - before) * weights_[row] / rows_.half_width());
-    half_width = 0.5 * (before + wanted);
+    half_width = std::max(0.5 * before, std::lerp(before, wanted, share));
   }
   return change;
 }
@@ -216,14 +215,18 @@ FaceContact RowContact::found(double force, double approach) const {
 
 void RowContact::begin_anew() { std::ranges::fill(half_widths_, 1.0); }
 
+// All of the way to the edges at first, and half of it where half-widths swing.
 FaceContact RowContact::solve(double force, double relative_radius, double settled) {
   constexpr int most_turns = 100;
   for (int row = 0; row < rows_.count(); ++row) loaded_[row] = !rows_.is_ambient(row);
+  double share = 1.0, last_change = HUGE_VAL;
   for (int turn = 0; turn < most_turns; ++turn) {
     find_influence();
     const double approach = balance(force);
-    const double change = follow_edges(force, approach, relative_radius);
+    const double change = follow_edges(force, approach, relative_radius, share);
     if (turn > 2 && change < settled) return found(force, approach);
+    if (change > 0.7 * last_change) share = 0.5;
+    last_change = change;
   }
   throw SolveError("the dry contact along the face is not found");
 }

@@ -52,8 +52,9 @@ private:
   void find_influence();
   /// Loads of the rows that carry a force at their half-widths, and the approach.
   double balance(double force);
-  /// Half-widths of these loads; returns by how much they changed.
-  double follow_edges(double force, double approach, double relative_radius);
+  /// Goes a share of the way to the half-widths at which the gap of each row is closed at its edges; returns by how much
+  /// those differ from the former ones.
+  double follow_edges(double force, double approach, double relative_radius, double share);
   /// Loaded rows that are not beside an end; all loaded ones where there are no others.
   std::vector<int> counting_rows() const;
   FaceContact found(double force, double approach) const;

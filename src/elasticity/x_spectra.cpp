@@ -16,17 +16,9 @@ XSpectra<Real>::XSpectra(const Grid& grid)
       inner_(grid.inner_rows()),
       mirror_row_(grid.mirror_row()),
       pairs_(uneven_stride((own_rows_ + 1) / 2)),
-      length_(fftw::fast_length(2 * grid.nx() - 3, true)),
-      lines_(static_cast<std::size_t>(length_) * pairs_) {
-  using Fftw = fftw::Interface<Real>;
-  const auto plan = [&](int sign) {
-    auto* raw = reinterpret_cast<typename Fftw::Complex*>(lines_.data());
-    return fftw::Plan<Real>(
-        Fftw::many_c2c(1, &length_, pairs_, raw, nullptr, pairs_, 1, raw, nullptr, pairs_, 1, sign, fftw::effort));
-  };
-  forward_ = plan(FFTW_FORWARD);
-  backward_ = plan(FFTW_BACKWARD);
-}
+      length_(LineTransforms<Real>::fast_length(2 * grid.nx() - 3)),
+      lines_(static_cast<std::size_t>(length_) * pairs_),
+      transforms_(lines_.data(), length_, pairs_) {}
 
 template <class Real>
 void XSpectra<Real>::transform(const Field<Real>& field) {
@@ -39,13 +31,13 @@ void XSpectra<Real>::transform(const Field<Real>& field) {
     std::fill(row + inner_.end, row + own_rows_, Real(0));
   }
   std::fill(line(nx_ - 1), line(length_), Real(0));
-  forward_.execute();
+  transforms_.forward();
 }
 
 template <class Real>
 void XSpectra<Real>::separate(int k, Complex* rows) const {
-  const Real* __restrict here = line(k);
-  const Real* __restrict mirrored = line((length_ - k) % length_);
+  const Real* __restrict here = wave(k);
+  const Real* __restrict mirrored = wave(k == 0 ? 0 : length_ - k);
   Real* __restrict out = reinterpret_cast<Real*>(rows);
   const int whole = own_rows_ / 2;
   for (int m = 0; m < whole; ++m) {
@@ -65,8 +57,8 @@ template <class Real>
 void XSpectra<Real>::combine(int k, const Complex* rows) {
   const bool own_mirror = k == 0 || 2 * k == length_;
   const Real* __restrict in = reinterpret_cast<const Real*>(rows);
-  Real* __restrict here = line(k);
-  Real* mirrored = own_mirror ? nullptr : line(length_ - k);
+  Real* __restrict here = wave(k);
+  Real* mirrored = own_mirror ? nullptr : wave(length_ - k);
   const auto combine = [&](int m, Real ar, Real ai, Real br, Real bi) {
     here[2 * m] = ar - bi;
     here[2 * m + 1] = ai + br;
@@ -81,7 +73,7 @@ void XSpectra<Real>::combine(int k, const Complex* rows) {
 
 template <class Real>
 void XSpectra<Real>::transform_back(Field<Real>& field) {
-  backward_.execute();
+  transforms_.backward();
   for (int i = 0; i < nx_; ++i) std::copy_n(line(i), own_rows_, field.row(i));
 }
 

@@ -5,7 +5,7 @@
 //   Z = A + i B ,  A(k) = (Z(k) + conj Z(-k))/2 ,  B(k) = (Z(k) - conj Z(-k))/(2 i)
 #pragma once
 
-#include "elasticity/fftw.hpp"
+#include "elasticity/line_transforms.hpp"
 #include "grid/field.hpp"
 
 namespace gearfilm {
@@ -36,7 +36,7 @@ public:
         if (i > 0) line(length_ - i)[j] = line(i)[j];
       }
     }
-    forward_.execute();
+    transforms_.forward();
   }
   /// The own rows at one wave number, and back.
   void separate(int k, Complex* rows) const;
@@ -48,8 +48,9 @@ private:
   void clear() { std::fill_n(lines_.data(), static_cast<std::size_t>(length_) * pairs_, Complex(0)); }
   /// Pairs of rows as reals, at a place or a wave number.
   Real* line(int i) { return reinterpret_cast<Real*>(lines_.data() + static_cast<std::size_t>(i) * pairs_); }
-  const Real* line(int i) const {
-    return reinterpret_cast<const Real*>(lines_.data() + static_cast<std::size_t>(i) * pairs_);
+  Real* wave(int k) { return line(transforms_.place(k)); }
+  const Real* wave(int k) const {
+    return reinterpret_cast<const Real*>(lines_.data() + static_cast<std::size_t>(transforms_.place(k)) * pairs_);
   }
 
   int nx_;
@@ -59,7 +60,7 @@ private:
   int pairs_;       ///< of own rows; the last row may be alone, the last pair empty
   int length_;
   fftw::Buffer<Complex> lines_;  ///< [length][pairs], transformed in place; padded from nx - 1 on
-  fftw::Plan<Real> forward_, backward_;
+  LineTransforms<Real> transforms_;
 };
 
 extern template class XSpectra<float>;
