@@ -59,24 +59,49 @@ template <int tile, class Real>
 }  // namespace
 
 template <class Real>
-void RowFactors<Real>::factor_panel(Real* matrix, int begin, int end) {
+int RowFactors<Real>::end_of_entries(const Real* matrix, int begin, int end) const {
+  int rows = end;
+  for (int k = begin; k < end; ++k) {
+    const Real* column = matrix + k * stride(size_);
+    for (int i = size_; i-- > rows;) {
+      if (column[i] == Real(0)) continue;
+      rows = i + 1;
+      break;
+    }
+  }
+  return rows;
+}
+
+template <class Real>
+int RowFactors<Real>::begin_of_entries(const Real* matrix, int begin, int end) const {
+  int first = begin;
+  for (int k = begin; k < end; ++k) {
+    const Real* column = matrix + k * stride(size_);
+    first =
+        static_cast<int>(std::find_if(column, column + first, [](Real entry) { return entry != Real(0); }) - column);
+  }
+  return first;
+}
+
+template <class Real>
+void RowFactors<Real>::factor_panel(Real* matrix, int begin, int end, int rows) {
   const std::size_t step = stride(size_);
   for (int k = begin; k < end; ++k) {
     Real* __restrict column = matrix + k * step;
     for (int p = begin; p < k; ++p) {
       const Real* __restrict l = matrix + p * step;
       const Real a = column[p];
-      for (int i = p + 1; i < size_; ++i) column[i] -= times(a, l[i]);
+      for (int i = p + 1; i < rows; ++i) column[i] -= times(a, l[i]);
     }
-    const auto most = largest_order(column + k, size_ - k);
+    const auto most = largest_order(column + k, rows - k);
     int largest = k;
-    while (largest < size_ - 1 && order_of(column[largest]) != most) ++largest;
+    while (largest < rows - 1 && order_of(column[largest]) != most) ++largest;
     swapped_[k] = largest;
     if (largest != k) {
       for (int p = begin; p < end; ++p) std::swap(matrix[p * step + k], matrix[p * step + largest]);
     }
     const Real inverse = Real(1) / column[k];
-    for (int i = k + 1; i < size_; ++i) column[i] *= inverse;
+    for (int i = k + 1; i < rows; ++i) column[i] *= inverse;
   }
 }
 
@@ -93,7 +118,7 @@ void RowFactors<Real>::interchange_rows(Real* matrix, int begin, int end) const 
 
 // What the panel's own rows become is their product with the inverse of its triangle.
 template <class Real>
-void RowFactors<Real>::eliminate_panel(Real* matrix, int begin, int end) const {
+void RowFactors<Real>::eliminate_panel(Real* matrix, int begin, int end, int rows) const {
   const std::size_t step = stride(size_);
   std::array<Real, static_cast<std::size_t>(panel) * tile> minus_inverse{};
   for (int p = 0; p < panel; ++p) {
@@ -117,7 +142,7 @@ void RowFactors<Real>::eliminate_panel(Real* matrix, int begin, int end) const {
         u[p * together + c] = columns[c * step + begin + p] = solved[static_cast<std::size_t>(c) * tile + p];
       }
     }
-    for (int i = end; i < size_; i += tile) {
+    for (int i = end; i < rows; i += tile) {
       subtract_products<tile>(matrix + begin * step + i, step, u.data(), panel, columns + i, step);
     }
   }
@@ -168,19 +193,25 @@ void RowFactors<Real>::compute(std::span<Real> matrix, int size) {
   swapped_.resize(size);
   for (int begin = 0; begin < size; begin += panel) {
     const int end = std::min(begin + panel, size);
-    factor_panel(matrix.data(), begin, end);
+    const int rows = end_of_entries(matrix.data(), begin, end);
+    factor_panel(matrix.data(), begin, end, rows);
     interchange_rows(matrix.data(), begin, end);
-    if (end < size) eliminate_panel(matrix.data(), begin, end);
+    if (end < size) eliminate_panel(matrix.data(), begin, end, rows);
   }
   columns_.clear();
   lower_.clear();
   upper_.clear();
   for (int first = 0; first < size; first += together) {
+    const int end = std::min(first + together, size);
     keep_triangles(matrix.data(), first);
-    columns_.back().lower_scale = keep(matrix.data(), first, std::min(first + together, size), size, lower_);
+    Columns& own = columns_.back();
+    own.lower_end = end_of_entries(matrix.data(), first, end);
+    own.lower_scale = keep(matrix.data(), first, end, own.lower_end, lower_);
   }
   for (int n = static_cast<int>(columns_.size()) - 1; n >= 0; --n) {
-    columns_[n].upper_scale = keep(matrix.data(), n * together, 0, n * together, upper_);
+    const int first = n * together;
+    columns_[n].upper_begin = begin_of_entries(matrix.data(), first, std::min(first + together, size));
+    columns_[n].upper_scale = keep(matrix.data(), first, columns_[n].upper_begin, first, upper_);
   }
 }
 
@@ -212,7 +243,7 @@ void RowFactors<Real>::solve(Real* x) const {
     std::array<Real, together> factors{};
     for (int p = 0; p < together; ++p) factors[p] = own.lower_scale * values[p];
     values += together;
-    entries = subtract(values, entries, size_ - static_cast<int>(values - x), factors);
+    entries = subtract(values, entries, own.lower_end - static_cast<int>(values - x), factors);
   }
   entries = upper_.data();
   for (auto own = columns_.rbegin(); own != columns_.rend(); ++own) {
@@ -225,7 +256,7 @@ void RowFactors<Real>::solve(Real* x) const {
     values[0] = (values[0] - u[3][0] * values[3] - u[2][0] * values[2] - u[1][0] * values[1]) * inverse[0];
     std::array<Real, together> factors{};
     for (int p = 0; p < together; ++p) factors[p] = own->upper_scale * values[p];
-    entries = subtract(x, entries, static_cast<int>(values - x), factors);
+    entries = subtract(x + own->upper_begin, entries, static_cast<int>(values - x) - own->upper_begin, factors);
   }
 }
 

@@ -3,7 +3,8 @@
 // The matrix of a row has a hundred unknowns and more, and is solved tens of times for each time it is factored. A
 // solve reads L and U once, so that memory decides how long it takes: they lie in the order in which solves read them,
 // without their zeros, and entries of single precision in 16 bits, relative to the largest of four columns. Rows are
-// interchanged by the largest entry of a column.
+// interchanged by the largest entry of a column. Where the first columns of a matrix have entries about the diagonal
+// alone, those of L have so too, and those of U among them.
 #pragma once
 
 #include <algorithm>
@@ -47,14 +48,20 @@ private:
     std::array<std::array<Real, together>, together> triangles{};  ///< [column][row], L below the diagonal
     std::array<Real, together> inverse_pivots{};                   ///< 1 / the diagonal of U
     Real lower_scale{}, upper_scale{};
+    int lower_end = 0;    ///< row from which on L has zeros only
+    int upper_begin = 0;  ///< row up to which U has
   };
 
-  /// Columns of L and U from begin to end, which those before are eliminated from.
-  void factor_panel(Real* matrix, int begin, int end);
+  /// The row behind the last one that is not zero in some column from begin to end.
+  int end_of_entries(const Real* matrix, int begin, int end) const;
+  /// The first row before them that is not zero in some of them.
+  int begin_of_entries(const Real* matrix, int begin, int end) const;
+  /// Columns of L and U from begin to end, which those before are eliminated from; they end with row `rows`.
+  void factor_panel(Real* matrix, int begin, int end, int rows);
   /// Interchanges the rows of all other columns as those of a panel were.
   void interchange_rows(Real* matrix, int begin, int end) const;
-  /// Eliminates a whole panel from the columns behind it.
-  void eliminate_panel(Real* matrix, int begin, int end) const;
+  /// Eliminates a whole panel, which ends with row `rows`, from the columns behind it.
+  void eliminate_panel(Real* matrix, int begin, int end, int rows) const;
   void keep_triangles(const Real* matrix, int first);
   /// Keeps the entries of rows begin to end of four columns behind those that are there; the scale.
   Real keep(const Real* matrix, int first, int begin, int end, std::vector<Entry>& kept) const;

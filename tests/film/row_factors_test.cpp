@@ -12,8 +12,12 @@
 namespace gearfilm {
 namespace {
 
-/// Noise but for a diagonal of zeros, so that rows have to be interchanged: element (i, k).
-double element(int i, int k) { return i == k ? 0.0 : noise(i + 1, 7 * k); }
+/// Noise but for a diagonal of zeros, so that rows have to be interchanged: element (i, k). Of the first 30 columns only
+/// about the diagonal, where there are so many.
+double element(int i, int k) {
+  constexpr int nearby = 5, local = 30;
+  return i == k || (k < local && std::abs(i - k) > nearby) ? 0.0 : noise(i + 1, 7 * k);
+}
 
 /// Up to a tolerance of the right side, relative to the solution: the condition of the matrix is of no account.
 template <class Real>
@@ -58,7 +62,7 @@ void expect_found(int size, double tolerance) {
 
 // Columns are taken four at a time: every rest, and none.
 TEST(RowFactors, solve_matrices_of_any_size) {
-  for (const int size : {2, 3, 4, 5, 6, 7, 8, 9, 63, 64}) {
+  for (const int size : {2, 3, 4, 5, 6, 7, 8, 9, 40, 63, 64}) {
     expect_found<double>(size, 1e-10);
     expect_found<std::complex<double>>(size, 1e-10);
     expect_solved<double>(size, 1e-12);
