@@ -149,11 +149,8 @@ private:
     std::vector<double> factors = column;
     for (double& factor : factors) factor = -factor;
     double square = 0.0;
-    add_combination(basis_, factors, product, [&](const double* values, std::size_t part) {
-      std::array<double, lanes> sums{};
-      for (std::size_t n = 0; n < part; ++n) sums[n % lanes] += values[n] * values[n];
-      for (const double sum : sums) square += sum;
-    });
+    add_combination(basis_, factors, product,
+                    [&](const double* values, std::size_t part) { square += dot(values, values, part); });
     MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm);
     const double norm = std::sqrt(square);
     store_scaled(product, norm > 0.0 ? 1.0 / norm : 0.0, vector_of(basis_, count, product.size()));

@@ -12,8 +12,8 @@
 namespace gearfilm {
 namespace {
 
-/// Noise but for a diagonal of zeros, so that rows have to be interchanged: element (i, k). Of the first 30 columns only
-/// about the diagonal, where there are so many.
+/// Noise but for a diagonal of zeros, so that rows have to be interchanged: element (i, k). Of the first 30 columns
+/// only about the diagonal, where there are so many.
 double element(int i, int k) {
   constexpr int nearby = 5, local = 30;
   return i == k || (k < local && std::abs(i - k) > nearby) ? 0.0 : noise(i + 1, 7 * k);
