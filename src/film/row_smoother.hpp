@@ -2,9 +2,10 @@
 //
 // The matrix of a row has all its coupled nodes, full ones and those whose asperities carry: what their pressures
 // change in the row by conduction and wedge, and by the deformation of the row itself and of the rows beside it,
-// however far along X. All rows are relaxed at once (block Jacobi), and then corrected for how they deform one another
-// (deformation_between_rows.hpp) and for the oil that they conduct into one another (flow_between_rows.hpp). Krylov's
-// method takes 3 to 7 of these where rows are graded towards the ends of a face.
+// however far along X; but pressure in the inlet changes only what is near. All rows are relaxed at once (block
+// Jacobi), and then corrected for how they deform one another (deformation_between_rows.hpp) and for the oil that they
+// conduct into one another (flow_between_rows.hpp). Krylov's method takes 3 to 7 of these where rows are graded towards
+// the ends of a face.
 //
 // Factors cost as much as ten or more relaxations. In time steps of equal length they serve later linearisations too,
 // until one takes more relaxations than all since the factors were made have cost on average, the factors included:
