@@ -87,12 +87,12 @@ void RowContact::add_ends(const EndFaceCompliance& ends, double h_x) {
 
 // Unit pressure on a line across a row, from Y = lower to Y = upper and at the distance d along X, deforms a place by
 // asinh(upper/d) - asinh(lower/d). In the own row its part 2 ln d is integrated exactly: -2 (ln(s/2) - 1/2 + x^2/s^2).
-double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s) {
+double RowContact::influence(double at_x, double at_y, const Place& source, bool own, double s,
+                             std::span<double> values) {
   const double upper = source.upper - at_y, lower = source.lower - at_y;
   const double near = std::min(std::abs(upper), std::abs(lower)), far = std::max(std::abs(upper), std::abs(lower));
   const Quadrature& rule = quadrature_for(near / s);
   const std::size_t count = rule.nodes.size();
-  std::array<double, nodes_of_finest> values;  // as many as the rule has nodes
   GEARFILM_INDEPENDENT_ITERATIONS
   for (std::size_t n = 0; n < count; ++n) {
     const double d = std::max(std::abs(at_x - s * rule.nodes[n]), 1e-12 * s);
@@ -105,6 +105,7 @@ double RowContact::influence(double at_x, double at_y, const Place& source, bool
 
 void RowContact::find_influence() {
   const int count = rows_.count();
+  std::array<double, nodes_of_finest> values{};
   std::ranges::fill(middle_, 0.0);
   std::ranges::fill(edge_, 0.0);
   for (int row = 0; row < count; ++row) {
@@ -114,8 +115,8 @@ void RowContact::find_influence() {
       if (rows_.is_ambient(source.stored)) continue;
       const bool own = source.y == y;
       const std::size_t at = static_cast<std::size_t>(row) * count + source.stored;
-      middle_[at] += C_h_ * influence(0.0, y, source, own, s);
-      if (half_widths_[row] > narrowest) edge_[at] += C_h_ * influence(half_widths_[row], y, source, own, s);
+      middle_[at] += C_h_ * influence(0.0, y, source, own, s, values);
+      if (half_widths_[row] > narrowest) edge_[at] += C_h_ * influence(half_widths_[row], y, source, own, s, values);
     }
     for (int source = 0; source < count; ++source) {
       const std::size_t at = static_cast<std::size_t>(row) * count + source;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contact/face_law.hpp"
@@ -52,13 +53,14 @@ private:
   void find_influence();
   /// Loads of the rows that carry a force at their half-widths, and the approach.
   double balance(double force);
-  /// Goes a share of the way to the half-widths at which the gap of each row is closed at its edges; returns by how much
-  /// those differ from the former ones.
+  /// Goes a share of the way to the half-widths at which the gap of each row is closed at its edges; returns by how
+  /// much those differ from the former ones.
   double follow_edges(double force, double approach, double relative_radius, double share);
   /// Loaded rows that are not beside an end; all loaded ones where there are no others.
   std::vector<int> counting_rows() const;
   FaceContact found(double force, double approach) const;
-  static double influence(double at_x, double at_y, const Place& source, bool own, double s);
+  /// values: work space for the nodes of a quadrature.
+  static double influence(double at_x, double at_y, const Place& source, bool own, double s, std::span<double> values);
 
   const RowAxis rows_;
   double C_h_;
