@@ -7,7 +7,7 @@ namespace gearfilm {
 
 double convolution_time(int nx, int ny) {
   using Fftw = fftw::Interface<double>;
-  const int length[2] = {fftw::fast_length(2 * nx - 1, true), fftw::fast_length(2 * ny - 1, true)};
+  const int length[2] = {fftw::fast_length(2 * nx - 1), fftw::fast_length(2 * ny - 1)};
   const std::size_t waves = static_cast<std::size_t>(length[0]) * (length[1] / 2 + 1);
   fftw::Buffer<double> padded(static_cast<std::size_t>(length[0]) * length[1]);
   fftw::Buffer<std::complex<double>> spectrum(waves);

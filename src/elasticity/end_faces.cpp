@@ -187,7 +187,7 @@ EndFaces ends_of(const Face& face) { return {face.end, face.ending, face.mirror_
 EndFaceCompliance::EndFaceCompliance(const GridShape& shape, const EndFaces& ends)
     : rows_(shape.rows()), lags_(shape.nx), values_(static_cast<std::size_t>(rows_) * rows_ * lags_, 0.0) {
   const RowAxis& axis = shape.row_axis;
-  const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx, true) + 1;
+  const int whole = axis.whole_count(), count = 4 * fftw::fast_length(shape.nx) + 1;
   const FromEnd upper = from_end(axis, true), lower = from_end(axis, false);
   const bool alike = upper.same_as(lower);
   const auto add_both_ends = [&](int lags, double share, auto fill) {

@@ -79,14 +79,14 @@ private:
   std::unique_ptr<Value, Free> values_;
 };
 
-/// The smallest length >= n whose prime factors are 2, 3, 5, 7 (even when asked for): fast for FFTW.
-inline int fast_length(int n, bool even) {
-  for (;; ++n) {
+/// The smallest even length >= n whose prime factors are 2, 3, 5, 7.
+inline int fast_length(int n) {
+  for (n += n % 2;; n += 2) {
     int rest = n;
     for (int factor : {2, 3, 5, 7}) {
       while (rest % factor == 0) rest /= factor;
     }
-    if (rest == 1 && (!even || n % 2 == 0)) return n;
+    if (rest == 1) return n;
   }
 }
 

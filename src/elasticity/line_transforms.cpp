@@ -32,7 +32,7 @@ std::optional<Factors> factors_of(int length) {
 
 template <class Real>
 int LineTransforms<Real>::fast_length(int n) {
-  const int undivided = fftw::fast_length(n, true);
+  const int undivided = fftw::fast_length(n);
   for (int length = n + n % 2; 4 * length <= 5 * undivided; length += 2) {
     if (factors_of(length)) return length;
   }

@@ -21,7 +21,7 @@ SectionLines::SectionLines(const GridShape& shape, double reach)
 
 StripLattice SectionLines::lattice() const {
   const int reach = of_grid - 1 + std::max(before, count - of_grid - before);
-  return {step, reach, fftw::fast_length(2 * reach + 1, true)};
+  return {step, reach, fftw::fast_length(2 * reach + 1)};
 }
 
 }  // namespace gearfilm

@@ -52,7 +52,7 @@ protected:
   // Few rows go to all others, in pieces; many are transposed, and back.
   Traffic convolution(double bytes, const Grid& on) const {
     if (processes == 1) return {};
-    const int waves = fftw::fast_length(2 * on.nx() - 3, true) / 2 + 1;
+    const int waves = LineTransforms<float>::fast_length(2 * on.nx() - 3) / 2 + 1;
     const double spectra = 2.0 * waves * on.rows() * bytes;
     if (!DenseYConvolution<float>::serve(waves, on.rows())) return {0.0, 0.0, 2.0 * processes, 2.0 * spectra};
     const int largest = (on.rows() + on.processes() - 1) / on.processes();
