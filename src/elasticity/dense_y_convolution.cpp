@@ -14,15 +14,12 @@ constexpr int most_spectra = 10000;  // wave numbers of all rows, each of which 
 constexpr int piece_bytes = 12288;   // messages that wait in memory that is shared until they are received
 constexpr int tag = 1;
 
-/// Of 24, 32 and 40 rows that are summed side by side, which fill vectors, and their sums registers: those of which
-/// blocks have fewest more rows than there are.
+/// How many rows are summed side by side where a process has `rows` of them: 24, 32 or 40, which fill vectors, and
+/// whose sums stay in registers. The number that leaves fewest places empty in the last block; of equal ones the
+/// largest.
 int width_for(int rows) {
-  const auto more = [rows](int width) { return (width - rows % width) % width; };
-  int best = 40;
-  for (const int width : {32, 24}) {
-    if (more(width) < more(best)) best = width;
-  }
-  return best;
+  const auto empty = [rows](int width) { return (width - rows % width) % width; };
+  return std::min({40, 32, 24}, [&](int a, int b) { return empty(a) < empty(b); });
 }
 
 /// sums += matrix times rows.

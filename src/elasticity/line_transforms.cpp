@@ -16,7 +16,8 @@ struct Factors {
   int S = 0;
 };
 
-/// Of a length with such factors those that are nearest each other, R >= S.
+/// Short lengths R >= S whose product is the length, as near each other as there are; R = 1 where FFTW transforms the
+/// length undivided. Nothing for a length that is no product of two short ones.
 std::optional<Factors> factors_of(int length) {
   if (length == longest_undivided || std::ranges::binary_search(short_lengths, length)) return Factors{1, length};
   std::optional<Factors> found;

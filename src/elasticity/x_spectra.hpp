@@ -46,12 +46,13 @@ public:
 
 private:
   void clear() { std::fill_n(lines_.data(), static_cast<std::size_t>(length_) * pairs_, Complex(0)); }
-  /// Pairs of rows as reals, at a place or a wave number.
+  /// Pairs of rows as reals: at a place i along X, and at a wave number k.
   Real* line(int i) { return reinterpret_cast<Real*>(lines_.data() + static_cast<std::size_t>(i) * pairs_); }
-  Real* wave(int k) { return line(transforms_.place(k)); }
-  const Real* wave(int k) const {
-    return reinterpret_cast<const Real*>(lines_.data() + static_cast<std::size_t>(transforms_.place(k)) * pairs_);
+  const Real* line(int i) const {
+    return reinterpret_cast<const Real*>(lines_.data() + static_cast<std::size_t>(i) * pairs_);
   }
+  Real* wave(int k) { return line(transforms_.place(k)); }
+  const Real* wave(int k) const { return line(transforms_.place(k)); }
 
   int nx_;
   int own_rows_;

@@ -38,7 +38,8 @@ struct FreeDecay {
   double grid_error = 0.0;              ///< what grid and steps of the march have wrong of that modulus [-]
   std::optional<Monodromy> lead_map{};  ///< of the motion over the lead before the end of a period, where there is one
 
-  /// Of the modulus of the larger multiplier, by both [-].
+  /// The error of the modulus of the larger Floquet multiplier [-], from the fit and from the grid together: the root
+  /// of the sum of their squares.
   double modulus_error() const { return std::hypot(fit_error, grid_error); }
 };
 

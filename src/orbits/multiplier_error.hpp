@@ -1,5 +1,7 @@
-// What a grid has wrong of the Floquet multipliers mu of a periodic state on films. f: the larger one of the relative
-// errors that are expected of central and smallest film on that grid (expected_errors.hpp).
+// The error of the larger Floquet multiplier mu [-] of a periodic state on films that comes from the grid of its films.
+//
+// f [-] is the relative error that is expected of a film on that grid, of the central or the smallest film, whichever
+// is larger (expected_errors.hpp).
 //
 // By Liouville's formula the product of all multipliers tells the damping alone, and so does each of a complex pair;
 // real ones depend on the stiffness and its phase as well. With r = min(f/0.04, 1)^2, the larger multiplier mu has

@@ -136,7 +136,7 @@ std::optional<CompactFields> extract_fields(const Grid& grid, const std::filesys
     MPI_File_close(&file);
     code = code == MPI_SUCCESS ? read : code;
   }
-  if (!first_reason(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) return {};
+  if (!first_of_all_reasons(grid.comm(), code == MPI_SUCCESS ? "" : "unread").empty()) return {};
   CompactFields fields;
   for (std::size_t n = 0; n < count; ++n) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(n * size);

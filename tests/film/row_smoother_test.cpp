@@ -58,8 +58,10 @@ struct LinearFilm {
 // matters everywhere.
 TEST(RowSmoother, solves_a_row_whose_neighbours_stand_still) {
   const Scales scales = face_scales(face_with(EndFace::free, relieved_ends()));
-  for (const auto& [lower, shift, tolerance] :
-       {std::tuple{Edge::symmetry, 1e8, 1e-10}, {Edge::ambient, 1e8, 1e-10}, {Edge::symmetry, 5.0, 5e-3}}) {
+  for (const auto& [lower, shift, tolerance] : {std::tuple{Edge::symmetry, 1e8, 1e-10},
+                                                {Edge::ambient, 1e8, 1e-10},
+                                                {Edge::symmetry, 5.0, 5e-3},
+                                                {Edge::ambient, 5.0, 5e-3}}) {
     const RowAxis rows = rows_of_face(scales, few_rows, lower);
     LinearFilm linear(PETSC_COMM_WORLD, scales, shape_over(rows, 33), shift);
     const Grid& grid = linear.grid;
