@@ -30,7 +30,7 @@ void combine(const std::array<OwnedVec, size>& vectors, const double* factors, i
 }  // namespace
 
 BackwardDifferences::BackwardDifferences(const std::function<OwnedVec()>& create)
-    : sought_(create()), states_{create(), create(), create()}, transients_{create(), create()}, constant_(create()) {}
+    : sought_(create()), states_{create(), create(), create()}, transients_{create(), create(), create()}, constant_(create()) {}
 
 void BackwardDifferences::keep(double T, bool behind, const std::function<void(Vec, Vec)>& transient) {
   const int place = behind ? 1 : 0;
@@ -50,14 +50,30 @@ std::vector<double> BackwardDifferences::times_at(double T, int known) const {
 }
 
 void BackwardDifferences::differentiate(double T, int order) {
-  stage_times_ = times_at(T, order);
-  const std::vector<double> weights = slope_weights(stage_times_);
-  shift_ = weights[0];
-  combine(transients_, weights.data() + 1, order, constant_);
+  stage_ = T;
+  order_ = order;
+  const std::vector<double> factors = weights(order);
+  shift_ = factors[0];
+  combine(transients_, factors.data() + 1, order, constant_);
 }
 
-std::complex<double> BackwardDifferences::of_oscillation(double w) const {
-  return slope_of_oscillation(w, stage_times_);
+// A state that stands behind an earlier one has no step of its own.
+bool BackwardDifferences::evenly_spaced(double T, int states) const {
+  constexpr double longest_over_shortest = 1.5;
+  if (known_ < states) return false;
+  const std::vector<double> times = times_at(T, states);
+  double shortest = HUGE_VAL, longest = -HUGE_VAL;
+  for (std::size_t n = 1; n < times.size(); ++n) {
+    shortest = std::min(shortest, times[n - 1] - times[n]);
+    longest = std::max(longest, times[n - 1] - times[n]);
+  }
+  return longest < longest_over_shortest * shortest;
+}
+
+std::vector<double> BackwardDifferences::weights(int order) const { return slope_weights(times_at(stage_, order)); }
+
+std::complex<double> BackwardDifferences::of_oscillation(double w, int order) const {
+  return slope_of_oscillation(w, times_at(stage_, order));
 }
 
 void BackwardDifferences::make_rate(Vec values) const { petsc_check(VecAYPX(values, shift_, constant_)); }

@@ -1,6 +1,6 @@
-// Backward differences of order 1 and 2 at steps of any lengths, of a transient variable C(state):
+// Backward differences of order 1 to 3 at steps of any lengths, of a transient variable C(state):
 //
-//   dC/dT(T) = s C + c ,    s C + c the slope at T of the polynomial through C at T and at the last one or two times.
+//   dC/dT(T) = s C + c ,    s C + c the slope at T of the polynomial through C at T and at the last one to three times.
 //
 // Beside them what other polynomials through the last states say: the next state, and the error of a step as the
 // difference that one state more makes (as PETSc's TSBDF has it). Three states are known at most. Weights of slopes:
@@ -37,8 +37,13 @@ public:
   /// Makes s and c for a stage at T.
   void differentiate(double T, int order);
   double shift() const { return shift_; }
-  /// What they make of d/dT at exp(i w T), w [1/T].
-  std::complex<double> of_oscillation(double w) const;
+  int order() const { return order_; }
+  /// Whether so many known states and one at T follow one another at steps of nearly one length.
+  bool evenly_spaced(double T, int states) const;
+  /// Weights of the slope at the stage of the polynomial of this order: of the stage, and of the known states.
+  std::vector<double> weights(int order) const;
+  /// What differences of this order make of d/dT at exp(i w T), w [1/T].
+  std::complex<double> of_oscillation(double w, int order) const;
   /// Makes s C + c of C.
   void make_rate(Vec values) const;
   /// Seeks from the polynomial at T through as many states as are known, at most.
@@ -52,10 +57,11 @@ private:
 
   OwnedVec sought_;
   std::array<OwnedVec, 3> states_;
-  std::array<OwnedVec, 2> transients_;  ///< C of the first two
+  std::array<OwnedVec, 3> transients_;  ///< C of each
   std::array<double, 3> times_{};
   int known_ = 0;
-  std::vector<double> stage_times_;  ///< of the differences
+  double stage_ = 0.0;  ///< its T
+  int order_ = 1;
   double shift_ = 0.0;
   OwnedVec constant_;  ///< c; of no use once the state is found
 };

@@ -174,7 +174,7 @@ void LubricatedPair::place(double T) {
     conditions.texture.moves = true;
     move_surfaces(*films_[k], conditions);
   }
-  BodyEquations bodies = fitted(bodies_at(T), fit_);
+  BodyEquations bodies = with_rates(fitted(bodies_at(T), fit_), rates_);
   ReverseFlankForce reverse_flanks = reverse_flanks_at(T, bodies);
   system_.set_bodies(std::move(bodies), mesh_.compliance(numbers_, T), std::move(reverse_flanks));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "dynamics/frequency_fit.hpp"
@@ -45,10 +46,11 @@ public:
 
   /// How the bodies would swing on dry contacts of these forces at T; at no rate without inertia.
   Swings swings(double T, const std::vector<FilmQuantities>& quantities) const;
-  /// Fits the equation of motion of the stage to come to these swings.
-  void fit_frequencies(const Swings& swings, const std::function<FrequencyFit(double w)>& fit_of) {
+  /// Sets the difference formula of the motion in the stage to come, and fits it to these swings.
+  void step_motion(const Swings& swings, const std::function<FrequencyFit(double w)>& fit_of, OwnRates rates) {
     swings_ = swings;
     fit_ = ModalFit(swings, fit_of);
+    rates_ = std::move(rates);
   }
 
   /// Without inertia: the contacts, which carry `load` [-] at T0, come to carry the static force at T1.
@@ -95,6 +97,7 @@ private:
   ExtrapolatedFriction friction_;
   Swings swings_;
   ModalFit fit_;
+  OwnRates rates_;
   struct Transfer {
     double begin = 0.0;
     double end = 0.0;

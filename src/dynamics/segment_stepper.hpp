@@ -1,7 +1,9 @@
 // Time integration of a lubricated pair between two events (entering or leaving of contacts).
 //
 // Backward differences of order 2 (backward_differences.hpp) with rho H as transient variable; the first step after an
-// event is a first-order half step and a second-order step from there. A step whose Newton iteration fails is never
+// event is a first-order half step and a second-order step from there. The motion, of which errors add up from swing to
+// swing, has differences of order 3 once three steps are equally long, and the films have where oil passes 0.6 of a cell
+// in a step at most: in longer ones these would not damp all of the waves that oil carries. A step whose Newton iteration fails is never
 // accepted. It is tried again as it was, from the films before it and with a residual that may only fall: slower, and
 // surer. Then it is repeated with half the length, which a march over periods should not need: halved where another
 // period's is not, they do not repeat. The nominal step comes back afterwards.
@@ -82,8 +84,12 @@ private:
   void residual(SNES snes, Vec state, Vec rows);
   void linearise(SNES snes, Vec state, Mat matrix, Mat same);
   void guess(SNES snes, Vec state);
-  /// To the differences of the present stage.
-  void fit_frequency();
+  /// Makes the differences of a stage at T, of this order at least.
+  void differentiate(double T, int order);
+  /// The rates of the motion, by those of the films.
+  OwnRates rates_of_motion() const;
+  /// Sets the motion's differences in the present stage, fitted to its swings.
+  void step_motion();
   /// What guesses go on from: the last stage that was solved, or the start of the step once a stage has failed.
   void set_solved(double T, Vec state);
   /// Sets how often the present step has failed, which decides how it is tried next.
@@ -127,6 +133,7 @@ private:
   bool at_start_ = true;      ///< the next stage is the segment's first
   double stage_time_ = 0.0;   ///< T of the present stage
   double stage_shift_ = 0.0;  ///< about d(rate)/dC of the present stage
+  int order_of_motion_ = 1;   ///< of its differences there
   double step_ = 0.0;         ///< nominal step of the segment
   double begin_ = 0.0;        ///< T of the segment
   double end_ = 0.0;

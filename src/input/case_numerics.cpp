@@ -51,14 +51,15 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 }
 
 /// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
-/// force at the ends of the path, where flanks may be much more curved; along Y no longer than that the force follows
-/// an ellipse which grows and shrinks.
+/// force at the ends of the path, where flanks may be much more curved. Along X and Y no longer than that forces follow
+/// an ellipse which grows and shrinks, and that what oil takes from swings is right.
 Steps steps_on_path(const CaseInput& problem, double accuracy) {
-  constexpr double accuracy_at_ends = 0.3, longest_across = 0.18;
+  constexpr double accuracy_at_ends = 0.3, longest_along = 0.1, longest_across = 0.12;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
   if (!problem.pair.line) return steps;
   steps.y = std::min(steps.y, longest_across);
+  steps.x = std::min(steps.x, longest_along);
   const LineOfAction& line = *problem.pair.line;
   for (const double xi : {line.entry(), line.exit()}) {
     ContactSolids solids = problem.scales.solids;
@@ -180,7 +181,7 @@ double time_step_by_waves(const CaseInput& problem) {
 /// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. And more
 /// where the case asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
-  constexpr double stiffening = 15.0, most = 2.5;  // Moes' L from which on they grow, and by how much at most
+  constexpr double stiffening = 18.4, most = 5.0 / 3.0;  // Moes' L from which on they grow, and by how much
   if (problem.dry()) return steps_in_dry_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;

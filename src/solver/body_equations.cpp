@@ -17,6 +17,12 @@ MatrixXd BodyEquations::jacobian(double shift, const MatrixXd& film_stiffness) c
   return shift * mass + stiffness + force * film_stiffness;
 }
 
+BodyEquations with_rates(BodyEquations bodies, const OwnRates& rates) {
+  if (rates.constant.size() > 0) bodies.constant += bodies.mass * rates.constant;
+  bodies.mass *= rates.factor;
+  return bodies;
+}
+
 BodyEquations fixed_approach(double H0, std::size_t films) {
   const auto n = static_cast<Eigen::Index>(films);
   return {.mass = MatrixXd::Zero(1, 1),

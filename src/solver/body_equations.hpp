@@ -33,6 +33,15 @@ struct BodyEquations {
   Eigen::MatrixXd jacobian(double shift, const Eigen::MatrixXd& film_stiffness) const;
 };
 
+/// Rates of the scalars by a difference formula of their own, where ds/dT is what that of the films makes of them:
+/// factor ds/dT + constant.
+struct OwnRates {
+  double factor = 1.0;
+  Eigen::VectorXd constant{};  ///< m entries, or none for zero
+};
+
+BodyEquations with_rates(BodyEquations bodies, const OwnRates& rates);
+
 /// H_0 - value = 0 for all films.
 BodyEquations fixed_approach(double H0, std::size_t films);
 

@@ -37,6 +37,7 @@ class AcceptedSteps {
 public:
   AcceptedSteps(const CaseInput& problem, double T_end) : march(problem) {
     march.on_step = [this](const StepRecord& record, const std::vector<ActiveContact>& contacts) {
+      earliest = std::move(before_last);
       before_last = std::move(last_but_one);
       last_but_one = std::move(last);
       last = copy_of(record, contacts);
@@ -46,13 +47,8 @@ public:
   }
 
   RecordedMarch march;
-  AcceptedState before_last, last_but_one, last;
+  AcceptedState earliest, before_last, last_but_one, last;
 };
-
-/// d(values)/dT by the second-order backward formula over two equal steps.
-inline double backward_rate(double now, double before, double long_before, double dT) {
-  return (1.5 * now - 2.0 * before + 0.5 * long_before) / dT;
-}
 
 /// A system of its own for the contacts and the place of a state.
 class PairAt {

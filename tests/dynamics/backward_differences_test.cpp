@@ -64,6 +64,22 @@ TEST(BackwardDifferences, are_exact_for_parabolas_at_uneven_steps) {
               1e-12);
 }
 
+// A state behind the one before it in the list, though later, makes no even step.
+TEST(BackwardDifferences, tell_even_steps_and_are_exact_for_cubics) {
+  Course course;
+  const BackwardDifferences& differences = course.differences;
+  course.know(0.0);
+  course.know(0.15, true);
+  course.know(0.3);
+  EXPECT_TRUE(differences.evenly_spaced(0.6, 2));
+  EXPECT_FALSE(differences.evenly_spaced(0.6, 3));
+  course.know(0.6);
+  EXPECT_NEAR(course.rate_at(1.05, 3, 1), 2.0 * 3.0 * 1.05 * 1.05, 1e-12);
+  course.know(0.9);
+  EXPECT_FALSE(differences.evenly_spaced(1.05, 3));
+  EXPECT_TRUE(differences.evenly_spaced(1.2, 3));
+}
+
 // Of T^3 the formula of order 2 at equal steps h misses the slope by -2 h^2, and so the state by -2 h^2/(3/(2 h)).
 TEST(BackwardDifferences, tell_the_local_error_of_a_step) {
   Course course;
@@ -93,7 +109,7 @@ TEST(BackwardDifferences, have_the_weights_of_textbooks) {
   course.know(0.7);
   course.differences.differentiate(1.0, 2);
   const double rate = second[0] * swing(1.0) + second[1] * swing(0.7) + second[2] * swing(0.5);
-  EXPECT_NEAR((course.differences.of_oscillation(w) * std::polar(1.0, w)).real(), rate, 1e-13);
+  EXPECT_NEAR((course.differences.of_oscillation(w, 2) * std::polar(1.0, w)).real(), rate, 1e-13);
 }
 
 }  // namespace

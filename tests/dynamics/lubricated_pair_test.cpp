@@ -119,8 +119,8 @@ protected:
 };
 
 // The geometry of each time is in its own rho H: a history at the wrong place would leave a residual of 2e-2. The
-// motion is fitted to the swing of the state before.
-TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_formula) {
+// motion has the formula of third order, fitted to the swing of the state before.
+TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_backward_formulas) {
   ASSERT_EQ(steps.last.numbers.size(), 2U);
   ASSERT_NEAR(steps.last.dT, steps.last_but_one.dT, 1e-12);
   const AcceptedState &last = steps.last, &before = steps.last_but_one;
@@ -128,18 +128,29 @@ TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_second_order_backward_form
   const OwnedVec state_before = pair_before.vector(before.pressure, before.motion);
   const Swings swings = pair_before.pair->swings(before.T, pair_before.pair->film_quantities(state_before, before.T));
   const double w = swings.rates[0];
-  const FrequencyFit fit = frequency_fit(w, slope_of_oscillation(w, {last.T, before.T, before.T - before.dT}));
-  system.pair->fit_frequencies(swings, [&](double) { return fit; });
+  const double dT = last.dT;
+  const FrequencyFit fit =
+      frequency_fit(w, slope_of_oscillation(w, {last.T, last.T - dT, last.T - 2.0 * dT, last.T - 3.0 * dT}));
+  const Motion &long_before = steps.before_last.motion, &earliest = steps.earliest.motion;
+  const auto rate = [&](const auto& now, const auto& then, const auto& long_ago, const auto& at_first) {
+    return ((11.0 * now - 18.0 * then + 9.0 * long_ago - 2.0 * at_first) / (6.0 * dT)).eval();
+  };
+  // What a rate of second order is multiplied by, and what is added to it, to give one of third order.
+  OwnRates rates{.factor = 11.0 / 9.0};
+  const Eigen::VectorXd then = to_vector(before.motion), long_ago = to_vector(long_before);
+  rates.constant = rate(0.0 * then, then, long_ago, to_vector(earliest)) -
+                   rates.factor * (-2.0 * then + 0.5 * long_ago) / dT;
+  system.pair->step_motion(swings, [&](double) { return fit; }, rates);
   system.pair->place(last.T);
   const OwnedVec rows = rows_at(state);
   PetscReal size = 0.0;
   petsc_check(VecNorm(rows, NORM_2, &size));
   // Newton's tolerance, and the round-off of rates of differences.
   EXPECT_LT(size / films.weight(), 1.1 * steps.march.problem().numerics.steps.newton.tolerance + 1e-11);
-  const auto rate = [&](Eigen::VectorXd Motion::*of) {
-    return backward_rate((last.motion.*of)[0], (before.motion.*of)[0], (steps.before_last.motion.*of)[0], last.dT);
+  const auto rate_of = [&](Eigen::VectorXd Motion::*of) {
+    return rate(last.motion.*of, before.motion.*of, long_before.*of, earliest.*of)[0];
   };
-  EXPECT_NEAR(rate(&Motion::q) + fit.alpha * rate(&Motion::v), fit.beta * last.motion.V0(), 1e-6);
+  EXPECT_NEAR(rate_of(&Motion::q) + fit.alpha * rate_of(&Motion::v), fit.beta * last.motion.V0(), 1e-6);
 }
 
 TEST_P(LubricatedPairAt, jacobian_passes_taylor_test) {

@@ -64,27 +64,25 @@ TEST(LongLinearSolve, has_levels_and_the_smoother_by_turns) {
   EXPECT_EQ(levels.preconditioned(), by_levels);
 }
 
-// Long enough that the oil at the centre has come in after the start, and steps short against the passage of a cell
-// (0.05): until then the central film is not in its asymptotic range. The half step of first order at the start does
-// not spoil the order.
+// Long enough that the oil at the centre has come in after the start. The half step of first order there does not spoil
+// the second. From 0.03 on, 0.6 of the time in which oil passes a cell, films have formulas of third order.
 class TimeStepOrder : public testing::TestWithParam<const char*> {};
 
-TEST_P(TimeStepOrder, is_two) {
-  constexpr double T_end = 1.5;
+TEST_P(TimeStepOrder, is_two_at_least) {
+  constexpr double T_end = 1.5, least = 1.8;
   const bool bend = GetParam() == std::string("bending");
   const Settings settings =
       bend ? with(with(after_leaving(), bending()), {{"start.H0", "-2.4"}, {"start.V0", "0"}}) : after_leaving();
-  const EndOfMarch coarse = march_of(settings, "0.025", T_end), middle = march_of(settings, "0.0125", T_end),
-                   fine = march_of(settings, "0.00625", T_end);
+  const EndOfMarch coarse = march_of(settings, "0.05", T_end), fine = march_of(settings, "0.025", T_end),
+                   limit = march_of(settings, "0.00625", T_end);
   const auto order_of = [&](const char* name, double EndOfMarch::*value) {
-    const double order = std::log2((coarse.*value - middle.*value) / (middle.*value - fine.*value));
-    report("order of %s: %.2f", name, order);
-    return order;
+    const double far = std::abs(coarse.*value - limit.*value), near = std::abs(fine.*value - limit.*value);
+    report("order of %s: %.2f, errors %.1e and %.1e", name, std::log2(far / near), far, near);
+    return std::log2(far / near);
   };
-  expect_rate("time_steps", order_of("H0", &EndOfMarch::H0));
-  // The fit to the pair's swing takes away most of the error of second order of V_0: 2.7 on teeth that bend.
-  EXPECT_GT(order_of("V0", &EndOfMarch::V0), 1.7);
-  expect_rate("time_steps", order_of("central film", &EndOfMarch::central_film));
+  EXPECT_GT(order_of("H0", &EndOfMarch::H0), least);
+  EXPECT_GT(order_of("V0", &EndOfMarch::V0), least);
+  EXPECT_GT(order_of("central film", &EndOfMarch::central_film), least);
 }
 
 INSTANTIATE_TEST_SUITE_P(teeth, TimeStepOrder, testing::Values("rigid", "bending"),
