@@ -52,11 +52,9 @@ def root_mean_square(rows):
 
 
 def derivative_weights(T):
-    """Second-order backward differences: of the parabola through three values, at the last."""
-    before, last = T[1] - T[0], T[2] - T[1]
-    oldest = last / (before * (before + last))
-    newest = (before + 2 * last) / (last * (before + last))
-    return numpy.array([oldest, -oldest - newest, newest])
+    """Backward differences: the slope at the last time of the polynomial through values at all."""
+    powers = (T - T[-1]) ** numpy.arange(len(T))[:, None]
+    return numpy.linalg.solve(powers, numpy.eye(len(T))[1])
 
 
 def fitted_motion(w, T, weights):
@@ -74,11 +72,13 @@ def step_rows(equations):
 
 
 def steps_in_line(steps):
-    """Triples of time steps between events, without the first: it begins with a half step, which no history shows."""
+    """Four times on end between events, of which three steps are nearly equal: differences there are of third order."""
     events = [*numpy.flatnonzero(steps["dT"] == 0), len(steps)]
     for begin, end in zip(events, events[1:]):
         for last in range(begin + 3, end):
-            yield slice(last - 2, last + 1)
+            lengths = steps["dT"][last - 2:last + 1]
+            if lengths.max() < 1.5 * lengths.min():
+                yield slice(last - 3, last + 1)
 
 
 def expected_events(pair, derived):
@@ -185,18 +185,18 @@ class RandomPairs(ProgramTest):
         dry contacts that had the forces of the step before."""
         inertia, rows = derived["I_n"] / equations.static_force, step_rows(equations)
         approach = derived["hertz_approach"] / equations.film
-        for three in steps_in_line(steps):
-            row = steps[three][-1]
-            weights = derivative_weights(steps["T"][three])
-            dH0, dV0 = weights @ steps["H0"][three], weights @ steps["V0"][three]
+        for four in steps_in_line(steps):
+            row = steps[four][-1]
+            weights = derivative_weights(steps["T"][four])
+            dH0, dV0 = weights @ steps["H0"][four], weights @ steps["V0"][four]
             pull = row["force_total"] / derived["load"] - 1
 
             def worst(w):
-                alpha, beta, mass, damping = fitted_motion(w, steps["T"][three], weights)
+                alpha, beta, mass, damping = fitted_motion(w, steps["T"][four], weights)
                 return max(abs(dH0 + alpha * dV0 - beta * row["V0"]),
                            abs(inertia * (mass * dV0 + damping * row["V0"]) - pull))
 
-            loads = contacts["force"][contacts["step"] == three.stop - 2] / derived["load"]
+            loads = contacts["force"][contacts["step"] == four.stop - 2] / derived["load"]
             # Of contacts with the radii of the pitch point: those on the path have others.
             swing = math.sqrt(1.5 * numpy.cbrt(loads).sum() / approach / inertia)
             low, high = 0.6 * swing, 1.5 * swing
@@ -221,15 +221,17 @@ class RandomPairs(ProgramTest):
             self.assert_possible(film, steps["H0"][int(row["step"])], equations, step_rows(equations))
             force = derived["load"] * equations.force(film.pressure) / equations.static_force
             self.assertAlmostEqual(force, row["force"], delta=ROUND_OFF * contacts["force"].max())
-        for three in steps_in_line(steps):
-            self.check_mass(three, steps, films, equations)
+        for four in steps_in_line(steps):
+            self.check_mass(four, steps, films, equations)
 
-    def check_mass(self, three, steps, films, equations):
-        weights = derivative_weights(steps["T"][three])
-        last = three.stop - 1
+    def check_mass(self, four, steps, films, equations):
+        """Differences of films are of third order where oil passes at most 0.6 of a cell in a step."""
+        last = four.stop - 1
+        known = four if steps["dT"][last] <= 0.6 * equations.h_x else slice(four.start + 1, four.stop)
+        weights = derivative_weights(steps["T"][known])
         rows = []
         for contact in [number for step, number in films if step == last]:
-            history = [films[step, contact] for step in range(three.start, three.stop)]
+            history = [films[step, contact] for step in range(known.start, known.stop)]
             rate = sum(weight * equations.mass(film.pressure, film.film)[1:-1, 1:-1]
                        for weight, film in zip(weights, history))
             film = history[-1]

@@ -234,14 +234,14 @@ class MotionOnFilms(TrainTest):
             self.assertAlmostEqual(abs(rate) / (2 * numpy.pi) / frequency, 1, delta=2e-4)
             self.assertAlmostEqual(-rate.real / abs(rate) / zeta, 1, delta=0.03)
 
-    def test_the_balance_of_energy_closes_with_the_square_of_the_step(self):
+    def test_the_balance_of_energy_closes_with_the_square_of_the_step_or_faster(self):
         """Of free oscillations the fitted steps leave less still: what is left comes from motions that are forced."""
         left = []
         for step in (0.064, 0.032):
             march = self.summary("transient", *GRID, *bearings(1e9), "-mesh_periods", 2, "-time_dt", step)
             left.append(march["energy_balance_residual"])
         self.assertLess(left[0], 0.02)
-        self.assertTrue(3 < left[0] / left[1] < 5.5, left)
+        self.assertTrue(3 < left[0] / left[1] < 12, left)
 
     def test_a_march_goes_on_to_the_bit_and_is_the_same_on_two_processes(self):
         march = ["transient", self.write_case(RELIEF), *GRID, *self.damped_bearings(), "-keep_checkpoint", "yes",
