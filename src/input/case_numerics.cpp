@@ -181,8 +181,8 @@ double time_step_by_waves(const CaseInput& problem) {
 /// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. And more
 /// where the case asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
-  constexpr double stiffening = 18.4, most = 5.0 / 3.0;  // Moes' L from which on they grow, and by how much
-  if (problem.dry()) return steps_in_dry_swing;
+  constexpr double stiffening = 17.3, most = 1.875;  // Moes' L from which on they grow, and by how much
+  if (problem.dry()) return steps_in_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
   const double by_accuracy =

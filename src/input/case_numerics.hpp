@@ -31,10 +31,9 @@ double mesh_period(const CaseInput& problem);
 
 /// Steps that a mesh period and a free oscillation are given at least, where the program chooses.
 constexpr double steps_in_mesh_period = 100.0;
-constexpr double steps_in_swing = 45.0;
+constexpr double steps_in_swing = 40.0;
 /// Steps, at least, in which the load of bodies without inertia passes to other contacts.
 constexpr int steps_of_transfer = 8;
-constexpr double steps_in_dry_swing = 40.0;  // whose largest force is taken at the steps' ends
 
 /// The case as it is, or, where its pair swings so often in a mesh period and it neither says how the bodies move nor
 /// asks for what has inertia alone, with bodies in balance at every moment; a remark says so.
