@@ -178,16 +178,21 @@ double time_step_by_waves(const CaseInput& problem) {
   return shortest / (nodes_in_wave * fastest * largest_speed_ratio(problem.parameters) * problem.scales.time);
 }
 
-/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. And more
-/// where the case asks for more than usual accuracy, since errors of forces fall with the square of the step.
+/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. More where the
+/// pair swings often in a mesh period, since errors of third order add up from swing to swing. And more where the case
+/// asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
-  constexpr double stiffening = 17.3, most = 1.875;  // Moes' L from which on they grow, and by how much
+  constexpr double stiffening = 17.3;  // Moes' L from which on they grow
+  constexpr double few_swings = 10.0;  // in a mesh period, from which on they grow
+  constexpr double most = 1.875;       // by how much
   if (problem.dry()) return steps_in_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
   const double by_accuracy =
       std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
-  return steps_in_swing * std::max(by_accuracy, std::clamp(L * L / (stiffening * stiffening), 1.0, most));
+  const double by_oil = L * L / (stiffening * stiffening);
+  const double by_swings = std::cbrt(mesh_period(problem) / natural_period(problem) / few_swings);
+  return steps_in_swing * std::max(by_accuracy, std::clamp(std::max(by_oil, by_swings), 1.0, most));
 }
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
