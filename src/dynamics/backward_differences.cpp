@@ -30,7 +30,10 @@ void combine(const std::array<OwnedVec, size>& vectors, const double* factors, i
 }  // namespace
 
 BackwardDifferences::BackwardDifferences(const std::function<OwnedVec()>& create)
-    : sought_(create()), states_{create(), create(), create()}, transients_{create(), create(), create()}, constant_(create()) {}
+    : sought_(create()),
+      states_{create(), create(), create()},
+      transients_{create(), create(), create()},
+      constant_(create()) {}
 
 void BackwardDifferences::keep(double T, bool behind, const std::function<void(Vec, Vec)>& transient) {
   const int place = behind ? 1 : 0;

@@ -2,11 +2,12 @@
 //
 // Backward differences of order 2 (backward_differences.hpp) with rho H as transient variable; the first step after an
 // event is a first-order half step and a second-order step from there. The motion, of which errors add up from swing to
-// swing, has differences of order 3 once three steps are equally long, and the films have where oil passes 0.6 of a cell
-// in a step at most: in longer ones these would not damp all of the waves that oil carries. A step whose Newton iteration fails is never
-// accepted. It is tried again as it was, from the films before it and with a residual that may only fall: slower, and
-// surer. Then it is repeated with half the length, which a march over periods should not need: halved where another
-// period's is not, they do not repeat. The nominal step comes back afterwards.
+// swing, has differences of order 3 once three steps are equally long. The films have where oil passes at most 0.6 of a
+// cell in a step: in longer ones these would not damp all waves that oil carries.
+//
+// A step whose Newton iteration fails is never accepted. It is tried again as it was, from the films before it and with
+// a residual that may only fall: slower, and surer. Then it is repeated with half the length, which a march over periods
+// should not need: halved where another period's is not, they do not repeat. The nominal step comes back afterwards.
 //
 // With a tolerance steps are chosen by their local errors, from a small one after an event on. A march is the same
 // whatever came before its segment; but periods do not repeat to the step, so that searches keep equal steps.

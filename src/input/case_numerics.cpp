@@ -178,9 +178,9 @@ double time_step_by_waves(const CaseInput& problem) {
   return shortest / (nodes_in_wave * fastest * largest_speed_ratio(problem.parameters) * problem.scales.time);
 }
 
-/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. More where the
-/// pair swings often in a mesh period, since errors of third order add up from swing to swing. And more where the case
-/// asks for more than usual accuracy, since errors of forces fall with the square of the step.
+/// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. More where
+/// the pair swings often in a mesh period, since errors of third order add up from swing to swing. And more where the
+/// case asks for more than usual accuracy, since errors of forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
   constexpr double stiffening = 17.3;  // Moes' L from which on they grow
   constexpr double few_swings = 10.0;  // in a mesh period, from which on they grow

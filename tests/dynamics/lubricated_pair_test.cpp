@@ -138,9 +138,10 @@ TEST_P(LubricatedPairAt, an_accepted_step_fulfils_the_backward_formulas) {
   // What a rate of second order is multiplied by, and what is added to it, to give one of third order.
   OwnRates rates{.factor = 11.0 / 9.0};
   const Eigen::VectorXd then = to_vector(before.motion), long_ago = to_vector(long_before);
-  rates.constant = rate(0.0 * then, then, long_ago, to_vector(earliest)) -
-                   rates.factor * (-2.0 * then + 0.5 * long_ago) / dT;
-  system.pair->step_motion(swings, [&](double) { return fit; }, rates);
+  rates.constant =
+      rate(0.0 * then, then, long_ago, to_vector(earliest)) - rates.factor * (-2.0 * then + 0.5 * long_ago) / dT;
+  system.pair->step_motion(
+      swings, [&](double) { return fit; }, rates);
   system.pair->place(last.T);
   const OwnedVec rows = rows_at(state);
   PetscReal size = 0.0;
