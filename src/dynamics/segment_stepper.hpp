@@ -6,8 +6,9 @@
 // cell in a step: in longer ones these would not damp all waves that oil carries.
 //
 // A step whose Newton iteration fails is never accepted. It is tried again as it was, from the films before it and with
-// a residual that may only fall: slower, and surer. Then it is repeated with half the length, which a march over periods
-// should not need: halved where another period's is not, they do not repeat. The nominal step comes back afterwards.
+// a residual that may only fall: slower, and surer. Then it is repeated with half the length, which a march over
+// periods should not need: halved where another period's is not, they do not repeat. The nominal step comes back
+// afterwards.
 //
 // With a tolerance steps are chosen by their local errors, from a small one after an event on. A march is the same
 // whatever came before its segment; but periods do not repeat to the step, so that searches keep equal steps.
