@@ -72,13 +72,14 @@ def step_rows(equations):
 
 
 def steps_in_line(steps):
-    """Four times on end between events, of which three steps are nearly equal: differences there are of third order."""
+    """The times of the motion's differences at each step between events, but the first two, of which the first begins
+    with a half step that no history shows: four where three steps are nearly equal, else three."""
     events = [*numpy.flatnonzero(steps["dT"] == 0), len(steps)]
     for begin, end in zip(events, events[1:]):
         for last in range(begin + 3, end):
             lengths = steps["dT"][last - 2:last + 1]
-            if lengths.max() < 1.5 * lengths.min():
-                yield slice(last - 3, last + 1)
+            even = lengths.max() < 1.5 * lengths.min()
+            yield slice(last - (3 if even else 2), last + 1)
 
 
 def expected_events(pair, derived):
@@ -185,18 +186,18 @@ class RandomPairs(ProgramTest):
         dry contacts that had the forces of the step before."""
         inertia, rows = derived["I_n"] / equations.static_force, step_rows(equations)
         approach = derived["hertz_approach"] / equations.film
-        for four in steps_in_line(steps):
-            row = steps[four][-1]
-            weights = derivative_weights(steps["T"][four])
-            dH0, dV0 = weights @ steps["H0"][four], weights @ steps["V0"][four]
+        for times in steps_in_line(steps):
+            row = steps[times][-1]
+            weights = derivative_weights(steps["T"][times])
+            dH0, dV0 = weights @ steps["H0"][times], weights @ steps["V0"][times]
             pull = row["force_total"] / derived["load"] - 1
 
             def worst(w):
-                alpha, beta, mass, damping = fitted_motion(w, steps["T"][four], weights)
+                alpha, beta, mass, damping = fitted_motion(w, steps["T"][times], weights)
                 return max(abs(dH0 + alpha * dV0 - beta * row["V0"]),
                            abs(inertia * (mass * dV0 + damping * row["V0"]) - pull))
 
-            loads = contacts["force"][contacts["step"] == four.stop - 2] / derived["load"]
+            loads = contacts["force"][contacts["step"] == times.stop - 2] / derived["load"]
             # Of contacts with the radii of the pitch point: those on the path have others.
             swing = math.sqrt(1.5 * numpy.cbrt(loads).sum() / approach / inertia)
             low, high = 0.6 * swing, 1.5 * swing
@@ -221,13 +222,13 @@ class RandomPairs(ProgramTest):
             self.assert_possible(film, steps["H0"][int(row["step"])], equations, step_rows(equations))
             force = derived["load"] * equations.force(film.pressure) / equations.static_force
             self.assertAlmostEqual(force, row["force"], delta=ROUND_OFF * contacts["force"].max())
-        for four in steps_in_line(steps):
-            self.check_mass(four, steps, films, equations)
+        for times in steps_in_line(steps):
+            self.check_mass(times, steps, films, equations)
 
-    def check_mass(self, four, steps, films, equations):
+    def check_mass(self, times, steps, films, equations):
         """Differences of films are of third order where oil passes at most 0.6 of a cell in a step."""
-        last = four.stop - 1
-        known = four if steps["dT"][last] <= 0.6 * equations.h_x else slice(four.start + 1, four.stop)
+        last = times.stop - 1
+        known = times if steps["dT"][last] <= 0.6 * equations.h_x else slice(last - 2, times.stop)
         weights = derivative_weights(steps["T"][known])
         rows = []
         for contact in [number for step, number in films if step == last]:

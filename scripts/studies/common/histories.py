@@ -5,23 +5,27 @@ import numpy
 from studies.common.runs import RunError
 
 
+def periodic_steps(results):
+    """The steps of the periodic period. A row without a step is the state just after a contact came or went."""
+    span, steps = results["history"].attrs, results["history/steps"][:]
+    begin, end = span["periodic_from"], span["periodic_to"]
+    return steps[(steps["T"] >= begin * (1 - 1e-12)) & (steps["T"] <= end * (1 + 1e-12))]
+
+
 def force_of_period(folder):
-    """Times from the begin of the period [T], the total force [static forces] and the number of contacts there."""
+    """Times [T], the total force and the number of contacts at the steps of the period."""
     with h5py.File(folder / "results.h5") as results:
-        history = results["history"]
-        begin, end = history.attrs["periodic_from"], history.attrs["periodic_to"]
-        steps = history["steps"][:]
-    inside = (steps["T"] > begin * (1 + 1e-12)) & (steps["T"] <= end * (1 + 1e-12))
-    if not inside.any():
-        raise RunError(f"{folder} has no steps of a period")
-    return steps["T"][inside] - begin, steps["force_total"][inside], steps["contacts"][inside]
+        steps = periodic_steps(results)
+        begin = results["history"].attrs["periodic_from"]
+    return steps["T"] - begin, steps["force_total"], steps["contacts"]
 
 
 def pieces(history):
-    """The parts of a history between changes of the number of contacts."""
+    """The parts of a history between events: there the number of contacts changes, or two rows have one time."""
     times, forces, contacts = history
-    cuts = [0, *(numpy.flatnonzero(numpy.diff(contacts)) + 1), len(times)]
-    return [(times[a:b], forces[a:b]) for a, b in zip(cuts, cuts[1:])]
+    events = (numpy.diff(contacts) != 0) | (numpy.diff(times) == 0)
+    cuts = [0, *(numpy.flatnonzero(events) + 1), len(times)]
+    return [(times[a:b], forces[a:b]) for a, b in zip(cuts, cuts[1:]) if b - a > 1]
 
 
 def cubic(times, values, wanted):

@@ -10,6 +10,7 @@ import textwrap
 import h5py
 import numpy
 
+from studies.common.histories import periodic_steps
 from studies.common.tables import heading, row
 from studies.industries import formulas as hand
 from studies.industries.cases import FRICTION
@@ -34,13 +35,6 @@ def barred(found, name, unit=1.0, digits=3):
     """A value and its error bar; values without one stand alone."""
     number, error = found.get(name), found.get(f"{name}_error")
     return value(number, unit, digits) if error is None else f"{value(number, unit, digits)} ± {value(error, unit, 1)}"
-
-
-def periodic_steps(results):
-    """The steps of the periodic period. A row without a step is the state just after a contact came or went."""
-    span, steps = results["history"].attrs, results["history/steps"][:]
-    begin, end = span["periodic_from"], span["periodic_to"]
-    return steps[(steps["T"] >= begin * (1 - 1e-12)) & (steps["T"] <= end * (1 + 1e-12))]
 
 
 def mean(values, T):
