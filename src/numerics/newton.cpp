@@ -10,7 +10,7 @@ namespace gearfilm {
 namespace {
 
 const Tuned<double> largest_fall("newton_largest_fall", 0.6, "largest fall of a pressure in an iteration, relative");
-const Tuned<double> largest_rise("newton_largest_rise", 0.1, "largest rise of a pressure in an iteration");
+const Tuned<double> largest_rise("newton_largest_rise", 0.05, "largest rise of a pressure in an iteration");
 const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this may vanish in one iteration");
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");

@@ -58,8 +58,16 @@ Motion settle(const DryMap& map, const Motion& from) {
   return end;
 }
 
+/// Where a branch of orbits ends on the way to less damping.
+enum class BeyondItsEnd : std::uint8_t {
+  settle,  ///< on with what the pair settles on there
+  nothing  ///< there is no orbit; nor is it sought to the last where the branch ends
+};
+
 /// The orbit of a strongly damped pair, followed to less damping.
-std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
+std::optional<Motion> follow_from_strong_damping(const DryMap& map, BeyondItsEnd beyond_its_end) {
+  constexpr double soon = 0.85;
+  const double narrowest = beyond_its_end == BeyondItsEnd::settle ? double(narrowest_ratio) : soon;
   const double least = map.damping_ratio(), weak = std::max<double>(weak_damping, least);
   double damping = std::max<double>(strong_damping, least), ratio = widest_ratio;
   const DryMap strong = map.at_damping(damping);
@@ -73,7 +81,8 @@ std::optional<Motion> follow_from_strong_damping(const DryMap& map) {
       continue;
     }
     ratio = std::sqrt(ratio);
-    if (ratio <= narrowest_ratio) continue;
+    if (ratio <= narrowest) continue;
+    if (beyond_its_end == BeyondItsEnd::nothing) return {};
     // The branch ends: what the pair settles on with less damping is another one.
     const double less = std::max(widest_ratio * damping, weak);
     if (less >= damping) return {};
@@ -109,7 +118,7 @@ std::optional<Motion> find_soon(const DryMap& map) {
   if (map.damping_ratio() * map.oscillations() > forgetful) {
     if (auto start = shoot(map, settle(map, at_rest(map.mesh())))) return start;
   }
-  return follow_from_strong_damping(map);
+  return follow_from_strong_damping(map, BeyondItsEnd::settle);
 }
 
 std::string none_found(const DryMap& map, const std::string& why) {
@@ -149,6 +158,16 @@ std::optional<DryOrbit> find_dry_orbit_soon(const MeshModel& mesh, double dampin
   const DryMap map(mesh, damping_ratio, none);
   try {
     if (const auto start = find_soon(map)) return describe(map, *start);
+  } catch (const SolveError&) {  // the pair parts for good on the way
+  }
+  return {};
+}
+
+std::optional<DryOrbit> undamped_dry_orbit(const MeshModel& mesh) {
+  const DryWatch none;
+  const DryMap map(mesh, 0.0, none);
+  try {
+    if (const auto start = follow_from_strong_damping(map, BeyondItsEnd::nothing)) return describe(map, *start);
   } catch (const SolveError&) {  // the pair parts for good on the way
   }
   return {};

@@ -38,6 +38,10 @@ DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWa
 /// find none.
 std::optional<DryOrbit> find_dry_orbit_soon(const MeshModel& mesh, double damping_ratio);
 
+/// The orbit to which that of a strongly damped pair leads when the damping is lowered to none; nothing where its
+/// branch ends on the way.
+std::optional<DryOrbit> undamped_dry_orbit(const MeshModel& mesh);
+
 /// Where a search for the lubricated pair's orbit begins: the dry pair's at the expected damping, by all but long
 /// marches. Where that finds none, what it has come to after a time, with a map that forgets its start: the search then
 /// marches on at first.

@@ -180,7 +180,7 @@ Summary dry_summary(const MeshModel& mesh) {
   constexpr double most_oscillations = 10.0;
   if (mesh.inertia == 0.0 || mesh.periods() > 1 || mesh.frequency() * mesh.path.mesh_period() > most_oscillations)
     return nullptr;
-  const std::optional<DryOrbit> dry = find_dry_orbit_soon(mesh, 0.0);
+  const std::optional<DryOrbit> dry = undamped_dry_orbit(mesh);
   if (!dry) return nullptr;
   Summary summary = {{"H0_after_leaving", dry->start.H0()},
                      {"V0_after_leaving", dry->start.V0()},

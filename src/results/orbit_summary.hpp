@@ -29,7 +29,7 @@ void add_errors(const std::vector<OrbitError>& errors, const Scales& scales, Sum
 Summary periodic_summary(const CaseInput& problem, const MeshModel& mesh, const FoundOrbit& found,
                          const std::vector<OrbitError>& errors);
 
-/// The undamped dry pair's orbit, for comparison; null where none is found without long marches, or where the pair
+/// The undamped dry pair's orbit, for comparison; null where that of a damped pair leads to none, or where the pair
 /// swings so often in a mesh period that an orbit without damping says nothing.
 Summary dry_summary(const MeshModel& mesh);
 

@@ -23,6 +23,8 @@ SECONDS = 600
 TOGETHER = {"PETSC_OPTIONS": "-solver_processes all"}
 # Open MPI: a process alone needs neither a daemon nor a network, which take two thirds of its start.
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_btl": "self"}
+# Open MPI: where a process returns another status than 0, mpiexec waits twice for so many seconds (1 by default).
+AT_ONCE = {"OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
 
 def command_of(arguments, processes):
@@ -59,7 +61,7 @@ class Run(Outcome):
     def __init__(self, arguments, processes, folder, seconds=SECONDS):
         with tempfile.TemporaryDirectory() as scratch:
             done = subprocess.run(command_of(arguments, processes), cwd=folder, timeout=seconds, check=False,
-                                  env=environment_of(processes, scratch), capture_output=True, text=True)
+                                  env=AT_ONCE | environment_of(processes, scratch), capture_output=True, text=True)
         super().__init__(arguments, processes, done.returncode, done.stdout, done.stderr)
 
 
