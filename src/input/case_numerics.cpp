@@ -22,6 +22,14 @@ double frequency_of_swings(const CaseInput& problem) {
   return natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
 
+/// By how much steps in time and rows are finer where the pair swings often in a mesh period: errors of forces, of
+/// third order in time, add up from swing to swing.
+double finer_for_swings(const CaseInput& problem) {
+  constexpr double few_swings = 10.0;  // in a mesh period, from which on they are
+  if (!swings(problem)) return 1.0;
+  return std::max(1.0, std::cbrt(mesh_period(problem) / natural_period(problem) / few_swings));
+}
+
 /// As for the film alone, and for what oil beyond its edges would carry while the pair swings: with half the Hertz
 /// approach as amplitude.
 Domain domain_of_pair(const CaseInput& problem, const Scales& scales) {
@@ -54,11 +62,12 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 /// force at the ends of the path, where flanks may be much more curved. Along X and Y no longer than that forces follow
 /// an ellipse which grows and shrinks, and that what oil takes from swings is right.
 Steps steps_on_path(const CaseInput& problem, double accuracy) {
+  constexpr double finest_rows = 4.0 / 3.0;
   constexpr double accuracy_at_ends = 0.3, longest_along = 0.1, longest_across = 0.12;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
   if (!problem.pair.line) return steps;
-  steps.y = std::min(steps.y, longest_across);
+  steps.y = std::min(steps.y, longest_across / std::min(finer_for_swings(problem), finest_rows));
   steps.x = std::min(steps.x, longest_along);
   const LineOfAction& line = *problem.pair.line;
   for (const double xi : {line.entry(), line.exit()}) {
@@ -179,11 +188,10 @@ double time_step_by_waves(const CaseInput& problem) {
 }
 
 /// More where oil stiffens much under pressure: where force falls, full nodes then empty within few steps. More where
-/// the pair swings often in a mesh period, since errors of third order add up from swing to swing. And more where the
-/// case asks for more than usual accuracy, since errors of forces fall with the square of the step.
+/// the pair swings often in a mesh period. And more where the case asks for more than usual accuracy, since errors of
+/// forces fall with the square of the step.
 double steps_in_swing_of(const CaseInput& problem) {
   constexpr double stiffening = 17.3;  // Moes' L from which on they grow
-  constexpr double few_swings = 10.0;  // in a mesh period, from which on they grow
   constexpr double most = 1.875;       // by how much
   if (problem.dry()) return steps_in_swing;
   const Scales& scales = problem.scales;
@@ -191,8 +199,8 @@ double steps_in_swing_of(const CaseInput& problem) {
   const double by_accuracy =
       std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
   const double by_oil = L * L / (stiffening * stiffening);
-  const double by_swings = std::cbrt(mesh_period(problem) / natural_period(problem) / few_swings);
-  return steps_in_swing * std::max(by_accuracy, std::clamp(std::max(by_oil, by_swings), 1.0, most));
+  const double finer = std::min(std::max(by_oil, finer_for_swings(problem)), most);
+  return steps_in_swing * std::max(by_accuracy, finer);
 }
 
 // By the film, which oil passes with the velocity 1: a cell a step, but where the program chose the cells no less than
