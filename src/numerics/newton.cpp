@@ -10,7 +10,6 @@ namespace gearfilm {
 namespace {
 
 const Tuned<double> largest_fall("newton_largest_fall", 0.6, "largest fall of a pressure in an iteration, relative");
-const Tuned<double> largest_rise("newton_largest_rise", 0.05, "largest rise of a pressure in an iteration");
 const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this may vanish in one iteration");
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");
@@ -29,7 +28,7 @@ const Tuned<double> least_part("newton_least_part", 0.25,
 constexpr int restart = 20;
 
 /// Limits each pressure's part of the change (the new state is state - change).
-void limit_pressure_change(Vec state, Vec change, PetscInt pressures) {
+void limit_pressure_change(Vec state, Vec change, PetscInt pressures, double largest_rise) {
   const VecReading pressure(state);
   const VecWriting step(change);
   for (PetscInt n = 0; n < pressures; ++n) {
@@ -196,7 +195,8 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
         line_search,
         [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
           return petsc_callback([&] {
-            limit_pressure_change(state, change, static_cast<LinearisedSystem*>(context)->pressure_count());
+            const auto& limited = *static_cast<LinearisedSystem*>(context);
+            limit_pressure_change(state, change, limited.pressure_count(), limited.largest_rise());
             *changed = PETSC_TRUE;
           });
         },

@@ -6,6 +6,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "contact/moes.hpp"
+#include "numerics/tuned.hpp"
+
 namespace gearfilm {
 namespace {
 
@@ -21,13 +24,23 @@ private:
   std::optional<VecReading> vec_;
 };
 
+const Tuned<double> largest_rise_of_all("newton_largest_rise", 0.1, "largest rise of a pressure in an iteration");
+
+/// Smaller where oil stiffens much under pressure: where full film comes and goes over a whole inlet, its viscosity
+/// would change by factors from one iteration to the next.
+double largest_rise_in(const Scales& scales) {
+  const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
+  return L > 0.0 ? std::min<double>(largest_rise_of_all, 1.0 / L) : largest_rise_of_all;
+}
+
 }  // namespace
 
 FilmSystem::FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies)
     : films_(std::move(films)),
       bodies_(std::move(bodies)),
       grid_(films_.front()->grid()),
-      weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())) {
+      weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())),
+      largest_rise_(largest_rise_in(films_.front()->scales())) {
   if (std::set(films_.begin(), films_.end()).size() != films_.size()) {
     throw std::logic_error("a film stands twice in a system, where it would have to show two states at once");
   }
