@@ -144,6 +144,7 @@ void MeshMarch::run(double T_end) {
     const bool widened = films_.grow_domain();
     double segment_end = std::min(T_end, mesh().path.next_event(T()));
     StepOptions steps = films_.options().steps;
+    steps.newton.tolerance *= looseness_;
     if (widened) steps.first_part = part_without_event;
     const std::optional<LoadSharing::Piece> share = mesh().share_from(T());
     if (share) {

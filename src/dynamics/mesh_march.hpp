@@ -48,6 +48,8 @@ public:
   /// from here on as many processes; a march without it guesses as if it had just begun.
   std::vector<double> memory() const;
   void remember(std::span<const double> memory);
+  /// Newton's tolerance of the steps from here on, in that of the options.
+  void set_looseness(double looseness) { looseness_ = looseness; }
   /// Makes films of another grid those of this one, with the rates that they have. Throws SolveError.
   void adapt_pressures() { films_.adapt_pressures(); }
 
@@ -77,6 +79,7 @@ private:
   RunStore* store_;
   PeriodicPredictor guesses_;
   int halved_steps_ = 0;
+  double looseness_ = 1.0;
 };
 
 }  // namespace gearfilm

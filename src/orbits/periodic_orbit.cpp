@@ -18,6 +18,9 @@ const Tuned<double> difference_step("orbit_difference_step", 2e-3, "step of diff
 const Tuned<double> telling_step("orbit_telling_step", 1e-2,
                                  "step of the motion by which the map's Jacobian is measured");
 const Tuned<double> worth_keeping("orbit_worth_keeping", 5e-3, "defect of a period whose end serves as a disturbance");
+const Tuned<double> far_off("orbit_far_off", 100.0,
+                            "defect, in the tolerance, beyond which a period's steps are solved loosely");
+const Tuned<double> looseness("orbit_looseness", 10.0, "Newton's tolerance in periods far from repeating");
 const Tuned<double> largest_change("orbit_largest_change", 0.5, "largest change of the motion in a Newton step");
 const Tuned<double> shortest_step("orbit_shortest_step", 0.2,
                                   "shortest part of a Newton step before the Jacobian is doubted");
@@ -96,6 +99,7 @@ public:
         jacobian_(guess.motion.freedoms(), mesh_.velocity_weight(), guess.monodromy) {
     const bool same_films =
         guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
+    loose_ = mesh_.inertia > 0.0 && (!same_films || guess.lead > 0.0);
     if (same_films && guess.lead > 0.0) {
       begin_with_lead(guess);
     } else if (same_films) {
@@ -173,6 +177,8 @@ private:
     count_period();
     Trial trial{.start = march_.state(), .end = {}, .begin = march_.T()};
     const int halved_before = march_.halved_steps();
+    const bool loose = loose_;
+    march_.set_looseness(loose ? double(looseness) : 1.0);
     try {
       trial.before = gearfilm::march_period(march_, lead_);
     } catch (const SolveError& error) {
@@ -197,7 +203,8 @@ private:
     last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
-    const bool found = distance(trial) < 1.0;
+    const bool found = distance(trial) < 1.0 && !loose;
+    loose_ = loose && mesh_.weighted_norm(best_->defect) > far_off * options_.tolerance;
     observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
   }
@@ -243,6 +250,7 @@ private:
   void measure_jacobian() {
     measured_ = true;
     shortening_ = 1.0;
+    march_.set_looseness(1.0);
     for (Eigen::Index k = 0; k < best_->defect.freedoms(); ++k) {
       measure(
           *best_, [k](Motion& step) -> double& { return step.q[k]; }, difference_step);
@@ -295,6 +303,7 @@ private:
   std::optional<Monodromy> lead_map_;
   MapJacobian jacobian_;
   int periods_ = 0;
+  bool loose_ = false;        ///< the next period, which will not repeat, need not be solved for to the last
   int trials_ = 0;            ///< periods marched to their end
   double halved_ = HUGE_VAL;  ///< the distance of the best period when it had halved for the last time
   int halved_at_ = 0;         ///< after so many mesh periods
