@@ -86,6 +86,7 @@ struct Trial {
   double begin = 0.0;
   Motion defect{};
   double film_defect = 0.0;
+  bool loose = false;  ///< its steps were solved loosely
 };
 
 class OrbitSearch {
@@ -150,7 +151,7 @@ private:
   bool best_will_do() const {
     constexpr double loosely = 4.0;
     return options_.enough_periods && periods_ >= *options_.enough_periods * mesh_.periods() && best_ &&
-           mesh_.weighted_norm(best_->defect) < loosely * options_.tolerance &&
+           !best_->loose && mesh_.weighted_norm(best_->defect) < loosely * options_.tolerance &&
            best_->film_defect < loosely * options_.film_tolerance;
   }
 
@@ -177,8 +178,8 @@ private:
     count_period();
     Trial trial{.start = march_.state(), .end = {}, .begin = march_.T()};
     const int halved_before = march_.halved_steps();
-    const bool loose = loose_;
-    march_.set_looseness(loose ? double(looseness) : 1.0);
+    trial.loose = loose_;
+    march_.set_looseness(loose_ ? double(looseness) : 1.0);
     try {
       trial.before = gearfilm::march_period(march_, lead_);
     } catch (const SolveError& error) {
@@ -203,8 +204,8 @@ private:
     last_ = trial;
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
-    const bool found = distance(trial) < 1.0 && !loose;
-    loose_ = loose && mesh_.weighted_norm(best_->defect) > far_off * options_.tolerance;
+    const bool found = distance(trial) < 1.0 && !trial.loose;
+    loose_ = loose_ && mesh_.weighted_norm(best_->defect) > far_off * options_.tolerance;
     observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
   }

@@ -119,11 +119,12 @@ TEST(TimeSteps, a_tolerance_on_their_errors_chooses_their_lengths) {
   EXPECT_LT(error(films), 0.2 * error(equal));
 }
 
-/// Few Newton iterations, so that many a step of 0.05 fails.
+/// Few Newton iterations to a small norm, so that many a step of 0.05 fails.
 RecordedMarch march_with(int max_iterations, int max_rejections, bool by_short_steps = false) {
   CaseInput problem = table3_case(after_leaving());
   problem.numerics.steps.guess_by_short_steps = by_short_steps;
   problem.numerics.steps.newton.max_iterations = max_iterations;
+  problem.numerics.steps.newton.tolerance = 1e-6;
   problem.numerics.steps.max_rejections = max_rejections;
   return RecordedMarch(problem);
 }
