@@ -121,6 +121,18 @@ std::optional<Motion> find_soon(const DryMap& map) {
   return follow_from_strong_damping(map, BeyondItsEnd::settle);
 }
 
+/// What a way finds; nothing where the pair parts for good on the way.
+template <class Find>
+std::optional<DryOrbit> described_if_found(const MeshModel& mesh, double damping_ratio, Find find) {
+  const DryWatch none;
+  const DryMap map(mesh, damping_ratio, none);
+  try {
+    if (const std::optional<Motion> start = find(map)) return describe(map, *start);
+  } catch (const SolveError&) {
+  }
+  return {};
+}
+
 std::string none_found(const DryMap& map, const std::string& why) {
   return worded("no periodic orbit of the dry pair found that repeats after ", map.mesh().periods(),
                 " mesh period(s), at damping ratio ", map.damping_ratio(), ": ", why);
@@ -154,23 +166,12 @@ Motion find_by_marches(const DryMap& map, const Motion& from) {
 }  // namespace
 
 std::optional<DryOrbit> find_dry_orbit_soon(const MeshModel& mesh, double damping_ratio) {
-  const DryWatch none;
-  const DryMap map(mesh, damping_ratio, none);
-  try {
-    if (const auto start = find_soon(map)) return describe(map, *start);
-  } catch (const SolveError&) {  // the pair parts for good on the way
-  }
-  return {};
+  return described_if_found(mesh, damping_ratio, find_soon);
 }
 
 std::optional<DryOrbit> undamped_dry_orbit(const MeshModel& mesh) {
-  const DryWatch none;
-  const DryMap map(mesh, 0.0, none);
-  try {
-    if (const auto start = follow_from_strong_damping(map, BeyondItsEnd::nothing)) return describe(map, *start);
-  } catch (const SolveError&) {  // the pair parts for good on the way
-  }
-  return {};
+  return described_if_found(mesh, 0.0,
+                            [](const DryMap& map) { return follow_from_strong_damping(map, BeyondItsEnd::nothing); });
 }
 
 DryOrbit find_dry_orbit(const MeshModel& mesh, double damping_ratio, const DryWatch& watch) {
