@@ -38,8 +38,8 @@ struct StepOptions {
   double of_transfer = HUGE_VAL, without_event = 0.0;
   NewtonOptions newton{.tolerance = 1e-5,
                        .max_iterations = 30,
-                       .krylov_tolerance = 0.05,
-                       .late_krylov_tolerance = 1e-3,
+                       .krylov_tolerance = 0.2,
+                       .tightest_krylov_tolerance = 3e-4,
                        .krylov_max_iterations = 60,
                        .unsolved = 3,
                        .limit_changes = true};
@@ -57,7 +57,7 @@ struct StepOptions {
 inline NewtonOptions rough_step_newton() {
   NewtonOptions options = StepOptions().newton;
   options.krylov_tolerance = 0.01;
-  options.late_krylov_tolerance = 1e-5;
+  options.tightest_krylov_tolerance = 1e-5;
   return options;
 }
 

@@ -103,6 +103,7 @@ void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVer
   shown_ = state_version;
   shown_H0_ = H0;
   at_linearised_ = false;
+  rows_found_for_.reset();
 }
 
 void ContactFilm::residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
@@ -113,6 +114,7 @@ void ContactFilm::residual(std::span<const double> pressure, double H0, const Sq
 }
 
 void ContactFilm::find_rows(const Squeeze& squeeze, std::span<double> rows) {
+  rows_found_for_ = squeeze;
   const std::vector<double>& transport = surfaces_.heights.transport;
   if (transport.empty()) {
     reynolds_residual(discretisation_->equation(), surfaces_.entrainment, state_, squeeze, rows);
@@ -154,7 +156,8 @@ LinearisedFilm& ContactFilm::linearisation_for(double shift) {
 void ContactFilm::linearise(std::span<const double> pressure, double H0, const Squeeze& squeeze, double shift,
                             StateVersion state_version, SmootherFactors factors) {
   evaluate(pressure, H0, state_version);
-  find_rows(squeeze, displacement_column_);  // for the full nodes
+  // Which nodes are full, where no residual has just told.
+  if (!rows_found_for_ || !rows_found_for_->is(squeeze)) find_rows(squeeze, displacement_column_);
   linearised_ = &linearisation_for(shift);
   linearised_->update(state_, shift, factors);
   linearised_->displacement_column(displacement_column_);

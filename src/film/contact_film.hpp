@@ -10,6 +10,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -135,6 +136,7 @@ private:
       double_preconditioner_;                ///< in double precision, for stiff squeezing; made when first needed
   LinearisedFilm* linearised_ = nullptr;     ///< the last one of them
   bool at_linearised_ = false;               ///< the evaluated state is that of the Jacobian
+  std::optional<Squeeze> rows_found_for_{};  ///< with which squeeze term rows of the evaluated state were found last
   std::vector<double> linearised_gap_;       ///< H there, of rough surfaces
   std::vector<double> displacement_column_;  ///< dG/dH_0
   std::vector<double> smallest_scales_;      ///< d of a node that conducts nothing, by row

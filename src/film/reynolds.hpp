@@ -31,6 +31,11 @@ enum class FilmDiscretisation : std::uint8_t {
 struct Squeeze {
   std::span<const double> rate{};  ///< d(rho H)/dT of the own nodes, compact; empty for a stationary film
   double shift = 0.0;              ///< about d(rate)/d(rho H): sets the scale of cavitated rows
+
+  /// Whether it is that very rate; an equal one elsewhere is another.
+  bool is(const Squeeze& other) const {
+    return rate.data() == other.rate.data() && rate.size() == other.rate.size() && shift == other.shift;
+  }
 };
 
 /// What the equations of a grid have in common, whatever the film.

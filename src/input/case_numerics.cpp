@@ -158,8 +158,8 @@ NewtonOptions read_step_newton_options(const ParameterValues& values, const Scal
   NewtonOptions options = read_newton_options(
       values, "time", values.real_if_given("time.newton_tolerance").value_or(step_tolerance(scales)),
       values.real_if_given("time.krylov_tolerance").value_or(usual.krylov_tolerance));
-  options.late_krylov_tolerance =
-      values.real_if_given("time.late_krylov_tolerance").value_or(usual.late_krylov_tolerance);
+  options.tightest_krylov_tolerance =
+      values.real_if_given("time.tightest_krylov_tolerance").value_or(usual.tightest_krylov_tolerance);
   options.unsolved = StepOptions().newton.unsolved;
   options.limit_changes = true;
   return options;

@@ -226,11 +226,12 @@ Records time_records() {
        optional(
            between_rough(standard.newton.krylov_tolerance, rough_step_newton().krylov_tolerance) +
                ", over a whole face " + format_value(krylov_tolerance_over_faces),
-           number("krylov_tolerance", "", "-", right_open(1e-15, 1),
-                  "relative, of each linear solve in a time step; no more than to three tenths of Newton's tolerance")),
-       optional(between_rough(standard.newton.late_krylov_tolerance, rough_step_newton().late_krylov_tolerance),
-                number("late_krylov_tolerance", "", "-", right_open(1e-15, 1),
-                       "the same from the third solve of a step on, where smaller")),
+           number(
+               "krylov_tolerance", "", "-", right_open(1e-15, 1),
+               "relative, of each linear solve in a time step, at most; no more than to half of Newton's tolerance")),
+       optional(between_rough(standard.newton.tightest_krylov_tolerance, rough_step_newton().tightest_krylov_tolerance),
+                number("tightest_krylov_tolerance", "", "-", right_open(1e-15, 1),
+                       "the same at least, where that saves iterations of Newton's method")),
        preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
        preset(0, whole("levels", "", closed(0, 20),
@@ -354,8 +355,8 @@ Records solver_records() {
        preset(
            standard.newton.krylov_tolerance,
            number("krylov_tolerance", "", "-", right_open(1e-15, 1),
-                  "relative, of each linear solve; no more than to three tenths of Newton's tolerance; between rough "
-                  "surfaces from the third on 1e-3 at most")),
+                  "relative, of each linear solve; no more than to half of Newton's tolerance; between rough surfaces "
+                  "down to 1e-3 where that saves iterations")),
        preset(standard.newton.krylov_max_iterations,
               whole("krylov_max_iterations", "", at_least(1), "Krylov iterations per Newton step")),
        preset(standard.multigrid.levels,

@@ -4,20 +4,18 @@
 #include <cmath>
 
 #include "numerics/compact_fgmres.hpp"
+#include "numerics/solve_tolerance.hpp"
 #include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
-const Tuned<double> largest_fall("newton_largest_fall", 0.6, "largest fall of a pressure in an iteration, relative");
+const Tuned<double> largest_fall("newton_largest_fall", 0.4, "largest fall of a pressure in an iteration, relative");
 const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this may vanish in one iteration");
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");
 const Tuned<double> astray("newton_astray", 1000.0,
                            "growth of the norm over that of the first guess at which the iteration is given up");
-const Tuned<int> early_solves("newton_early_solves", 2, "linear solves before the late tolerance");
-const Tuned<double> loosest_solve("newton_loosest_solve", 0.2, "loosest relative tolerance of the last linear solves");
-const Tuned<double> left_over("newton_left_over", 0.3, "part of Newton's tolerance that a linear solve may leave");
 const Tuned<int> relaxations("newton_relaxations", 8, "halvings of a full step that increases the merit");
 const Tuned<double> growth_of_relaxed("newton_growth_of_relaxed", 3.0,
                                       "growth of the merit that a relaxed step may bring");
@@ -117,33 +115,26 @@ PetscErrorCode line_search_within(SNESLineSearch own, void* context) {
   return petsc_callback([&] { search(own, *static_cast<LinearisedSystem*>(context), allowed); });
 }
 
-struct SolveTolerances {
-  double early;  ///< relative, of the first linear solves
-  double late;   ///< of those behind them
-};
-
 /// Chooses the tolerance of each linear solve once the iteration before it is done.
-void choose_solve_tolerances(SNES snes, const SolveTolerances& tolerances) {
+void choose_solve_tolerances(SNES snes, const SolveBounds& bounds) {
   petsc_check(SNESMonitorSet(
       snes,
       [](SNES own, PetscInt iteration, PetscReal norm, void* context) -> PetscErrorCode {
         return petsc_callback([&] {
-          const auto& [early, late] = *static_cast<SolveTolerances*>(context);
           KSP ksp = nullptr;
-          PetscReal relative = 0.0, absolute = 0.0, growth = 0.0;
+          PetscReal relative = 0.0, absolute = 0.0, growth = 0.0, aim = 0.0, linear = 0.0;
           PetscInt iterations = 0;
           petsc_check(SNESGetKSP(own, &ksp));
           petsc_check(KSPGetTolerances(ksp, &relative, &absolute, &growth, &iterations));
-          const double ordered = iteration < early_solves ? early : late;
-          PetscReal aim = 0.0;
+          petsc_check(KSPGetResidualNorm(ksp, &linear));
           petsc_check(SNESGetTolerances(own, &aim, nullptr, nullptr, nullptr, nullptr));
-          relative = std::clamp<double>(left_over * aim / norm, ordered, std::max<double>(ordered, loosest_solve));
+          relative = static_cast<SolveTolerance*>(context)->next(static_cast<int>(iteration), norm, linear, aim);
           petsc_check(KSPSetTolerances(ksp, relative, absolute, growth, iterations));
         });
       },
-      new SolveTolerances(tolerances),
+      new SolveTolerance(bounds),
       [](void** context) -> PetscErrorCode {
-        delete static_cast<SolveTolerances*>(*context);
+        delete static_cast<SolveTolerance*>(*context);
         return PETSC_SUCCESS;
       }));
 }
@@ -206,8 +197,8 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);
   use_compact_fgmres(ksp, restart, [&system] { return system.in_single_precision(); });
-  choose_solve_tolerances(
-      snes, {options.krylov_tolerance, std::min(options.krylov_tolerance, options.late_krylov_tolerance)});
+  choose_solve_tolerances(snes, {.loosest = options.krylov_tolerance,
+                                 .tightest = std::min(options.krylov_tolerance, options.tightest_krylov_tolerance)});
 }
 
 }  // namespace gearfilm

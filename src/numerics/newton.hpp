@@ -21,11 +21,10 @@ namespace gearfilm {
 struct NewtonOptions {
   double tolerance = 1e-8;  ///< on norm/weight: a root mean square of the scaled residual [-]
   int max_iterations = 60;
-  /// Relative, of each linear solve [-]: no solve goes on where three tenths of the tolerance above are left.
+  /// Relative, of each linear solve [-]; no solve goes on where half of the tolerance above is left.
   double krylov_tolerance = 0.01;
-  /// The same from the third solve on, where smaller: a norm led by the few nodes that the edge crosses tells little
-  /// about all others.
-  double late_krylov_tolerance = 1.0;
+  /// The same where one more iteration may be saved by solving further (solve_tolerance.hpp).
+  double tightest_krylov_tolerance = 1.0;
   int krylov_max_iterations = 200;
   int unsolved = 1000;         ///< linear systems that may be left above the tolerance before the iteration is given up
   bool limit_changes = false;  ///< limit each node's change; for time steps, whose first guess is near

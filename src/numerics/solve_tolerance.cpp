@@ -1,0 +1,33 @@
+#include "numerics/solve_tolerance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/tuned.hpp"
+
+namespace gearfilm {
+namespace {
+
+const Tuned<double> of_curvature("newton_of_curvature", 0.3,
+                                 "part of what curvature brings back that a linear solve may leave");
+const Tuned<double> left_over("newton_left_over", 0.5, "part of Newton's tolerance that a linear solve may leave");
+const Tuned<double> loosest_last("newton_loosest_solve", 0.2, "loosest relative tolerance of the last linear solves");
+
+}  // namespace
+
+double SolveTolerance::next(int iteration, double norm, double linear, double aim) {
+  double expected = bounds_.loosest / of_curvature;
+  if (iteration > 0) {
+    const Curvature seen{std::sqrt(std::max(0.0, norm * norm - linear * linear)) / before_, before_};
+    if (iteration == 1) first_ = seen;
+    expected = seen.at(norm);
+  } else if (first_.norm > 0.0) {
+    expected = first_.at(norm);
+  }
+  before_ = norm;
+  const double needed = left_over * aim / norm;
+  const double wanted = std::min(std::max(bounds_.tightest, of_curvature * expected), bounds_.loosest);
+  return std::clamp(needed, wanted, std::max<double>(wanted, loosest_last));
+}
+
+}  // namespace gearfilm
