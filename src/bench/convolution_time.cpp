@@ -1,11 +1,14 @@
 #include "bench/convolution_time.hpp"
 
+#include <cmath>
+
 #include "bench/stopwatch.hpp"
 #include "elasticity/fftw.hpp"
 
 namespace gearfilm {
+namespace {
 
-double convolution_time(int nx, int ny) {
+double time_by_one_plan(int nx, int ny) {
   using Fftw = fftw::Interface<double>;
   const int length[2] = {fftw::fast_length(2 * nx - 1), fftw::fast_length(2 * ny - 1)};
   const std::size_t waves = static_cast<std::size_t>(length[0]) * (length[1] / 2 + 1);
@@ -32,6 +35,19 @@ double convolution_time(int nx, int ny) {
                   &field[static_cast<std::size_t>(i) * ny]);
     }
   });
+}
+
+}  // namespace
+
+// Which plan a measurement finds is a matter of chance, and plans differ by up to a third.
+double convolution_time(int nx, int ny) {
+  constexpr int plans = 3;
+  double shortest = HUGE_VAL;
+  for (int n = 0; n < plans; ++n) {
+    fftw_forget_wisdom();
+    shortest = std::min(shortest, time_by_one_plan(nx, ny));
+  }
+  return shortest;
 }
 
 }  // namespace gearfilm

@@ -18,6 +18,7 @@ Deformation<Real>::Deformation(const Grid& grid, double C_h, std::shared_ptr<con
   } else {
     across_ = std::make_unique<FftYConvolution<Real>>(grid, kernel, spectra_);
   }
+  if (across_->serves_pairs()) pair_spectra_ = std::make_unique<FieldPairSpectra<Real>>(grid, spectra_.length());
 }
 
 // A row of symmetry counts half where it is transformed, and meets its own image.
@@ -38,6 +39,21 @@ void Deformation<Real>::apply(const Field<Real>& pressure, Field<Real>& deformat
   spectra_.transform(pressure);
   across_->apply(spectra_);
   spectra_.transform_back(deformation);
+}
+
+template <class Real>
+void Deformation<Real>::apply(std::span<const Field<Real>* const> pressures,
+                              std::span<Field<Real>* const> deformations) const {
+  std::size_t n = 0;
+  if (pair_spectra_) {
+    const ScopedEvent event(Kernel::deformation);
+    for (; n + 1 < pressures.size(); n += 2) {
+      pair_spectra_->transform(*pressures[n], *pressures[n + 1]);
+      across_->apply(*pair_spectra_);
+      pair_spectra_->transform_back(*deformations[n], *deformations[n + 1]);
+    }
+  }
+  for (; n < pressures.size(); ++n) apply(*pressures[n], *deformations[n]);
 }
 
 template class Deformation<float>;

@@ -17,6 +17,8 @@
 // (dense_y_convolution.hpp), many equal ones are transformed too (fft_y_convolution.hpp).
 #pragma once
 
+#include <span>
+
 #include "elasticity/end_faces.hpp"
 #include "elasticity/love.hpp"
 #include "elasticity/y_convolution.hpp"
@@ -32,6 +34,8 @@ public:
 
   /// deformation = K pressure on the own nodes; ghosts are neither read nor written.
   void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
+  /// The same of several fields, two at a time where that is faster.
+  void apply(std::span<const Field<Real>* const> pressures, std::span<Field<Real>* const> deformations) const;
 
   double elastic_coefficient() const { return C_h_; }
   /// K between nodes that are i lines and j equal rows apart.
@@ -51,6 +55,7 @@ private:
   // Work space of apply() within.
   mutable XSpectra<Real> spectra_;
   std::unique_ptr<YConvolution<Real>> across_;
+  std::unique_ptr<FieldPairSpectra<Real>> pair_spectra_;  ///< null where fields are taken one at a time
 };
 
 extern template class Deformation<float>;

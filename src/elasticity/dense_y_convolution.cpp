@@ -22,22 +22,37 @@ int width_for(int rows) {
   return std::min({40, 32, 24}, [&](int a, int b) { return empty(a) < empty(b); });
 }
 
-/// sums += matrix times rows.
-template <int width, class Real>
-void add_rows(const Real* __restrict matrix, const std::complex<Real>* rows, int count, Real* __restrict sums) {
-  const Real* in = reinterpret_cast<const Real*>(rows);
-  Real real[width], imaginary[width];
-  std::copy_n(sums, width, real);
-  std::copy_n(sums + width, width, imaginary);
+/// sums += matrix times each of `several` columns of rows; sums are [column][real, imaginary][row].
+template <int width, std::size_t several, class Real>
+void add_rows(const Real* __restrict matrix, const std::array<const std::complex<Real>*, several>& rows, int count,
+              Real* __restrict sums) {
+  Real parts[2 * several][width];
+  for (std::size_t n = 0; n < 2 * several; ++n) std::copy_n(sums + n * width, width, parts[n]);
   for (int l = 0; l < count; ++l, matrix += width) {
-    const Real re = in[2 * l], im = in[2 * l + 1];
-    for (int j = 0; j < width; ++j) {
-      real[j] += matrix[j] * re;
-      imaginary[j] += matrix[j] * im;
+    for (std::size_t column = 0; column < several; ++column) {
+      const Real* in = reinterpret_cast<const Real*>(rows[column] + l);
+      const Real re = in[0], im = in[1];
+      for (int j = 0; j < width; ++j) {
+        parts[2 * column][j] += matrix[j] * re;
+        parts[2 * column + 1][j] += matrix[j] * im;
+      }
     }
   }
-  std::copy_n(real, width, sums);
-  std::copy_n(imaginary, width, sums + width);
+  for (std::size_t n = 0; n < 2 * several; ++n) std::copy_n(parts[n], width, sums + n * width);
+}
+
+/// The same with the width as a number.
+template <std::size_t several, class Real>
+void add_rows(int width, const Real* matrix, const std::array<const std::complex<Real>*, several>& rows, int count,
+              Real* sums) {
+  switch (width) {
+    case 24:
+      return add_rows<24>(matrix, rows, count, sums);
+    case 32:
+      return add_rows<32>(matrix, rows, count, sums);
+    default:
+      return add_rows<40>(matrix, rows, count, sums);
+  }
 }
 
 }  // namespace
@@ -65,7 +80,7 @@ DenseYConvolution<Real>::DenseYConvolution(const Grid& grid, const XSpectra<Real
       pieces_(pieces(waves_, (grid.rows() + grid.processes() - 1) / grid.processes())),
       matrix_(static_cast<std::size_t>(waves_) * blocks_ * sources_ * width_),
       spectra_(static_cast<std::size_t>(waves_) * grid.rows()),
-      sums_(static_cast<std::size_t>(waves_) * sums_size()),
+      sums_(static_cast<std::size_t>(std::max(waves_, 2)) * sums_size()),
       result_(grid.y_count()) {
   std::fill_n(matrix_.data(), static_cast<std::size_t>(waves_) * blocks_ * sources_ * width_, Real(0));
 }
@@ -124,17 +139,8 @@ template <class Real>
 void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real* sums) const {
   const int first = y_ranges_[process], count = std::min(rows_of(process), sources_ - first);
   for (int block = 0; block < blocks_; ++block, sums += 2 * width_) {
-    const Real* matrix = matrix_.data() + ((static_cast<std::size_t>(k) * blocks_ + block) * sources_ + first) * width_;
-    switch (width_) {
-      case 24:
-        add_rows<24>(matrix, rows, count, sums);
-        break;
-      case 32:
-        add_rows<32>(matrix, rows, count, sums);
-        break;
-      default:
-        add_rows<40>(matrix, rows, count, sums);
-    }
+    const Real* matrix = block_at(k, block) + static_cast<std::size_t>(first) * width_;
+    add_rows(width_, matrix, std::array{rows}, count, sums);
   }
 }
 
@@ -157,6 +163,38 @@ void DenseYConvolution<Real>::apply_alone(XSpectra<Real>& spectra) {
     std::fill_n(sums_.data(), sums_size(), Real(0));
     add(k, 0, rows, sums_.data());
     combine(k, sums_.data(), spectra);
+  }
+}
+
+template <class Real>
+template <std::size_t several>
+void DenseYConvolution<Real>::multiply(int k, const std::array<Complex*, several>& rows) {
+  std::array<const Complex*, several> sources{};
+  std::ranges::copy(rows, sources.begin());
+  std::fill_n(sums_.data(), several * sums_size(), Real(0));
+  Real* sums = sums_.data();
+  for (int block = 0; block < blocks_; ++block, sums += 2 * several * width_) {
+    add_rows(width_, block_at(k, block), sources, sources_, sums);
+  }
+  sums = sums_.data();
+  const int count = static_cast<int>(result_.size());
+  for (int first = 0; first < count; first += width_) {
+    for (Complex* of_column : rows) {
+      for (int j = 0; j < std::min(width_, count - first); ++j) of_column[first + j] = {sums[j], sums[width_ + j]};
+      sums += 2 * width_;
+    }
+  }
+}
+
+template <class Real>
+void DenseYConvolution<Real>::apply(FieldPairSpectra<Real>& spectra) {
+  for (int k = 0; k < waves_; ++k) {
+    const int mirrored = (spectra.length() - k) % spectra.length();
+    if (mirrored == k) {
+      multiply<1>(k, {spectra.rows(k)});
+    } else {
+      multiply<2>(k, {spectra.rows(k), spectra.rows(mirrored)});
+    }
   }
 }
 

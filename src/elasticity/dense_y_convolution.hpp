@@ -7,9 +7,14 @@
 // is a product of a real matrix and a complex vector, without padding. Transforms in y cost less only where there are
 // many equal rows.
 //
+// Matrices are larger than the nearest cache: those of k and of length - k are the same, and two fields at once
+// (field_pair_spectra.hpp) meet four right sides with one reading of it.
+//
 // Each process sums for its own rows and needs those of all others. They travel once, in pieces of a few wave numbers,
 // while the process sums over its own: transforms in y need two transpositions, and all that wait for both.
 #pragma once
+
+#include <array>
 
 #include "elasticity/y_convolution.hpp"
 
@@ -29,6 +34,8 @@ public:
   DenseYConvolution(const Grid& grid, const RowInfluence& kernel, XSpectra<Real>& spectra);
 
   void apply(XSpectra<Real>& spectra) override;
+  bool serves_pairs() const override { return processes() == 1; }
+  void apply(FieldPairSpectra<Real>& spectra) override;
 
 private:
   using Complex = std::complex<Real>;
@@ -42,6 +49,9 @@ private:
   }
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;
+  /// Columns of rows become their sums by the matrix of a wave number.
+  template <std::size_t several>
+  void multiply(int k, const std::array<Complex*, several>& rows);
   /// Sums as the complex values of rows.
   void combine(int k, const Real* sums, XSpectra<Real>& spectra);
   void apply_alone(XSpectra<Real>& spectra);
@@ -54,6 +64,9 @@ private:
            static_cast<std::size_t>(k) * rows_of(process);
   }
   int sums_size() const { return blocks_ * 2 * width_; }  ///< at a wave number
+  const Real* block_at(int k, int block) const {
+    return matrix_.data() + (static_cast<std::size_t>(k) * blocks_ + block) * sources_ * width_;
+  }
   Real* sums_at(int k) { return sums_.data() + static_cast<std::size_t>(k) * sums_size(); }
 
   MPI_Comm comm_ = MPI_COMM_NULL;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
+#include "elasticity/field_pair_spectra.hpp"
 #include "elasticity/x_spectra.hpp"
 
 namespace gearfilm {
@@ -22,6 +24,11 @@ public:
 
   /// The spectra of rows become those of their deformation. All processes of the grid call it together.
   virtual void apply(XSpectra<Real>& spectra) = 0;
+  /// Whether two fields at once are the faster way, and the same for two.
+  virtual bool serves_pairs() const { return false; }
+  virtual void apply(FieldPairSpectra<Real>& /*spectra*/) {
+    throw std::logic_error("fields are not convolved in pairs");
+  }
 };
 
 }  // namespace gearfilm

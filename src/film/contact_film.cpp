@@ -86,9 +86,27 @@ void ContactFilm::set_entrained() {
 }
 
 void ContactFilm::evaluate(std::span<const double> pressure, double H0, StateVersion state_version) {
-  if (state_version != 0 && state_version == shown_ && H0 == shown_H0_) return;
-  state_.total_pressure.load(pressure);
-  deformation_.apply(state_.total_pressure, state_.thickness);
+  const At here{this, pressure, H0};
+  evaluate_together({&here, 1}, state_version);
+}
+
+void ContactFilm::evaluate_together(std::span<const At> films, StateVersion state_version) {
+  std::vector<const At*> others;
+  std::vector<const Field<double>*> pressures;
+  std::vector<Field<double>*> thicknesses;
+  for (const At& at : films) {
+    if (at.film->shows(at.H0, state_version)) continue;
+    at.film->state_.total_pressure.load(at.pressure);
+    others.push_back(&at);
+    pressures.push_back(&at.film->state_.total_pressure);
+    thicknesses.push_back(&at.film->state_.thickness);
+  }
+  if (others.empty()) return;
+  others.front()->film->deformation_.apply(pressures, thicknesses);
+  for (const At* at : others) at->film->complete_evaluation(at->H0, state_version);
+}
+
+void ContactFilm::complete_evaluation(double H0, StateVersion state_version) {
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     double* thickness = state_.thickness.row(i);
@@ -181,12 +199,21 @@ void ContactFilm::linearise(std::span<const double> pressure, double H0, const S
   }
 }
 
-void ContactFilm::multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
+void ContactFilm::multiply_together(std::span<const Product> products) {
   const ScopedEvent event(Kernel::jacobian_apply);
-  linearised_->multiply(change, rows);
-  ++convolutions_;
-  if (change_H0 == 0.0) return;
-  for (std::size_t n = 0; n < rows.size(); ++n) rows[n] += change_H0 * displacement_column_[n];
+  std::vector<LinearisedFilm::Product> linearised;
+  for (const Product& product : products) {
+    linearised.push_back({product.film->linearised_, product.change, product.rows});
+  }
+  if (!linearised.front().film->multiply_together(linearised)) {
+    for (const auto& [film, change, rows] : linearised) film->multiply(change, rows);
+  }
+  for (const auto& [film, change, change_H0, rows] : products) {
+    ++film->convolutions_;
+    if (change_H0 == 0.0) continue;
+    const std::vector<double>& column = film->displacement_column_;
+    for (std::size_t n = 0; n < rows.size(); ++n) rows[n] += change_H0 * column[n];
+  }
 }
 
 void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {

@@ -63,6 +63,13 @@ public:
 
   /// Film and oil at (pressure, H_0), which state() and the fields then show.
   void evaluate(std::span<const double> pressure, double H0, StateVersion state_version = 0);
+  /// The same of films on one discretisation, whose deformations are computed together.
+  struct At {
+    ContactFilm* film;
+    std::span<const double> pressure;
+    double H0;
+  };
+  static void evaluate_together(std::span<const At> films, StateVersion state_version);
   FilmQuantities quantities(std::span<const double> pressure, double H0, StateVersion state_version = 0);
   /// rows = G at (pressure, H_0).
   void residual(std::span<const double> pressure, double H0, const Squeeze& squeeze, std::span<double> rows,
@@ -80,7 +87,18 @@ public:
     return options_.precision == Precision::single_precision && linearised_ == preconditioner_.get();
   }
   /// rows = dG/dP change + dG/dH_0 change_H0.
-  void multiply(std::span<const double> change, double change_H0, std::span<double> rows);
+  void multiply(std::span<const double> change, double change_H0, std::span<double> rows) {
+    const Product product{this, change, change_H0, rows};
+    multiply_together({&product, 1});
+  }
+  /// The same of films on one discretisation, whose deformations are computed together.
+  struct Product {
+    ContactFilm* film;
+    std::span<const double> change;
+    double change_H0;
+    std::span<double> rows;
+  };
+  static void multiply_together(std::span<const Product> products);
   /// rows = the part of multiply() that grows with the shift: the change of rho H, zero where cavitated. It reads the
   /// state: an error once another one was evaluated.
   void multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows);
@@ -113,6 +131,11 @@ public:
   long convolutions() const { return convolutions_; }
 
 private:
+  bool shows(double H0, StateVersion state_version) const {
+    return state_version != 0 && state_version == shown_ && H0 == shown_H0_;
+  }
+  /// Film and oil where the thickness holds the deformation by the pressure.
+  void complete_evaluation(double H0, StateVersion state_version);
   LinearisedFilm& linearisation_for(double shift);
   /// Int Int P_a, and the largest Int P_a dX of own rows.
   double asperity_integral(double& largest_of_row) const;

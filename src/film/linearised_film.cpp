@@ -51,8 +51,15 @@ public:
     levels_.front()->smooth(residual, change, 1, true);
   }
 
-  void multiply(std::span<const double> change, std::span<double> rows) override {
-    levels_.front()->multiply(change, rows);
+  bool multiply_together(std::span<const Product> products) override {
+    std::vector<typename Level::Product> own;
+    for (const Product& product : products) {
+      auto* film = dynamic_cast<FilmMultigrid*>(product.film);
+      if (!film || &film->finest().discretisation() != &finest().discretisation()) return false;
+      own.push_back({&film->finest(), product.change, product.rows});
+    }
+    Level::multiply_together(own);
+    return true;
   }
   void displacement_column(std::span<double> column) override { levels_.front()->displacement_column(column); }
 
@@ -85,6 +92,7 @@ private:
     }
   };
 
+  Level& finest() const { return *levels_.front(); }
   std::optional<Coarsening> next_coarsening(const Grid& coarsest) const;
   void build_levels(Discretisation& finest);
   void build_whole_rest(Discretisation& last);

@@ -26,7 +26,18 @@ public:
   virtual void update(const FilmState& state, double shift,
                       SmootherFactors factors = SmootherFactors::of_this_state) = 0;
   /// rows = linearised rows for a change of the pressure; compact.
-  virtual void multiply(std::span<const double> change, std::span<double> rows) = 0;
+  void multiply(std::span<const double> change, std::span<double> rows) {
+    const Product product{this, change, rows};
+    multiply_together({&product, 1});
+  }
+  struct Product {
+    LinearisedFilm* film;
+    std::span<const double> change;
+    std::span<double> rows;
+  };
+  /// The products of several films, one of them this one; returns false, and makes none, where they differ in
+  /// discretisation or precision.
+  virtual bool multiply_together(std::span<const Product> products) = 0;
   /// The linearised rows for a change of 1 of the film everywhere: dG/dH_0; compact.
   virtual void displacement_column(std::span<double> column) = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.

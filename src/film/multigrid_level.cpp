@@ -1,5 +1,7 @@
 #include "film/multigrid_level.hpp"
 
+#include <vector>
+
 #include "parallel/events.hpp"
 
 namespace gearfilm {
@@ -23,15 +25,29 @@ void MultigridLevel<Real>::update(const FilmState& state, double shift, Smoother
 template <class Real>
 void MultigridLevel<Real>::apply_operator() {
   deformation_.apply(change_, deformed_);
+  apply_stencil_to_deformed();
+}
+
+template <class Real>
+void MultigridLevel<Real>::apply_stencil_to_deformed() {
   discretisation_.halo().exchange(change_, deformed_);
   apply_stencil(linear_, change_, deformed_, rows_);
 }
 
 template <class Real>
-void MultigridLevel<Real>::multiply(std::span<const double> change, std::span<double> rows) {
-  change_.load(change);
-  apply_operator();
-  rows_.store(rows);
+void MultigridLevel<Real>::multiply_together(std::span<const Product> products) {
+  std::vector<const Field<Real>*> changes;
+  std::vector<Field<Real>*> deformed;
+  for (const Product& product : products) {
+    product.film->change_.load(product.change);
+    changes.push_back(&product.film->change_);
+    deformed.push_back(&product.film->deformed_);
+  }
+  products.front().film->deformation_.apply(changes, deformed);
+  for (const Product& product : products) {
+    product.film->apply_stencil_to_deformed();
+    product.film->rows_.store(product.rows);
+  }
 }
 
 template <class Real>

@@ -24,7 +24,17 @@ public:
   void update(const FilmState& state, double shift, SmootherFactors factors = SmootherFactors::of_this_state);
 
   /// rows = linearised film * change; compact.
-  void multiply(std::span<const double> change, std::span<double> rows);
+  void multiply(std::span<const double> change, std::span<double> rows) {
+    const Product product{this, change, rows};
+    multiply_together({&product, 1});
+  }
+  /// The same of films on one discretisation, whose deformations are computed together.
+  struct Product {
+    MultigridLevel* film;
+    std::span<const double> change;
+    std::span<double> rows;
+  };
+  static void multiply_together(std::span<const Product> products);
   /// Rows for a change of 1 of the film everywhere; compact.
   void displacement_column(std::span<double> column);
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
@@ -39,6 +49,8 @@ public:
 private:
   /// rows_ = linearised film * change_
   void apply_operator();
+  /// The same where deformed_ is that of change_.
+  void apply_stencil_to_deformed();
 
   const Discretisation& discretisation_;
   const Deformation<Real>& deformation_;

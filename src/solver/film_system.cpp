@@ -122,6 +122,12 @@ Eigen::VectorXd FilmSystem::displacements(Vec state) const {
   return displacements(in.values(), scalars_in(in.values()));
 }
 
+void FilmSystem::evaluate(std::span<const double> values, const Eigen::VectorXd& displaced, StateVersion version) {
+  std::vector<ContactFilm::At> places;
+  for (std::size_t k = 0; k < films(); ++k) places.push_back({films_[k], part(values, k), displaced[k]});
+  ContactFilm::evaluate_together(places, version);
+}
+
 void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const StateVersion version = versions_.of(state);
   const RateReading rates(rate);
@@ -129,6 +135,7 @@ void FilmSystem::residual(Vec state, const Rate& rate, Vec rows) {
   const VecWriting out(rows);
   const Eigen::VectorXd scalars = scalars_in(in.values()), carried = forces(in.values());
   const Eigen::VectorXd displaced = compliance_.displacements(bodies_.displacement * scalars, carried);
+  evaluate(in.values(), displaced, version);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->residual(part(in.values(), k), displaced[k], squeeze(rates.values(), k, rate.shift),
                         part(out.values(), k), version);
@@ -144,6 +151,7 @@ void FilmSystem::transient(Vec state, Vec values) {
   const VecReading in(state);
   const VecWriting out(values);
   const Eigen::VectorXd scalars = scalars_in(in.values()), displaced = displacements(in.values(), scalars);
+  evaluate(in.values(), displaced, version);
   for (std::size_t k = 0; k < films(); ++k) {
     films_[k]->mass(part(in.values(), k), displaced[k], part(out.values(), k), version);
   }
@@ -213,9 +221,11 @@ void FilmSystem::multiply(Vec change, Vec rows) {
   const VecWriting out(rows);
   const Eigen::VectorXd scalars = scalars_in(in.values()), carried = forces(in.values());
   const Eigen::VectorXd displaced = compliance_.displacements(bodies_.displacement * scalars, carried);
+  std::vector<ContactFilm::Product> products;
   for (std::size_t k = 0; k < films(); ++k) {
-    films_[k]->multiply(part(in.values(), k), displaced[k], part(out.values(), k));
+    products.push_back({films_[k], part(in.values(), k), displaced[k], part(out.values(), k)});
   }
+  ContactFilm::multiply_together(products);
   put_scalars(weight_ * (bodies_.rows_of_change(scalars, shift_ * scalars, carried) + reverse_jacobian_ * scalars),
               out.values());
 }

@@ -108,6 +108,8 @@ private:
   Eigen::VectorXd forces(std::span<const double> values) const;
   /// H_k of the scalars in a state or a change; reads the forces only where solids give way.
   Eigen::VectorXd displacements(std::span<const double> values, const Eigen::VectorXd& scalars) const;
+  /// All films at their pressures and displacements.
+  void evaluate(std::span<const double> values, const Eigen::VectorXd& displaced, StateVersion version);
   /// change = approximately (dG_k/dP_k)^-1 rows.
   void solve_film(std::size_t contact, std::span<const double> rows, std::span<double> change);
   void precondition_exactly(std::span<const double> rows, std::span<double> change);

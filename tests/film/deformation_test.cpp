@@ -133,6 +133,47 @@ TYPED_TEST(DeformationOf, any_pressure_is_the_direct_double_sum_over_inner_nodes
   }
 }
 
+TYPED_TEST(DeformationOf, several_fields_at_once_is_that_of_each) {
+  using Real = TypeParam;
+  for (const GridShape& shape : {rectangle(24, 15, -4.5, 1.5, 3.0), rectangle(16, 97, -2.0, 1.2, 1.1),
+                                 rectangle(17, 12, -2.0, 1.2, 1.1, Edge::ambient),
+                                 GridShape{16, -2.0, 1.2, graded_rows(19, 0.0, Edge::symmetry)},
+                                 GridShape{17, -2.0, 1.2, graded_rows(47, -2.0, Edge::ambient)}}) {
+    const Grid grid(PETSC_COMM_WORLD, shape);
+    const Deformation<Real> deformation(grid, 0.37);
+    constexpr int count = 3;  // a pair, and one that is left
+    std::vector<Field<Real>> pressures(count, Field<Real>(grid)), together = pressures, alone = pressures;
+    std::vector<const Field<Real>*> given;
+    std::vector<Field<Real>*> sought;
+    for (int n = 0; n < count; ++n) {
+      pressures[n].fill(Real(1e6));  // ghosts must not matter
+      together[n].fill(Real(-1.0));
+      for (int i = 0; i < grid.nx(); ++i) {
+        for (int j = 0; j < grid.y_count(); ++j) {
+          pressures[n].row(i)[j] = static_cast<Real>(noise(i + 40 * n, grid.y_begin() + j));
+        }
+      }
+      given.push_back(&pressures[n]);
+      sought.push_back(&together[n]);
+      deformation.apply(pressures[n], alone[n]);
+    }
+    deformation.apply(given, sought);
+    for (int n = 0; n < count; ++n) {
+      double difference = 0.0, top = 0.0;
+      for (int i = 0; i < grid.nx(); ++i) {
+        EXPECT_EQ(together[n].row(i)[-1], Real(-1.0));
+        EXPECT_EQ(together[n].row(i)[grid.y_count()], Real(-1.0));
+        for (int j = 0; j < grid.y_count(); ++j) {
+          difference = std::max<double>(difference, std::abs(together[n].row(i)[j] - alone[n].row(i)[j]));
+          top = std::max<double>(top, std::abs(alone[n].row(i)[j]));
+        }
+      }
+      EXPECT_LT(maximum(difference), TestFixture::tolerance * maximum(top)) << shape.nx << " x " << shape.ny();
+      EXPECT_GT(maximum(top), 0.0);
+    }
+  }
+}
+
 class HertzPressure : public testing::Test {
 protected:
   HertzPressure() {
