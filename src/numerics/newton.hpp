@@ -7,11 +7,13 @@
 // with pressure (the Table 3 oil has alpha_B p_h = 63), Newton overshoots, and a backtracking that shortens the whole
 // step for their sake crawls. Where a full step leads up, single nodes that have overshot therefore take a part of
 // their changes only (overshoot.hpp); that may lead to three times what it was before, since their neighbours have not
-// followed yet. Each node's change can also be limited by itself first: no pressure falls by more than 0.6 of it, or
-// rises by more than about 0.1 p_h, in one step. A direction so limited is not Newton's, and need not lead down at
+// followed yet. Each node's change can also be limited by itself first: no pressure falls by more than 0.4 of it, or
+// rises by more than the system allows, in one step. A direction so limited is not Newton's, and need not lead down at
 // once: the merit may grow tenfold in an iteration, and the norm to a thousand times what it began with. A good first
 // guess has a small norm, and it is behind such a one that a limit of ten stopped iterations which find their way.
 #pragma once
+
+#include <cmath>
 
 #include "parallel/petsc.hpp"
 #include "parallel/watcher.hpp"
@@ -40,7 +42,7 @@ public:
   /// How many entries of the local array, from its beginning, are pressures.
   virtual PetscInt pressure_count() const = 0;
   /// How much a pressure may rise in an iteration at most, where changes are limited.
-  virtual double largest_rise() const { return 0.1; }
+  virtual double largest_rise() const { return HUGE_VAL; }
   /// How far rows are from zero, as a line search compares it: their norm, where nothing else is better.
   virtual double merit(Vec rows);
   /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false

@@ -100,7 +100,7 @@ public:
         jacobian_(guess.motion.freedoms(), mesh_.velocity_weight(), guess.monodromy) {
     const bool same_films =
         guess.neighbour && same_lattice(guess.neighbour->shape, march.discretisation()->grid().shape());
-    loose_ = mesh_.inertia > 0.0 && (!same_films || guess.lead > 0.0);
+    set_loose(mesh_.inertia > 0.0 && (!same_films || guess.lead > 0.0));
     if (same_films && guess.lead > 0.0) {
       begin_with_lead(guess);
     } else if (same_films) {
@@ -179,7 +179,6 @@ private:
     Trial trial{.start = march_.state(), .end = {}, .begin = march_.T()};
     const int halved_before = march_.halved_steps();
     trial.loose = loose_;
-    march_.set_looseness(loose_ ? double(looseness) : 1.0);
     try {
       trial.before = gearfilm::march_period(march_, lead_);
     } catch (const SolveError& error) {
@@ -205,9 +204,15 @@ private:
     if (change > worth_keeping) beside_ = trial.end;
     if (better_) best_ = trial;
     const bool found = distance(trial) < 1.0 && !trial.loose;
-    loose_ = loose_ && mesh_.weighted_norm(best_->defect) > far_off * options_.tolerance;
+    set_loose(loose_ && mesh_.weighted_norm(best_->defect) > far_off * options_.tolerance);
     observer_({periods_, trial.begin, change, trial.film_defect, found, march_.halved_steps() - halved_before});
     return found;
+  }
+
+  /// How steps are solved from now on, those that lead to a period too.
+  void set_loose(bool loose) {
+    loose_ = loose;
+    march_.set_looseness(loose ? double(looseness) : 1.0);
   }
 
   /// Puts the march where the next period is to begin.
@@ -258,6 +263,7 @@ private:
       measure(
           *best_, [k](Motion& step) -> double& { return step.v[k]; }, difference_step / mesh_.velocity_weight());
     }
+    set_loose(loose_);
   }
 
   void march_on() {

@@ -148,6 +148,17 @@ class Defaults(ProgramTest):
         swings = slower["f_n"] / slower["f_m"]
         self.assertAlmostEqual(slower["steps_in_free_oscillation"], 40 * (swings / 10) ** (1 / 3), delta=1e-6)
 
+    def test_rows_follow_swings_as_steps_do(self):
+        case, _ = write_pair(self.folder / "rows", 1, 3)  # at 843 rpm
+        _, slow = self.summary("info", case)
+        _, fast = self.summary("info", case, "-pinion_speed_rpm", 2500)
+        finer = (slow["f_n"] / slow["f_m"] / 10) ** (1 / 3)
+        self.assertLess(fast["f_n"] / fast["f_m"], 10)
+        self.assertTrue(1.2 < finer < 4 / 3)
+        step = [2 * of["y_half"] / (of["ny"] - 1) for of in (slow, fast)]
+        self.assertLessEqual(step[0], 0.12 / finer)
+        self.assertTrue(0.12 / finer < step[1] <= 0.12)
+
     def test_more_accuracy_takes_more_steps_too(self):
         slow = ("info", BARBIERI, "-pinion_speed_rpm", 1200, "-grid_accuracy")
         for accuracy, steps in ((0.05, 40), (0.02, 40), (0.005, 80)):

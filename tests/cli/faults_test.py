@@ -166,7 +166,8 @@ class Solver(FaultTest):
     """Each fault is caught where it happens, and its place is said."""
 
     def test_steps_that_cannot_converge(self):
-        trials = {"an exhausted iteration limit": (["-step_snes_max_it", 1], "DIVERGED_MAX_IT"),
+        trials = {"an exhausted iteration limit": (["-step_snes_max_it", 1, "-time_newton_tolerance", 1e-12],
+                                                   "DIVERGED_MAX_IT"),
                   "a failed linear solve": (["-step_ksp_max_it", 1, "-step_ksp_rtol", 1e-30,
                                              "-step_snes_max_linear_solve_fail", 1], "DIVERGED_LINEAR_SOLVE")}
         for fault, (options, reason) in trials.items():
