@@ -6,11 +6,12 @@ template <class Real>
 FieldPairSpectra<Real>::FieldPairSpectra(const Grid& grid, int length)
     : nx_(grid.nx()),
       own_rows_(grid.y_count()),
+      stride_(uneven_stride(own_rows_)),
       inner_(grid.inner_rows()),
       mirror_row_(grid.mirror_row()),
       length_(length),
-      lines_(static_cast<std::size_t>(length_) * own_rows_),
-      transforms_(lines_.data(), length_, own_rows_) {}
+      lines_(static_cast<std::size_t>(length_) * stride_),
+      transforms_(lines_.data(), length_, stride_) {}
 
 template <class Real>
 void FieldPairSpectra<Real>::transform(const Field<Real>& real, const Field<Real>& imaginary) {

@@ -26,14 +26,15 @@ public:
   Complex* rows(int k) { return line(transforms_.place(k)); }
 
 private:
-  Complex* line(int i) { return lines_.data() + static_cast<std::size_t>(i) * own_rows_; }
+  Complex* line(int i) { return lines_.data() + static_cast<std::size_t>(i) * stride_; }
 
   int nx_;
   int own_rows_;
+  int stride_;      ///< from line to line
   RowRange inner_;  ///< own rows that are not at the boundary
   int mirror_row_;  ///< own row of symmetry, or -1
   int length_;
-  fftw::Buffer<Complex> lines_;  ///< [length][own row], transformed in place
+  fftw::Buffer<Complex> lines_;  ///< [length][own row and what is left of the stride], transformed in place
   LineTransforms<Real> transforms_;
 };
 

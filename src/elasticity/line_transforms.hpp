@@ -13,6 +13,10 @@
 
 namespace gearfilm {
 
+/// How many lines to lay side by side, so that what follows one another in a line is not a power of two apart: a cache
+/// has few places for such.
+inline int uneven_stride(int lines) { return lines % 16 == 0 ? lines + 1 : lines; }
+
 template <class Real>
 class LineTransforms {
 public:

@@ -1,13 +1,6 @@
 #include "elasticity/x_spectra.hpp"
 
 namespace gearfilm {
-namespace {
-
-/// Lines side by side, so that what follows one another in a line is not a power of two apart: a cache has few places
-/// for such.
-int uneven_stride(int lines) { return lines % 16 == 0 ? lines + 1 : lines; }
-
-}  // namespace
 
 template <class Real>
 XSpectra<Real>::XSpectra(const Grid& grid)
