@@ -3,8 +3,8 @@
 
 namespace gearfilm {
 
-/// Median time of one convolution [s]: copy in, two-dimensional real transform, product, inverse, copy out. A plain
-/// use of FFTW, kept as it is so that speeds can be compared between versions.
+/// Median time of one convolution [s]: copy in, two-dimensional real transform, product, inverse, copy out; by the
+/// fastest of three measured plans. A plain use of FFTW, kept as it is so that speeds can be compared between versions.
 double convolution_time(int nx, int ny);
 
 }  // namespace gearfilm

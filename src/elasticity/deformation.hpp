@@ -34,7 +34,7 @@ public:
 
   /// deformation = K pressure on the own nodes; ghosts are neither read nor written.
   void apply(const Field<Real>& pressure, Field<Real>& deformation) const;
-  /// The same of several fields, two at a time where that is faster.
+  /// Each deformation = K times the pressure of the same place, two at a time where that is faster; as above.
   void apply(std::span<const Field<Real>* const> pressures, std::span<Field<Real>* const> deformations) const;
 
   double elastic_coefficient() const { return C_h_; }

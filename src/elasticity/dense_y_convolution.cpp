@@ -41,7 +41,7 @@ void add_rows(const Real* __restrict matrix, const std::array<const std::complex
   for (std::size_t n = 0; n < 2 * several; ++n) std::copy_n(parts[n], width, sums + n * width);
 }
 
-/// The same with the width as a number.
+/// Adds the products of a matrix with columns of rows to their sums, side by side as many as `width`: 24, 32 or 40.
 template <std::size_t several, class Real>
 void add_rows(int width, const Real* matrix, const std::array<const std::complex<Real>*, several>& rows, int count,
               Real* sums) {
@@ -145,24 +145,19 @@ void DenseYConvolution<Real>::add(int k, int process, const Complex* rows, Real*
 }
 
 template <class Real>
-void DenseYConvolution<Real>::combine(int k, const Real* sums, XSpectra<Real>& spectra) {
-  Complex* result = result_.data();
-  for (int left = static_cast<int>(result_.size()); left > 0; left -= width_, sums += 2 * width_) {
-    const int count = std::min(left, width_);
-    for (int j = 0; j < count; ++j) result[j] = {sums[j], sums[width_ + j]};
-    result += count;
+void DenseYConvolution<Real>::store(const Real* sums, int columns, Complex* rows) const {
+  const int count = static_cast<int>(result_.size());
+  for (int first = 0; first < count; first += width_, sums += 2 * columns * width_) {
+    for (int j = 0; j < std::min(width_, count - first); ++j) rows[first + j] = {sums[j], sums[width_ + j]};
   }
-  spectra.combine(k, result_.data());
 }
 
 template <class Real>
 void DenseYConvolution<Real>::apply_alone(XSpectra<Real>& spectra) {
   for (int k = 0; k < waves_; ++k) {
-    Complex* rows = spectrum(0, 0);
-    spectra.separate(k, rows);
-    std::fill_n(sums_.data(), sums_size(), Real(0));
-    add(k, 0, rows, sums_.data());
-    combine(k, sums_.data(), spectra);
+    spectra.separate(k, result_.data());
+    multiply<1>(k, {result_.data()});
+    spectra.combine(k, result_.data());
   }
 }
 
@@ -176,14 +171,7 @@ void DenseYConvolution<Real>::multiply(int k, const std::array<Complex*, several
   for (int block = 0; block < blocks_; ++block, sums += 2 * several * width_) {
     add_rows(width_, block_at(k, block), sources, sources_, sums);
   }
-  sums = sums_.data();
-  const int count = static_cast<int>(result_.size());
-  for (int first = 0; first < count; first += width_) {
-    for (Complex* of_column : rows) {
-      for (int j = 0; j < std::min(width_, count - first); ++j) of_column[first + j] = {sums[j], sums[width_ + j]};
-      sums += 2 * width_;
-    }
-  }
+  for (std::size_t n = 0; n < several; ++n) store(sums_.data() + 2 * n * width_, several, rows[n]);
 }
 
 template <class Real>
@@ -230,7 +218,8 @@ void DenseYConvolution<Real>::apply(XSpectra<Real>& spectra) {
     MPI_Waitall(processes() - 1, received_.data() + piece * (processes() - 1), MPI_STATUSES_IGNORE);
     for (int k = first_wave(piece); k < first_wave(piece + 1); ++k) {
       with_others([&](int p) { add(k, p, spectrum(p, k), sums_at(k)); });
-      combine(k, sums_at(k), spectra);
+      store(sums_at(k), 1, result_.data());
+      spectra.combine(k, result_.data());
     }
   }
   MPI_Waitall(static_cast<int>(sent_.size()), sent_.data(), MPI_STATUSES_IGNORE);

@@ -49,11 +49,11 @@ private:
   }
   /// Sums over the rows of one process: added to those at a wave number.
   void add(int k, int process, const Complex* rows, Real* sums) const;
-  /// Columns of rows become their sums by the matrix of a wave number.
+  /// Columns of all rows become their products with the matrix of a wave number, on one process.
   template <std::size_t several>
   void multiply(int k, const std::array<Complex*, several>& rows);
-  /// Sums as the complex values of rows.
-  void combine(int k, const Real* sums, XSpectra<Real>& spectra);
+  /// The own rows of one of so many columns, whose sums begin here.
+  void store(const Real* sums, int columns, Complex* rows) const;
   void apply_alone(XSpectra<Real>& spectra);
   int rows_of(int process) const { return y_ranges_[process + 1] - y_ranges_[process]; }
   int processes() const { return static_cast<int>(y_ranges_.size()) - 1; }

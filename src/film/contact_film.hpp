@@ -63,7 +63,7 @@ public:
 
   /// Film and oil at (pressure, H_0), which state() and the fields then show.
   void evaluate(std::span<const double> pressure, double H0, StateVersion state_version = 0);
-  /// The same of films on one discretisation, whose deformations are computed together.
+  /// Evaluates films on one discretisation, each at its (pressure, H_0); their deformations are computed together.
   struct At {
     ContactFilm* film;
     std::span<const double> pressure;
@@ -91,7 +91,7 @@ public:
     const Product product{this, change, change_H0, rows};
     multiply_together({&product, 1});
   }
-  /// The same of films on one discretisation, whose deformations are computed together.
+  /// Products with the Jacobians of films on one discretisation, whose deformations are computed together.
   struct Product {
     ContactFilm* film;
     std::span<const double> change;

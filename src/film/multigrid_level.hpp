@@ -28,7 +28,7 @@ public:
     const Product product{this, change, rows};
     multiply_together({&product, 1});
   }
-  /// The same of films on one discretisation, whose deformations are computed together.
+  /// Products with linearised films on one discretisation, whose deformations are computed together.
   struct Product {
     MultigridLevel* film;
     std::span<const double> change;
@@ -49,7 +49,7 @@ public:
 private:
   /// rows_ = linearised film * change_
   void apply_operator();
-  /// The same where deformed_ is that of change_.
+  /// rows_ = linearised film * change_, where deformed_ is the deformation by change_.
   void apply_stencil_to_deformed();
 
   const Discretisation& discretisation_;

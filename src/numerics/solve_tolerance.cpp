@@ -16,17 +16,13 @@ const Tuned<double> loosest_last("newton_loosest_solve", 0.2, "loosest relative 
 }  // namespace
 
 double SolveTolerance::next(int iteration, double norm, double linear, double aim) {
-  double expected = bounds_.loosest / of_curvature;
-  if (iteration > 0) {
-    const Curvature seen{std::sqrt(std::max(0.0, norm * norm - linear * linear)) / before_, before_};
-    if (iteration == 1) first_ = seen;
-    expected = seen.at(norm);
-  } else if (first_.norm > 0.0) {
-    expected = first_.at(norm);
-  }
+  std::optional<double> curvature = first_;
+  if (iteration > 0) curvature = std::sqrt(std::max(0.0, norm * norm - linear * linear)) / (before_ * before_);
+  if (iteration == 1) first_ = curvature;
   before_ = norm;
   const double needed = left_over * aim / norm;
-  const double wanted = std::min(std::max(bounds_.tightest, of_curvature * expected), bounds_.loosest);
+  const double wanted =
+      curvature ? std::clamp(of_curvature * *curvature * norm, bounds_.tightest, bounds_.loosest) : bounds_.loosest;
   return std::clamp(needed, wanted, std::max<double>(wanted, loosest_last));
 }
 

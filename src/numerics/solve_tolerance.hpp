@@ -7,8 +7,10 @@
 //
 //   c_k = c_{k-1} |r_k| / |r_{k-1}| ,   c_{k-1} |r_{k-1}| = (|r_k|^2 - |linear residual of k-1|^2)^(1/2)
 //
-// and the first iteration of a solve that of the solve before it, a time step's neighbour.
+// and the first iteration of a solve (a time step) tells that of the next one.
 #pragma once
+
+#include <optional>
 
 namespace gearfilm {
 
@@ -27,16 +29,9 @@ public:
   double next(int iteration, double norm, double linear, double aim);
 
 private:
-  /// The part of a residual that curvature brings back.
-  struct Curvature {
-    double part;
-    double norm;  ///< of the residual of which it is a part
-    double at(double other) const { return part * other / norm; }
-  };
-
   SolveBounds bounds_;
-  Curvature first_{};    ///< of a solve's first iteration; of norm 0 where there was none yet
-  double before_ = 0.0;  ///< norm of the iteration before
+  std::optional<double> first_{};  ///< c/|r| of the first iteration of a solve, once there was one
+  double before_ = 0.0;            ///< norm of the iteration before
 };
 
 }  // namespace gearfilm

@@ -12,8 +12,8 @@ constexpr double thinnest = 0.1;  // film before a pseudo-time step, of the expe
 
 /// A linear solve between rough surfaces that leaves much has nodes at the front full or dry by mistake.
 NewtonOptions between_surfaces(const Scales& scales, NewtonOptions options) {
-  constexpr double late = 1e-3;
-  if (scales.solids.rough) options.tightest_krylov_tolerance = std::min(options.tightest_krylov_tolerance, late);
+  constexpr double tightest = 1e-3;
+  if (scales.solids.rough) options.tightest_krylov_tolerance = std::min(options.tightest_krylov_tolerance, tightest);
   return options;
 }
 
