@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "film/face_flow.hpp"
 #include "film/rescaled_hertz_pressure.hpp"
 #include "film/validity.hpp"
 #include "gearfilm/error.hpp"
@@ -63,6 +64,10 @@ ContactFilm* MeshedFilms::free_film() {
     return film.get();
   }
   films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, options_.films.multigrid));
+  const double h_x = discretisation_->grid().h_x();
+  if (mesh_.inertia > 0.0 && options_.steps.damp_waves(h_x)) {
+    films_.back()->set_rates_in_wedge(rates_in_wedge(options_.steps.dT / h_x));
+  }
   return films_.back().get();
 }
 

@@ -49,6 +49,8 @@ struct StepOptions {
   std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
 
   double largest() const;
+  /// Whether third-order differences of films damp all waves that oil carries, on cells of h_x.
+  bool damp_waves(double h_x) const;
   /// All steps by a factor.
   void lengthen(double ratio);
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "film/film_stencil.hpp"
 #include "film/overshoot.hpp"
 #include "film/pressure_spike.hpp"
 #include "grid/domain.hpp"
@@ -218,29 +219,29 @@ void ContactFilm::multiply_together(std::span<const Product> products) {
 
 void ContactFilm::multiply_mass(std::span<const double> change, double change_H0, std::span<double> rows) {
   if (!at_linearised_) throw std::logic_error("a film's Jacobian is used at a state at which it was not linearised");
-  Field<double> pressure_change(grid_), deformed(grid_);
-  pressure_change.load(change);
-  deformation_.apply(pressure_change, deformed);
+  Field<double> changed(grid_), deformed(grid_);  // pressure, then rho H
+  changed.load(change);
+  deformation_.apply(changed, deformed);
   ++convolutions_;
   for (int i = 0; i < grid_.nx(); ++i) {
     const StateLine state(state_, i);
     const double *slope = state_.rough ? state_.rough->asperity_slope.row(i) : state_.zeros.data() + 1,
-                 *full_film = state_.full_film.row(i), *of_pressure = pressure_change.row(i), *of_gap = deformed.row(i);
-    double* line = rows.data() + static_cast<std::size_t>(i) * grid_.y_count();
+                 *of_gap = deformed.row(i);
+    double* line = changed.row(i);
     for (int j = 0; j < grid_.y_count(); ++j) {
-      const double gap = of_gap[j] + change_H0, oil_pressure = of_pressure[j] - slope[j] * gap;
-      line[j] = full_film[j] * (state.rho[j] * state.h_H[j] * gap + state.rho_p[j] * state.h[j] * oil_pressure);
+      const double gap = of_gap[j] + change_H0, oil_pressure = line[j] - slope[j] * gap;
+      line[j] = state.rho[j] * state.h_H[j] * gap + state.rho_p[j] * state.h[j] * oil_pressure;
     }
   }
+  apply_rates(discretisation_->equation(), state_, changed, deformed);
+  deformed.store(rows);
 }
 
 double ContactFilm::merit(std::span<const double> rows) const {
   double sum = 0.0;
+  const auto add = [&sum](double row) { sum += row * row; };
   if (!state_.rough) {
-    for (std::size_t n = 0; n < rows.size(); ++n) {
-      const double row = rows[n] * weights_[n];
-      sum += row * row;
-    }
+    for (std::size_t n = 0; n < rows.size(); ++n) add(rows[n] * weights_[n]);
     return sum;
   }
   // Scales of dry nodes change by factors with their gaps.
@@ -249,8 +250,7 @@ double ContactFilm::merit(std::span<const double> rows) const {
     const std::size_t first = static_cast<std::size_t>(i) * grid_.y_count();
     for (int j = 0; j < grid_.y_count(); ++j) {
       const double weight = full_film[j] != 0.0 ? weights_[first + j] : smallest_scales_[j] / scale[j];
-      const double row = rows[first + j] * weight;
-      sum += row * row;
+      add(rows[first + j] * weight);
     }
   }
   return sum;

@@ -56,6 +56,8 @@ public:
   void set_surfaces(ContactSurfaces surfaces);
   /// Leaves only what the surfaces press on each other, of rough ones: all nodes dry.
   void set_without_oil(bool without) { state_.without_oil = without; }
+  /// Weights of rates in the wedge.
+  void set_rates_in_wedge(const FaceWeights& weights) { state_.of_rates = weights; }
   const FlowFactors& flow_factors() const { return flow_factors_; }
   void set_flow_factors(FlowFactors factors);
 

@@ -22,6 +22,11 @@
 
 namespace gearfilm {
 
+/// Weights of the nodes W, 0 and 1 of a face (face_flow.hpp).
+struct FaceWeights {
+  double w = 0.0, node_0 = 0.0, node_1 = 0.0;
+};
+
 struct FilmState {
   explicit FilmState(const Grid& grid)
       : total_pressure(grid),
@@ -32,6 +37,7 @@ struct FilmState {
         log_fluidity(grid),
         log_fluidity_by_pressure(grid),
         entrained(grid),
+        rate(grid),
         full_film(grid),
         row_scale(grid),
         ones(static_cast<std::size_t>(thickness.stride()), 1.0),
@@ -53,6 +59,7 @@ struct FilmState {
   Field<double> log_fluidity;              ///< ln(phi lambda)
   Field<double> log_fluidity_by_pressure;  ///< d ln phi/dP
   Field<double> entrained;                 ///< U + W, with which the wedge carries oil
+  Field<double> rate;                      ///< d(rho H)/dT of the squeeze term
   Field<double> full_film;                 ///< 1 where Reynolds' equation holds, 0 where P = 0 (cavitated, boundary)
   Field<double> row_scale;                 ///< d, the factor of P in the row of a node that is not full
   std::optional<Field<double>> across{};   ///< A, the conductance in y over that in x; absent, on all processes, where
@@ -60,13 +67,14 @@ struct FilmState {
   std::optional<Field<double>> heights{};  ///< q U, which the wedge carries of flanks whose heights travel
                                            ///< (carried_heights.hpp); absent on all processes where none do
   std::optional<RoughGap> rough{};         ///< of rough surfaces, on all processes
+  FaceWeights of_rates{};                  ///< weights of rates in the wedge; none where rates are not accurate
   bool without_oil = false;                ///< all nodes are dry
   std::vector<double> ones;                ///< of a line with its ghosts, for what is 1 everywhere
   std::vector<double> zeros;               ///< and 0
 };
 
 /// All fields of a state but A, for what treats them alike (injection, gathering).
-inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&FilmState::total_pressure,
+inline constexpr std::array<Field<double> FilmState::*, 11> state_fields = {&FilmState::total_pressure,
                                                                             &FilmState::thickness,
                                                                             &FilmState::density,
                                                                             &FilmState::density_by_pressure,
@@ -74,6 +82,7 @@ inline constexpr std::array<Field<double> FilmState::*, 10> state_fields = {&Fil
                                                                             &FilmState::log_fluidity,
                                                                             &FilmState::log_fluidity_by_pressure,
                                                                             &FilmState::entrained,
+                                                                            &FilmState::rate,
                                                                             &FilmState::full_film,
                                                                             &FilmState::row_scale};
 
@@ -97,6 +106,7 @@ struct LineOfState {
         f(state.log_fluidity.row(i)),
         f_p(state.log_fluidity_by_pressure.row(i)),
         entrained(state.entrained.row(i)),
+        rate(state.rate.row(i)),
         heights(state.heights ? state.heights->row(i) : state.zeros.data() + 1),
         across(state.across ? state.across->row(i) : state.ones.data() + 1) {
     if (!may_be_rough || !state.rough) return;
@@ -144,7 +154,7 @@ struct LineOfState {
   const double *h, *h_H;        ///< gap that the oil fills, and its derivative by H
   const double *g, *g_H;        ///< conducting gap
   const double *slid, *slid_H;  ///< what sliding carries beside the entrainment
-  const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *heights, *across;
+  const double *rho, *rho_p, *phi, *f, *f_p, *entrained, *rate, *heights, *across;
 };
 
 using StateLine = LineOfState<true>;

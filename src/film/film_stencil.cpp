@@ -9,12 +9,14 @@ namespace {
 
 /// Derivatives of the flows through a line of faces, by P and H of the nodes W, 0 and 1 of each.
 struct FaceDerivatives {
-  explicit FaceDerivatives(int faces) : p_w(faces), p_0(faces), p_1(faces), h_w(faces), h_0(faces), h_1(faces) {}
+  explicit FaceDerivatives(int faces)
+      : p_w(faces), p_0(faces), p_1(faces), h_w(faces), h_0(faces), h_1(faces), carried_only(faces) {}
 
-  template <class FlowAt>
+  template <bool with_rates, class FlowAt>
   [[gnu::always_inline]] void find(int faces, FlowAt flow_at) {
     double *by_p_w = p_w.data(), *by_p_0 = p_0.data(), *by_p_1 = p_1.data();
     double *by_h_w = h_w.data(), *by_h_0 = h_0.data(), *by_h_1 = h_1.data();
+    double* carried = carried_only.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < faces; ++j) {
       const FaceFlow flow = flow_at(j);
@@ -24,15 +26,17 @@ struct FaceDerivatives {
       by_h_w[j] = flow.by_h_w;
       by_h_0[j] = flow.by_h_0;
       by_h_1[j] = flow.by_h_1;
+      if constexpr (with_rates) carried[j] = flow.carried_only;
     }
   }
 
   std::vector<double> p_w, p_0, p_1, h_w, h_0, h_1;
+  std::vector<double> carried_only;  ///< of flows along X
 };
 
 /// The rows of inner lines, one after the other; those of nodes that are not full have the scale d on their diagonal
 /// only.
-template <class Real, FilmDiscretisation discretisation, class Line>
+template <class Real, FilmDiscretisation discretisation, class Line, bool with_rates>
 class LineRows {
 public:
   LineRows(const ReynoldsEquation& equation, const FilmState& state, ShiftOf<Real> shift)
@@ -49,18 +53,18 @@ public:
   void find(int i, FilmStencil<Real>& linear) {
     std::swap(west_, east_);
     find_along_x(i);
-    const Line line(state_, i), across(state_, i, FlowDirection::across);
-    across_.find(
+    const Line across(state_, i, FlowDirection::across);
+    across_.template find<false>(
         count_ + 1, [&](int j) __attribute__((always_inline)) { return flow_along_y<discretisation>(across, j - 1); });
     write<&FilmStencil<Real>::by_pressure>(
         i, {west_.p_w.data(), west_.p_0.data(), west_.p_1.data()},
         {east_.p_w.data(), east_.p_0.data(), east_.p_1.data()}, across_.p_0.data(), across_.p_1.data(),
-        [&](int j) { return line.rho_p[j] * line.h[j]; }, state_.row_scale.row(i), linear);
+        [](const Line& line, int j) { return line.rho_p[j] * line.h[j]; }, state_.row_scale.row(i), linear);
     const std::vector<double> none(count_, 0.0);
     write<&FilmStencil<Real>::by_thickness>(
         i, {west_.h_w.data(), west_.h_0.data(), west_.h_1.data()},
         {east_.h_w.data(), east_.h_0.data(), east_.h_1.data()}, across_.h_0.data(), across_.h_1.data(),
-        [&](int j) { return line.rho[j] * line.mean_slope(j); }, none.data(), linear);
+        [](const Line& line, int j) { return line.rho[j] * line.mean_slope(j); }, none.data(), linear);
   }
 
 private:
@@ -69,8 +73,8 @@ private:
   };
 
   void find_along_x(int i) {
-    const FlowAlongX<discretisation, Line> flow(equation_, state_, i);
-    east_.find(
+    const FlowAlongX<discretisation, Line, with_rates> flow(equation_, state_, i);
+    east_.template find<with_rates>(
         count_, [&](int j) __attribute__((always_inline)) { return flow.at(j); });
   }
 
@@ -83,6 +87,10 @@ private:
     const double *full_film = state_.full_film.row(i), *to_south = equation_.south.data(),
                  *to_north = equation_.north.data();
     const ShiftOf<Real> shift = shift_;
+    const Line west_west_line(state_, std::max(i - 2, 0)), west_line(state_, i - 1), line(state_, i),
+        east_line(state_, i + 1);
+    const double *carried_before = west_.carried_only.data(), *carried_behind = east_.carried_only.data();
+    const FaceWeights of_rates = state_.of_rates;
     // The lines of state and stencil are different memory.
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < count_; ++j) {
@@ -90,8 +98,18 @@ private:
       const double flows = behind.node_0[j] - before.node_1[j] + to_north[j] * side_0[j + 1] - to_south[j] * side_1[j];
       out[west_west][j] = static_cast<Real>(-on * before.w[j]);
       out[west][j] = static_cast<Real>(on * (behind.w[j] - before.node_0[j]));
-      out[centre][j] = static_cast<Real>(on * (flows + shift * mass(j)) + (1.0 - on) * other[j]);
+      out[centre][j] = static_cast<Real>(on * (flows + shift * mass(line, j)) + (1.0 - on) * other[j]);
       out[east][j] = static_cast<Real>(on * behind.node_1[j]);
+      if constexpr (with_rates) {
+        const double in = on * carried_before[j], by = on * carried_behind[j];
+        const auto add = [&](Neighbour node, const Line& of, double weight) __attribute__((always_inline)) {
+          out[node][j] += static_cast<Real>(shift * (weight * mass(of, j)));
+        };
+        add(west_west, west_west_line, -of_rates.w * in);
+        add(west, west_line, of_rates.w * by - of_rates.node_0 * in);
+        add(centre, line, of_rates.node_0 * by - of_rates.node_1 * in);
+        add(east, east_line, of_rates.node_1 * by);
+      }
       out[south][j] = static_cast<Real>(-on * to_south[j] * side_0[j]);
       out[north][j] = static_cast<Real>(on * to_north[j] * side_1[j + 1]);
     }
@@ -145,8 +163,8 @@ void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const Film
   const ScopedEvent event(Kernel::linearise);
   const int last = equation.grid.nx() - 1;
   linearise_edge(state, 0, linear);
-  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line>() {
-    LineRows<Real, discretisation, Line> rows(equation, state, shift);
+  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line, bool with_rates>() {
+    LineRows<Real, discretisation, Line, with_rates> rows(equation, state, shift);
     for (int i = 1; i < last; ++i) rows.find(i, linear);
   });
   linearise_edge(state, last, linear);
@@ -199,6 +217,27 @@ void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const 
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < count; ++j) out[j] = by_pressure.applied_to(v_lines, j) + by_thickness.applied_to(u_lines, j);
   }
+}
+
+void apply_rates(const ReynoldsEquation& equation, const FilmState& state, const Field<double>& rates,
+                 Field<double>& rows) {
+  const int last = equation.grid.nx() - 1, count = equation.grid.y_count();
+  const FaceWeights of_rates = state.of_rates;
+  rows.fill(0.0);
+  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line, bool with_rates>() {
+    for (int i = 1; i < last; ++i) {
+      const FlowAlongX<discretisation, Line, with_rates> before(equation, state, i - 1), behind(equation, state, i);
+      const double *full_film = state.full_film.row(i), *ww = rates.row(std::max(i - 2, 0)), *w = rates.row(i - 1),
+                   *own = rates.row(i), *e = rates.row(i + 1);
+      double* out = rows.row(i);
+      for (int j = 0; j < count; ++j) {
+        const double out_of = of_rates.w * w[j] + of_rates.node_0 * own[j] + of_rates.node_1 * e[j];
+        const double into = of_rates.w * ww[j] + of_rates.node_0 * w[j] + of_rates.node_1 * own[j];
+        const double flows = behind.at(j).carried_only * out_of - before.at(j).carried_only * into;
+        out[j] = full_film[j] * (own[j] + flows);
+      }
+    }
+  });
 }
 
 template <class Real>

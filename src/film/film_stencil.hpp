@@ -42,6 +42,10 @@ template <class Real>
 void linearise(const ReynoldsEquation& equation, ShiftOf<Real> shift, const FilmState& state,
                FilmStencil<Real>& linear);
 
+/// The derivative of the rows by the rates d(rho H)/dT, times a field of rates.
+void apply_rates(const ReynoldsEquation& equation, const FilmState& state, const Field<double>& rates,
+                 Field<double>& rows);
+
 /// rows = sum_s V_s v_s + W_s u_s on the own nodes; v and u need their ghosts.
 template <class Real>
 void apply_stencil(const FilmStencil<Real>& linear, const Field<Real>& v, const Field<Real>& u, Field<Real>& rows);

@@ -278,6 +278,7 @@ void FilmMultigrid<Real>::update_gathered(const FilmState& state, double shift, 
     gather_->to_all(own, whole);
     to.load(whole);
   };
+  whole_state.of_rates = state.of_rates;
   for (const auto field : state_fields) gather(state.*field, whole_state.*field);
   if (state.across) gather(*state.across, whole_state.across.emplace(everywhere.grid()));
   if (state.rough) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double carrying_share = 0.2;  // c of face_flow.hpp
 
 /// What flows through the faces of one line's cells, from process to process the same.
-template <FilmDiscretisation discretisation, class Line>
+template <FilmDiscretisation discretisation, class Line, bool with_rates>
 class CellFlows {
 public:
   CellFlows(const ReynoldsEquation& equation, const FilmState& state)
@@ -41,7 +41,7 @@ public:
 
 private:
   void find_along_x(int i) {
-    const FlowAlongX<discretisation, Line> flow(equation_, state_, i);
+    const FlowAlongX<discretisation, Line, with_rates> flow(equation_, state_, i);
     double* east = east_.data();
     GEARFILM_INDEPENDENT_ITERATIONS
     for (int j = 0; j < rows_; ++j) east[j] = flow.at(j).value;
@@ -110,22 +110,22 @@ ReynoldsEquation::ReynoldsEquation(const Grid& on_grid, double C_h, FilmDiscreti
 namespace {
 
 /// R of the own inner nodes, with the scales of rows and the nodes that are full by themselves.
-template <FilmDiscretisation discretisation, class Line>
+template <FilmDiscretisation discretisation, class Line, bool with_rates>
 void find_rows(const ReynoldsEquation& equation, std::span<const double> U, FilmState& state, const Squeeze& squeeze,
                std::span<double> residual) {
   const Grid& grid = equation.grid;
   const int rows = grid.y_count();
   const RowRange inner = grid.inner_rows();
-  CellFlows<discretisation, Line> flows(equation, state);
+  CellFlows<discretisation, Line, with_rates> flows(equation, state);
   for (int i = 0; i < grid.nx(); ++i) {
     const bool interior = i > 0 && i < grid.nx() - 1;
     const Line line(state, i);
     double *full_film = state.full_film.row(i), *scale = state.row_scale.row(i);
     double* out = residual.data() + static_cast<std::size_t>(i) * rows;
-    if (squeeze.rate.empty() || !interior) {
-      std::fill_n(out, rows, 0.0);
+    if (interior) {
+      std::copy_n(state.rate.row(i), rows, out);
     } else {
-      std::copy_n(squeeze.rate.begin() + static_cast<std::ptrdiff_t>(i) * rows, rows, out);
+      std::fill_n(out, rows, 0.0);
     }
     if (interior) flows.add(i, out);
     const double oil = state.without_oil ? 0.0 : 1.0, inside = interior ? oil : 0.0, *speed = U.data();
@@ -145,8 +145,13 @@ void find_rows(const ReynoldsEquation& equation, std::span<const double> U, Film
 void reynolds_residual(const ReynoldsEquation& equation, std::span<const double> entrainment, FilmState& state,
                        const Squeeze& squeeze, std::span<double> residual) {
   const ScopedEvent event(Kernel::residual);
-  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line>() {
-    find_rows<discretisation, Line>(equation, entrainment, state, squeeze, residual);
+  if (squeeze.rate.empty()) {
+    state.rate.fill(0.0);
+  } else {
+    state.rate.load(squeeze.rate);
+  }
+  with_kinds(equation, state, [&]<FilmDiscretisation discretisation, class Line, bool with_rates>() {
+    find_rows<discretisation, Line, with_rates>(equation, entrainment, state, squeeze, residual);
   });
   const Grid& grid = equation.grid;
   if (!state.without_oil) advance_fronts(grid, state, residual);

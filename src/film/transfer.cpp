@@ -121,6 +121,7 @@ void inject(const Grid& fine_grid, const Grid& coarse_grid, const Field<double>&
 FilmState injected_state(const Grid& fine_grid, const Grid& coarse_grid, const Halo& coarse_halo,
                          const FilmState& fine) {
   FilmState coarse(coarse_grid);
+  coarse.of_rates = fine.of_rates;
   for (const auto field : state_fields) inject(fine_grid, coarse_grid, fine.*field, coarse.*field);
   if (fine.across) inject(fine_grid, coarse_grid, *fine.across, coarse.across.emplace(coarse_grid));
   if (fine.rough) {

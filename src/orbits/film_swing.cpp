@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "film/discretisation.hpp"
+#include "film/face_flow.hpp"
 #include "gearfilm/error.hpp"
 #include "numerics/estimate.hpp"
 
@@ -60,6 +61,7 @@ RestingPair::RestingPair(MeshModel mesh, const PairNumerics& numerics, const Sha
   std::vector<ActiveContact> contacts;
   for (const ActiveContact& contact : march.contacts()) {
     films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, numerics.solver.multigrid));
+    films_.back()->set_rates_in_wedge(rates_in_wedge(0.0));
     contacts.push_back({contact.number, films_.back().get()});
   }
   pair_.emplace(mesh_, contacts);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "film/face_flow.hpp"
 #include "input/case_numerics.hpp"
 #include "mesh/natural_frequency.hpp"
 #include "mesh/static_mesh.hpp"
@@ -114,6 +115,7 @@ private:
 TEST(FilmPencil, multiply_grows_linearly_with_the_shift) {
   PairAtRest rest(with(bending(), {{"start.place", "position"}, {"start.position", "4e-3"}}));
   FilmSystem& system = rest.pair().system();
+  system.film(0).set_rates_in_wedge(rates_in_wedge(0.0));
   const OwnedVec rows = system.create_state(), change = system.create_state(), still = system.create_state(),
                  moving = system.create_state();
   petsc_check(VecCopy(rest.state(), change));

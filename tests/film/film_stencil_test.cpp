@@ -1,6 +1,7 @@
 // The linearised Reynolds equation, row by row, against differences of its residual, without any deformation.
 #include "film/film_stencil.hpp"
 
+#include "film/face_flow.hpp"
 #include "film_case.hpp"
 
 namespace gearfilm {
@@ -31,13 +32,15 @@ protected:
     exchange_ghosts(halo, state);
   }
 
-  /// R with the squeeze term shift rho H; a constant of -1e4 keeps every inner node full.
+  /// R with the squeeze term shift rho H and what changes from node to node; a constant of -1e4 keeps every inner node
+  /// full.
   std::vector<double> residual_at(double step, double shift) {
     set_state(step);
     std::vector<double> rate(grid.local_size()), residual(grid.local_size());
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.y_count(); ++j) {
-        rate[i * grid.y_count() + j] = shift * state.density.row(i)[j] * state.thickness.row(i)[j] - 1e4;
+        rate[i * grid.y_count() + j] =
+            shift * state.density.row(i)[j] * state.thickness.row(i)[j] + 10.0 * noise(i, grid.y_begin() + j, 9) - 1e4;
       }
     }
     reynolds_residual(equation, U, state, {rate}, residual);
@@ -54,6 +57,7 @@ protected:
     halo.exchange(v);
     halo.exchange(u);
     state.entrained.fill(entrainment);
+    state.of_rates = rates_in_wedge(0.2);
   }
 
   static constexpr double entrainment = 1.1;

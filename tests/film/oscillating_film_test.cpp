@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "film/face_flow.hpp"
 #include "film_case.hpp"
 #include "numerics/newton.hpp"
 
@@ -69,6 +70,8 @@ TEST(OscillatingFilm, is_the_linearised_film_at_a_complex_rate) {
   FilmAtRest rest(table3_pitch(), 65, 33);
   ContactFilm& film = rest.solved.film;
   const Complex s(-1.5, 20.0);
+  film.set_rates_in_wedge(rates_in_wedge(0.0));
+  film.linearise(rest.solved.result.solution.pressure, rest.solved.result.solution.H0, {}, 0.0);
   OscillatingFilm oscillating(*film.discretisation());
   oscillating.update(film.state(), s);
   const std::size_t size = film.grid().local_size();

@@ -1,6 +1,7 @@
 // Reynolds' equation with cavitation: oil properties on the grid, consistency, complementarity.
 #include "film/reynolds.hpp"
 
+#include "film/face_flow.hpp"
 #include "film_case.hpp"
 
 namespace gearfilm {
@@ -126,6 +127,44 @@ TEST_P(Reynolds, squeeze_term_is_added_to_the_residual) {
       EXPECT_NEAR(with[n] - without[n], grid_.is_boundary(i, j) ? 0.0 : rate[n], 1e-12);  // round-off of R ~ 1e2
     }
   }
+}
+
+// A wave that oil carries, where it conducts nothing: m_X = -q at every node, and R is the error of the wedge. With
+// second-order upwind differences it is about (k h)^2/3 of k m; with rates in them 0.02 (k h)^3 and (k h)^4/10.
+TEST(FittedWedge, waves_that_oil_carries_have_small_errors_with_rates) {
+  constexpr int nodes = 16;  // in a wave
+  constexpr double amplitude = 0.2;
+  const Grid grid(PETSC_COMM_WORLD, rectangle(65, 13, -1.5, 1.0, 1.2));
+  const Scales scales = circular_contact().scales;
+  const ReynoldsEquation equation(grid, scales.C_h, FilmDiscretisation::fitted);
+  const double k = 2.0 * std::numbers::pi / (nodes * grid.h_x());
+  FilmState state(grid);
+  state.density.fill(1.0);
+  state.total_pressure.fill(1.0);
+  state.fluidity.fill(1e-12);
+  state.entrained.fill(entrainment);
+  fill(grid, state.thickness, [k](double x, double) { return 1.0 + amplitude * std::sin(k * x); });
+  exchange_ghosts(Halo(grid), state);
+  std::vector<double> rate(grid.local_size()), residual(grid.local_size());
+  for (int i = 0; i < grid.nx(); ++i) {
+    for (int j = 0; j < grid.y_count(); ++j) {
+      rate[i * grid.y_count() + j] = -entrainment * k * amplitude * std::cos(k * grid.x(i));
+    }
+  }
+  const auto error = [&](const FaceWeights& of_rates) {
+    state.of_rates = of_rates;
+    reynolds_residual(equation, in_all_rows(grid, entrainment), state, {rate}, residual);
+    double largest = 0.0;
+    for (int i = 3; i < grid.nx() - 1; ++i) {
+      for (int j = 0; j < grid.y_count(); ++j) {
+        if (!grid.is_boundary(i, j)) largest = std::max(largest, std::abs(residual[i * grid.y_count() + j]));
+      }
+    }
+    return maximum(largest) / (entrainment * k * amplitude);
+  };
+  const double kh = 2.0 * std::numbers::pi / nodes;
+  EXPECT_GT(error({}), 0.3 * kh * kh);
+  EXPECT_LT(error(rates_in_wedge(0.0)), 0.02 * std::pow(kh, 3) + 0.1 * std::pow(kh, 4));
 }
 
 // Pressure p up to x_front and none behind, in a uniform film that opens: the node behind the front takes in xi
