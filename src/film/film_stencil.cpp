@@ -96,20 +96,19 @@ private:
     for (int j = 0; j < count_; ++j) {
       const double on = full_film[j];
       const double flows = behind.node_0[j] - before.node_1[j] + to_north[j] * side_0[j + 1] - to_south[j] * side_1[j];
-      out[west_west][j] = static_cast<Real>(-on * before.w[j]);
-      out[west][j] = static_cast<Real>(on * (behind.w[j] - before.node_0[j]));
-      out[centre][j] = static_cast<Real>(on * (flows + shift * mass(line, j)) + (1.0 - on) * other[j]);
-      out[east][j] = static_cast<Real>(on * behind.node_1[j]);
+      std::array<ShiftOf<Real>, 4> along{-before.w[j], behind.w[j] - before.node_0[j], flows + shift * mass(line, j),
+                                         behind.node_1[j]};
       if constexpr (with_rates) {
-        const double in = on * carried_before[j], by = on * carried_behind[j];
-        const auto add = [&](Neighbour node, const Line& of, double weight) __attribute__((always_inline)) {
-          out[node][j] += static_cast<Real>(shift * (weight * mass(of, j)));
-        };
-        add(west_west, west_west_line, -of_rates.w * in);
-        add(west, west_line, of_rates.w * by - of_rates.node_0 * in);
-        add(centre, line, of_rates.node_0 * by - of_rates.node_1 * in);
-        add(east, east_line, of_rates.node_1 * by);
+        const double in = carried_before[j], by = carried_behind[j];
+        along[west_west] -= shift * (of_rates.w * in * mass(west_west_line, j));
+        along[west] += shift * ((of_rates.w * by - of_rates.node_0 * in) * mass(west_line, j));
+        along[centre] += shift * ((of_rates.node_0 * by - of_rates.node_1 * in) * mass(line, j));
+        along[east] += shift * (of_rates.node_1 * by * mass(east_line, j));
       }
+      out[west_west][j] = static_cast<Real>(on * along[west_west]);
+      out[west][j] = static_cast<Real>(on * along[west]);
+      out[centre][j] = static_cast<Real>(on * along[centre] + (1.0 - on) * other[j]);
+      out[east][j] = static_cast<Real>(on * along[east]);
       out[south][j] = static_cast<Real>(-on * to_south[j] * side_0[j]);
       out[north][j] = static_cast<Real>(on * to_north[j] * side_1[j + 1]);
     }
