@@ -1,10 +1,11 @@
 // Reynolds' equation linearised about a film state, as one stencil in the changes of pressure and film.
 //
-// For a change v of P and u of H the flows through the faces change as face_flow.hpp says, and rho H by
-// rho_P H v + rho u: the row of a full node is  dR = sum_s ( V_s v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1
-// of its own x-line and its two y-neighbours; the row of a cavitated or boundary node is d v. Exact where P = 0 at
-// cavitated nodes, as at every solution: only the derivative of their scale d is left out. Between rough surfaces the
-// pressure of the oil changes by v - P_a' u: V_s and W_s are those of v and u, so W_s holds asperities too.
+// For a change v of P and u of H the flows through the faces change as face_flow.hpp says, rho H by rho_P H v + rho u,
+// and its rate, in the wedge too, by the time scheme's shift times that: the row of a full node is  dR = sum_s ( V_s
+// v_s + W_s u_s )  over the nodes s = i-2, i-1, i, i+1 of its own x-line and its two y-neighbours; the row of a
+// cavitated or boundary node is d v. Exact where P = 0 at cavitated nodes, as at every solution: only the derivative of
+// their scale d is left out. Between rough surfaces the pressure of the oil changes by v - P_a' u: V_s and W_s are
+// those of v and u, so W_s holds asperities too.
 #pragma once
 
 #include <array>

@@ -57,8 +57,8 @@ struct ReynoldsEquation {
                                      ///< 1/(h_y h_south), 1/(h_y h_north); zero in a line contact
 };
 
-/// Computes G on the own nodes, compact, and sets state.full_film and state.row_scale. RequiredModel the ghosts of the
-/// state. entrainment: U of the own rows, for d.
+/// Computes G on the own nodes, compact, and sets rate, full_film and row_scale of the state, whose ghosts it needs.
+/// entrainment: U of the own rows, for d.
 void reynolds_residual(const ReynoldsEquation& equation, std::span<const double> entrainment, FilmState& state,
                        const Squeeze& squeeze, std::span<double> residual);
 
