@@ -93,9 +93,9 @@ public:
         next_(state, i + 1),
         film_(i == 0 ? FaceWeights{0.0, 0.5, 0.5} : FaceWeights{-0.125, 0.75, 0.375}),
         upwind_(i == 0 ? FaceWeights{0.0, 0.5, 0.5} : FaceWeights{-0.5, 1.5, 0.0}),
-        bend_(i == 0 ? 0.0 : 0.375),
         of_rates_(i == 0 ? FaceWeights{} : state.of_rates),
         inside_(i == 0 ? 0.0 : 1.0),
+        bend_(i == 0 ? 0.0 : 0.375),
         inverse_h_x_(equation.inverse_h_x),
         inverse_h_x2_(equation.inverse_h_x2),
         carrying_(equation.carrying) {}
