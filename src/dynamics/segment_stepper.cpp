@@ -31,9 +31,9 @@ constexpr double longest_damped_step = 0.6;
 
 }  // namespace
 
-double StepOptions::largest() const { return std::max(tolerance ? largest_step * dT : dT, without_event); }
+bool third_order_damps_waves(double passed) { return passed <= longest_damped_step; }
 
-bool StepOptions::damp_waves(double h_x) const { return dT <= longest_damped_step * h_x; }
+double StepOptions::largest() const { return std::max(tolerance ? largest_step * dT : dT, without_event); }
 
 void StepOptions::lengthen(double ratio) {
   dT *= ratio;
@@ -66,8 +66,8 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, 
 void SegmentStepper::differentiate(double T, int order) {
   const bool third = order == 2 && pair_.mesh().inertia > 0.0 && differences_.evenly_spaced(T, 3);
   order_of_motion_ = third ? 3 : order;
-  const double h_x = pair_.system().grid().h_x();
-  const bool damped = T - step_begin_ <= longest_damped_step * h_x;
+  const double fastest = pair_.mesh().path.course().largest_speed(), h_x = pair_.system().grid().h_x();
+  const bool damped = third_order_damps_waves(fastest * (T - step_begin_) / h_x);
   differences_.differentiate(T, third && damped ? 3 : order);
 }
 

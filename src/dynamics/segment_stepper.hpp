@@ -49,11 +49,13 @@ struct StepOptions {
   std::optional<ErrorTolerance> tolerance{};  ///< on the local error of a step; equal steps where there is none
 
   double largest() const;
-  /// Whether third-order differences of films damp all waves that oil carries, on cells of h_x.
-  bool damp_waves(double h_x) const;
   /// All steps by a factor.
   void lengthen(double ratio);
 };
+
+/// Whether films with differences of third order damp all waves that oil carries, where it passes so many cells in a
+/// step.
+bool third_order_damps_waves(double passed);
 
 /// Newton's method for steps between rough surfaces, where many nodes fill and dry.
 inline NewtonOptions rough_step_newton() {

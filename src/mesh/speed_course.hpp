@@ -5,6 +5,7 @@
 // first speed.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace gearfilm {
@@ -15,6 +16,8 @@ struct SpeedCourse {
 
   /// A ramp over so much phase.
   static SpeedCourse over_phase(double ratio, double phase) { return {ratio, 2.0 * phase / (1.0 + ratio)}; }
+
+  double largest_speed() const { return std::max(1.0, ratio); }
 
   double speed(double T) const {
     if (duration == 0.0 || T <= 0.0) return 1.0;
