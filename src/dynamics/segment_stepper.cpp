@@ -26,7 +26,7 @@ const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short s
 constexpr double shortest_swing_step = 1e-3, longest_swing_step = 1.5;
 
 // In cells that oil passes. With third-order differences in time and the wedge of `fitted` in space no wave of an even
-// film grows up to 0.61 where oil conducts, and up to 0.9 elsewhere.
+// film grows up to 0.61 where oil conducts; elsewhere up to 0.9, or 1.2 times this with rates in the wedge.
 constexpr double longest_damped_step = 0.6;
 
 }  // namespace
