@@ -79,7 +79,7 @@ template <class Line>
 /// A flow with its derivatives by P and H of the nodes W, 0 and 1.
 struct FaceFlow {
   double value, by_p_w, by_p_0, by_p_1, by_h_w, by_h_0, by_h_1;
-  double carried_only = 0.0;  ///< 1 - theta, with which the weights of rates count; 0 through the first face along X
+  double carried_only;  ///< 1 - theta, with which the weights of rates count; 0 through the first face along X
 };
 
 /// Through the faces between a line and the next one, over h_x. with_rates: whether there are rates in the wedge.
@@ -163,7 +163,8 @@ template <FilmDiscretisation discretisation, class Line>
             -xi.value - difference * A_1 * xi.by_p_1,
             0.0,
             -difference * A_0 * xi.by_h_0,
-            -difference * A_1 * xi.by_h_1};
+            -difference * A_1 * xi.by_h_1,
+            0.0};
   };
   const double A_0 = line.across[j], A_1 = line.across[m];
   if constexpr (discretisation == FilmDiscretisation::central) {
