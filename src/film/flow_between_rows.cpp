@@ -27,7 +27,14 @@ FlowBetweenRows<Real>::FlowBetweenRows(const Grid& grid, const Halo& halo)
     : halo_(halo), nx_(grid.nx()), rows_{Rows(0, grid.nx(), grid.y_count()), Rows(1, grid.nx(), grid.y_count())} {}
 
 template <class Real>
-void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear) {
+void FlowBetweenRows<Real>::factor(const FilmStencil<Real>& linear, const Field<PartOf<Real>>& left_out) {
+  left_out_.clear();
+  for (int i = 0; i < nx_; ++i) {
+    const auto v = [&](Neighbour n, int j) { return linear.by_pressure[n].row(i)[j]; };
+    for (int j = 0; j < left_out.y_count(); ++j) {
+      if (left_out.row(i)[j] != 0.0) left_out_.push_back({i, j, v(west_west, j), v(west, j), v(east, j)});
+    }
+  }
   for (Rows& own : rows_) {
     for (int i = 0; i < nx_; ++i) {
       const std::size_t here = at(own, i), before = at(own, i - 1), before_2 = at(own, i - 2);
@@ -80,7 +87,7 @@ void FlowBetweenRows<Real>::relax(Rows& own, const Rows& others) {
 }
 
 template <class Real>
-void FlowBetweenRows<Real>::correct(Field<Real>& change) {
+void FlowBetweenRows<Real>::correct(const Field<Real>& residual, Field<Real>& change) {
   halo_.exchange(change);
   for (Rows& own : rows_) {
     for (int i = 0; i < nx_; ++i) {
@@ -92,6 +99,12 @@ void FlowBetweenRows<Real>::correct(Field<Real>& change) {
       }
     }
     std::fill(own.change.begin(), own.change.end(), Real(0));
+  }
+  for (const LeftOut& node : left_out_) {
+    const auto z = [&](int i) { return i >= 0 && i < nx_ ? change.row(i)[node.j] : Real(0); };
+    Rows& own = rows_[node.j % 2];
+    own.right_side[at(own, node.i) + node.j / 2] +=
+        residual.row(node.i)[node.j] - node.west_west * z(node.i - 2) - node.west * z(node.i - 1) - node.east * z(node.i + 1);
   }
   for (int round = 0; round < rounds; ++round) {
     relax(rows_[0], rows_[1]);

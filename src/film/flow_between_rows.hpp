@@ -5,6 +5,10 @@
 //
 //   V w = -(V_s z_south + V_n z_north)         V: all pressure terms of the stencil, without deformation
 //
+// Nodes that were left out of their rows, z = 0 there, have all of their residual r in the right side instead:
+//
+//   V w = r - V z
+//
 // Well conducting oil makes w smooth along X and far-reaching across rows that lie close together; where oil conducts
 // badly w is nothing. V is solved approximately, by successive over-relaxation of rows: the even and the odd ones by
 // turns, all of them at once (zebra), each by elimination along X. Flow from w across the rows of another process is
@@ -25,10 +29,10 @@ public:
   /// The halo must outlive the object.
   FlowBetweenRows(const Grid& grid, const Halo& halo);
 
-  /// Factors V along the rows.
-  void factor(const FilmStencil<Real>& linear);
+  /// Factors V along the rows. left_out: 1 at own nodes that are left out of their rows, else 0.
+  void factor(const FilmStencil<Real>& linear, const Field<PartOf<Real>>& left_out);
   /// change += w for z = change, whose ghosts it fills.
-  void correct(Field<Real>& change);
+  void correct(const Field<Real>& residual, Field<Real>& change);
 
 private:
   /// Every second of the own rows: values [x][row]. Beyond the first and the last x, and beside the first and the last
@@ -49,12 +53,19 @@ private:
     const auto line = static_cast<std::size_t>(i) + lines_before;  // i = -2 is the first
     return line * (own.count + 2) + 1;
   }
+  /// A node that was left out of its row, with V along X.
+  struct LeftOut {
+    int i, j;
+    Real west_west, west, east;
+  };
+
   /// Relaxes every second row.
   void relax(Rows& own, const Rows& others);
 
   const Halo& halo_;
   int nx_;
   std::array<Rows, 2> rows_;  ///< the even and the odd ones
+  std::vector<LeftOut> left_out_;
 };
 
 extern template class FlowBetweenRows<float>;

@@ -27,6 +27,7 @@ RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deforma
       inverse_scale_(grid),
       deformation_between_(grid, deformation),
       flow_between_(grid, halo),
+      displacement_(grid),
       relaxed_(grid),
       line_(RowFactors<Real>::stride(nx_)),
       lines_(rows_.size() * line_) {
@@ -152,17 +153,22 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       solved_.row(i)[j] = factored_.row(i)[j] * this->coupled_.row(i)[j];
-      inverse_scale_.row(i)[j] = Real(Part(1) - solved_.row(i)[j]) / linear.by_pressure[centre].row(i)[j];
+      const Part alone = single_ ? Part(1) - solved_.row(i)[j] : Part(1) - this->coupled_.row(i)[j];
+      inverse_scale_.row(i)[j] = Real(alone) / linear.by_pressure[centre].row(i)[j];
     }
   }
   if (single_) return;
+  displacement_column(linear, displacement_);
   if (!kept) {
-    displacement_column(linear, relaxed_);
-    Field<Real> responses = relaxed_;
-    solve_rows(relaxed_, responses);
+    Field<Real> responses = displacement_;
+    solve_rows(displacement_, responses);
     deformation_between_.factor(std::move(responses));
   }
-  flow_between_.factor(linear);
+  Field<Part> left_out = this->coupled_;
+  for (int i = 0; i < nx_; ++i) {
+    for (std::size_t j = 0; j < rows_.size(); ++j) left_out.row(i)[j] -= solved_.row(i)[j];
+  }
+  flow_between_.factor(linear, left_out);
 }
 
 template <class Real>
@@ -171,7 +177,7 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
   ++use_.relaxations;
   ++use_.last;
   solve_rows(residual, relaxed_);
-  add_corrected(change);
+  add_corrected(residual, change);
 }
 
 // As the rows answered when their factors were made.
@@ -180,15 +186,15 @@ bool RowSmoother<Real>::relax_displacement(Field<Real>& change) {
   if (single_) return false;
   const ScopedEvent event(Kernel::smoother_sweep);
   relaxed_ = deformation_between_.responses();
-  add_corrected(change);
+  add_corrected(displacement_, change);
   return true;
 }
 
 template <class Real>
-void RowSmoother<Real>::add_corrected(Field<Real>& change) {
+void RowSmoother<Real>::add_corrected(const Field<Real>& residual, Field<Real>& change) {
   if (!single_) {
     deformation_between_.correct(relaxed_);
-    flow_between_.correct(relaxed_);
+    flow_between_.correct(residual, relaxed_);
   }
   for (int i = 1; i < nx_ - 1; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) change.row(i)[j] += relaxed_.row(i)[j];

@@ -45,8 +45,8 @@ private:
   const Part* influence(At at, int j) const {
     return influence_[at].data() + static_cast<std::size_t>(j) * (2 * nx_ + 1) + nx_;
   }
-  /// change += relaxed_, corrected.
-  void add_corrected(Field<Real>& change);
+  /// change += relaxed_, corrected, for this residual.
+  void add_corrected(const Field<Real>& residual, Field<Real>& change);
   /// Fills the matrix of the coupled nodes of row j, column by column as its factors take it.
   void assemble(const FilmStencil<Real>& linear, int j, std::vector<Real>& matrix);
   /// Factors the matrices of all rows at their present coupled nodes.
@@ -81,6 +81,7 @@ private:
   Use use_;
   DeformationBetweenRows<Real> deformation_between_;
   FlowBetweenRows<Real> flow_between_;
+  Field<Real> displacement_;  ///< dG/dH_0
   Field<Real> relaxed_;
   std::size_t line_;          ///< of the following, more than nx
   std::vector<Real> lines_;   ///< [row][x]

@@ -129,8 +129,8 @@ TEST(FlowBetweenRows, is_taken_up) {
     }
     Field<double> change = along;
     FlowBetweenRows<double> flow(grid, halo);
-    flow.factor(stencil);
-    flow.correct(change);
+    flow.factor(stencil, no_film);
+    flow.correct(no_film, change);
     const auto conducted = [&](Field<double>& of, bool across) {
       FilmStencil<double> conduction = stencil;
       for (const Neighbour side : {south, north}) {
