@@ -8,8 +8,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr int rounds = 3;  // over the even and the odd rows
-constexpr double over_relaxation = 1.3;
+constexpr int rounds = 6;  // over the even and the odd rows
+constexpr double over_relaxation = 1.5;
 
 }  // namespace
 
@@ -103,8 +103,8 @@ void FlowBetweenRows<Real>::correct(const Field<Real>& residual, Field<Real>& ch
   for (const LeftOut& node : left_out_) {
     const auto z = [&](int i) { return i >= 0 && i < nx_ ? change.row(i)[node.j] : Real(0); };
     Rows& own = rows_[node.j % 2];
-    own.right_side[at(own, node.i) + node.j / 2] +=
-        residual.row(node.i)[node.j] - node.west_west * z(node.i - 2) - node.west * z(node.i - 1) - node.east * z(node.i + 1);
+    own.right_side[at(own, node.i) + node.j / 2] += residual.row(node.i)[node.j] - node.west_west * z(node.i - 2) -
+                                                    node.west * z(node.i - 1) - node.east * z(node.i + 1);
   }
   for (int round = 0; round < rounds; ++round) {
     relax(rows_[0], rows_[1]);
