@@ -15,7 +15,7 @@ namespace gearfilm {
 namespace {
 
 const Tuned<double> difference_step("orbit_difference_step", 2e-3, "step of differences of the map");
-const Tuned<double> telling_step("orbit_telling_step", 1e-2,
+const Tuned<double> telling_step("orbit_telling_step", 3e-3,
                                  "step of the motion by which the map's Jacobian is measured");
 const Tuned<double> worth_keeping("orbit_worth_keeping", 5e-3, "defect of a period whose end serves as a disturbance");
 const Tuned<double> far_off("orbit_far_off", 100.0,
