@@ -4,8 +4,8 @@
 // change in the row by conduction and wedge, and by the deformation of the row itself and of the rows beside it,
 // however far along X; but pressure in the inlet changes only what is near. All rows are relaxed at once (block
 // Jacobi), and then corrected for how they deform one another (deformation_between_rows.hpp) and for the oil that they
-// conduct into one another (flow_between_rows.hpp). Krylov's method takes 3 to 7 of these where rows are graded towards
-// the ends of a face.
+// conduct into one another (flow_between_rows.hpp), which also takes up nodes that are coupled now, but were not when
+// factors were made. Krylov's method takes 3 to 7 of these where rows are graded towards the ends of a face.
 //
 // Factors cost as much as ten or more relaxations. In time steps of equal length they serve later linearisations too,
 // until one takes more relaxations than all since the factors were made have cost on average, the factors included:
@@ -77,7 +77,7 @@ private:
   double long_wave_deformation_;  ///< 2 pi C_h
   Field<Part> factored_;          ///< coupled() when factors were made
   Field<Part> solved_;            ///< 1 where it is so now too: factors are used
-  Field<Real> inverse_scale_;     ///< of all other nodes, else 0
+  Field<Real> inverse_scale_;     ///< of nodes that are not coupled, in a single row of all others, else 0
   Use use_;
   DeformationBetweenRows<Real> deformation_between_;
   FlowBetweenRows<Real> flow_between_;
