@@ -101,14 +101,14 @@ Eigen::VectorXd FilmSystem::forces(std::span<const double> values) const {
   return Eigen::Map<const Eigen::VectorXd>(sums.data(), static_cast<Eigen::Index>(sums.size()));
 }
 
-// Behind a film's edge that draws back, an extrapolation finds pressure once more where it has just vanished.
+// Half of what is small would keep nodes full that a film's edge leaves.
 void FilmSystem::clip_predictor(Vec guess, Vec last) const {
   constexpr double may_vanish = 0.003, left_at_least = 0.5;
   const VecReading before(last);
   const VecWriting values(guess);
   for (std::size_t n = 0; n < scalars_at(); ++n) {
     const double least = before[n] < may_vanish ? 0.0 : left_at_least * before[n];
-    values[n] = before[n] == 0.0 ? 0.0 : std::max(values[n], least);
+    values[n] = std::max(values[n], least);
   }
 }
 

@@ -47,7 +47,7 @@ public:
   std::vector<double> field(Vec state, std::size_t contact) const;
   void set_scalars(Vec state, std::span<const double> scalars) const;
   std::vector<double> scalars(Vec state) const;
-  /// Bounds extrapolated pressures: zero where the last ones are, at least half of those that are not small, and >= 0.
+  /// Makes every pressure of a guess at least half of what it is in the last state, where that is not small, and >= 0.
   void clip_predictor(Vec guess, Vec last) const;
 
   /// d C(state)/dT, null where nothing moves, and about what it grows by with C, which scales the rows of cavitated

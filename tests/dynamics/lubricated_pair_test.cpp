@@ -213,14 +213,16 @@ TEST_P(LubricatedPairAt, films_act_on_each_other_through_the_motion_and_bodies_o
   EXPECT_NE(motion_rows.V0(), 0.0);
 }
 
+// Small ones may vanish.
 TEST_P(LubricatedPairAt, guessed_pressures_fall_by_half_at_most_and_not_below_zero) {
+  constexpr double small = 0.003;
   std::vector<std::vector<double>> guessed = steps.last.pressure;
   for (double& pressure : guessed[0]) pressure = -1.0;
   const OwnedVec guess = system.vector(guessed, {-1.0, -2.0});
   films.clip_predictor(guess, system.vector(steps.last.pressure, steps.last.motion));
   // Cavitated nodes of an accepted state may be negative by round-off.
   std::vector<std::vector<double>> expected = steps.last.pressure;
-  for (double& pressure : expected[0]) pressure = std::max(0.5 * pressure, 0.0);
+  for (double& pressure : expected[0]) pressure = pressure < small ? 0.0 : 0.5 * pressure;
   for (double& pressure : expected[1]) pressure = std::max(pressure, 0.0);
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(films.field(guess, k), expected[k]);
   EXPECT_EQ(system.pair->motion(guess).H0(), -1.0);
