@@ -64,8 +64,7 @@ ContactFilm* MeshedFilms::free_film() {
     return film.get();
   }
   films_.push_back(std::make_unique<ContactFilm>(discretisation_, mesh_.scales, options_.films.multigrid));
-  const double fastest = mesh_.path.course().largest_speed();
-  const double passed = fastest * options_.steps.dT / discretisation_->grid().h_x();
+  const double passed = cells_passed(mesh_, options_.steps.dT, discretisation_->grid().h_x());
   if (mesh_.inertia > 0.0 && third_order_damps_waves(passed)) {
     films_.back()->set_rates_in_wedge(rates_in_wedge(passed));
   }

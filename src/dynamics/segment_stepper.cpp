@@ -31,6 +31,10 @@ constexpr double longest_damped_step = 0.6;
 
 }  // namespace
 
+double cells_passed(const MeshModel& mesh, double dT, double h_x) {
+  return mesh.path.course().largest_speed() * dT / h_x;
+}
+
 bool third_order_damps_waves(double passed) { return passed <= longest_damped_step; }
 
 double StepOptions::largest() const { return std::max(tolerance ? largest_step * dT : dT, without_event); }
@@ -66,8 +70,8 @@ SegmentStepper::SegmentStepper(LubricatedPair& pair, PeriodicPredictor& memory, 
 void SegmentStepper::differentiate(double T, int order) {
   const bool third = order == 2 && pair_.mesh().inertia > 0.0 && differences_.evenly_spaced(T, 3);
   order_of_motion_ = third ? 3 : order;
-  const double fastest = pair_.mesh().path.course().largest_speed(), h_x = pair_.system().grid().h_x();
-  const bool damped = third_order_damps_waves(fastest * (T - step_begin_) / h_x);
+  const double passed = cells_passed(pair_.mesh(), T - step_begin_, pair_.system().grid().h_x());
+  const bool damped = third_order_damps_waves(passed);
   differences_.differentiate(T, third && damped ? 3 : order);
 }
 

@@ -53,6 +53,9 @@ struct StepOptions {
   void lengthen(double ratio);
 };
 
+/// Cells of h_x that oil passes in a step at most.
+double cells_passed(const MeshModel& mesh, double dT, double h_x);
+
 /// Whether films with differences of third order damp all waves that oil carries, where it passes so many cells in a
 /// step.
 bool third_order_damps_waves(double passed);

@@ -297,7 +297,7 @@ void ContactFilm::precondition(std::span<const double> rows, std::span<double> c
 }
 
 void ContactFilm::precondition_displacement(std::span<double> change) {
-  if (!linearised_->relax_displacement(change)) linearised_->apply(displacement_column_, change);
+  if (!linearised_->relax_displacement(displacement_column_, change)) linearised_->apply(displacement_column_, change);
 }
 
 void ContactFilm::relax(std::span<const double> rows, std::span<double> change) { linearised_->relax(rows, change); }

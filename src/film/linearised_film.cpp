@@ -43,8 +43,8 @@ public:
     petsc_check(VecResetArray(solution_));
   }
 
-  bool relax_displacement(std::span<double> change) override {
-    return levels() == 1 && levels_.front()->relax_displacement(change);
+  bool relax_displacement(std::span<const double> column, std::span<double> change) override {
+    return levels() == 1 && levels_.front()->relax_displacement(column, change);
   }
 
   void relax(std::span<const double> residual, std::span<double> change) override {

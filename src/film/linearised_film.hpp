@@ -42,9 +42,9 @@ public:
   virtual void displacement_column(std::span<double> column) = 0;
   /// change = approximate inverse of the linearised rows applied to residual; both compact.
   virtual void apply(std::span<const double> residual, std::span<double> change) = 0;
-  /// change = approximate inverse of the linearised rows applied to the displacement column, compact, if the smoother
-  /// knows it from its factors (smoother.hpp); returns whether it does.
-  virtual bool relax_displacement(std::span<double> change) = 0;
+  /// change = approximate inverse of the linearised rows applied to the displacement column, both compact, if the
+  /// smoother knows it from its factors (smoother.hpp); returns whether it does.
+  virtual bool relax_displacement(std::span<const double> column, std::span<double> change) = 0;
   /// Approximate solution as above, by one relaxation on the finest level.
   virtual void relax(std::span<const double> residual, std::span<double> change) = 0;
   virtual int levels() const = 0;

@@ -81,9 +81,10 @@ void MultigridLevel<Real>::smooth(std::span<const double> right_side, std::span<
 }
 
 template <class Real>
-bool MultigridLevel<Real>::relax_displacement(std::span<double> change) {
+bool MultigridLevel<Real>::relax_displacement(std::span<const double> column, std::span<double> change) {
+  rows_.load(column);
   change_.fill(Real(0));
-  if (!smoother_->relax_displacement(change_)) return false;
+  if (!smoother_->relax_displacement(rows_, change_)) return false;
   change_.store(change);
   return true;
 }

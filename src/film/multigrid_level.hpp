@@ -39,9 +39,9 @@ public:
   void displacement_column(std::span<double> column);
   /// Improves `change` by a number of relaxations; a zero guess saves the first residual.
   void smooth(std::span<const double> right_side, std::span<double> change, int sweeps, bool zero_guess);
-  /// change = one relaxation from zero with the displacement column as the residual, compact, if the smoother knows it
-  /// from its factors (smoother.hpp); returns whether it does.
-  bool relax_displacement(std::span<double> change);
+  /// change = one relaxation from zero with the displacement column as the residual, both compact, if the smoother
+  /// knows it from its factors (smoother.hpp); returns whether it does.
+  bool relax_displacement(std::span<const double> column, std::span<double> change);
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
   void restrict_from(MultigridLevel& fine, std::span<const double> fine_residual, std::span<double> residual);
   void interpolate_to(MultigridLevel& fine, std::span<const double> correction, std::span<double> fine_change);

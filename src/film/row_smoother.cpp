@@ -27,7 +27,6 @@ RowSmoother<Real>::RowSmoother(const Grid& grid, const Halo& halo, const Deforma
       inverse_scale_(grid),
       deformation_between_(grid, deformation),
       flow_between_(grid, halo),
-      displacement_(grid),
       relaxed_(grid),
       line_(RowFactors<Real>::stride(nx_)),
       lines_(rows_.size() * line_) {
@@ -150,23 +149,21 @@ void RowSmoother<Real>::factor(const FilmStencil<Real>& linear, const FilmState&
   }
   ++use_.linearisations;
   use_.last = 0;
+  Field<Part> left_out = this->coupled_;
   for (int i = 0; i < nx_; ++i) {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       solved_.row(i)[j] = factored_.row(i)[j] * this->coupled_.row(i)[j];
-      const Part alone = single_ ? Part(1) - solved_.row(i)[j] : Part(1) - this->coupled_.row(i)[j];
+      left_out.row(i)[j] -= solved_.row(i)[j];
+      const Part alone = Part(1) - (single_ ? solved_ : this->coupled_).row(i)[j];
       inverse_scale_.row(i)[j] = Real(alone) / linear.by_pressure[centre].row(i)[j];
     }
   }
   if (single_) return;
-  displacement_column(linear, displacement_);
   if (!kept) {
-    Field<Real> responses = displacement_;
-    solve_rows(displacement_, responses);
+    displacement_column(linear, relaxed_);
+    Field<Real> responses = relaxed_;
+    solve_rows(relaxed_, responses);
     deformation_between_.factor(std::move(responses));
-  }
-  Field<Part> left_out = this->coupled_;
-  for (int i = 0; i < nx_; ++i) {
-    for (std::size_t j = 0; j < rows_.size(); ++j) left_out.row(i)[j] -= solved_.row(i)[j];
   }
   flow_between_.factor(linear, left_out);
 }
@@ -182,11 +179,11 @@ void RowSmoother<Real>::relax(Field<Real>& residual, Field<Real>& change) {
 
 // As the rows answered when their factors were made.
 template <class Real>
-bool RowSmoother<Real>::relax_displacement(Field<Real>& change) {
+bool RowSmoother<Real>::relax_displacement(const Field<Real>& column, Field<Real>& change) {
   if (single_) return false;
   const ScopedEvent event(Kernel::smoother_sweep);
   relaxed_ = deformation_between_.responses();
-  add_corrected(displacement_, change);
+  add_corrected(column, change);
   return true;
 }
 

@@ -33,7 +33,7 @@ public:
   void factor(const FilmStencil<Real>& linear, const FilmState& state, ShiftOf<Real> shift,
               SmootherFactors factors) override;
   void relax(Field<Real>& residual, Field<Real>& change) override;
-  bool relax_displacement(Field<Real>& change) override;
+  bool relax_displacement(const Field<Real>& column, Field<Real>& change) override;
   /// What the changes of each row are where those of all others are zero.
   void solve_rows(const Field<Real>& residual, Field<Real>& change);
 
@@ -81,7 +81,6 @@ private:
   Use use_;
   DeformationBetweenRows<Real> deformation_between_;
   FlowBetweenRows<Real> flow_between_;
-  Field<Real> displacement_;  ///< dG/dH_0
   Field<Real> relaxed_;
   std::size_t line_;          ///< of the following, more than nx
   std::vector<Real> lines_;   ///< [row][x]

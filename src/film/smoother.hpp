@@ -31,7 +31,7 @@ public:
   virtual void relax(Field<Real>& residual, Field<Real>& change) = 0;
   /// change += one relaxation with the displacement column, dG/dH_0, as the residual, if that is known from the
   /// present factors without a solve; returns whether it is.
-  virtual bool relax_displacement(Field<Real>& /*change*/) { return false; }
+  virtual bool relax_displacement(const Field<Real>& /*column*/, Field<Real>& /*change*/) { return false; }
 
 protected:
   explicit Smoother(const Grid& grid) : coupled_(grid) {}
