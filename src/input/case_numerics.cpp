@@ -22,12 +22,23 @@ double frequency_of_swings(const CaseInput& problem) {
   return natural_frequency(problem.pair.stiffness, problem.scales.inertia(*problem.pair.equivalent_mass));
 }
 
+/// In a mesh period; none of a pair without inertia.
+double number_of_swings(const CaseInput& problem) {
+  return swings(problem) ? mesh_period(problem) / natural_period(problem) : 0.0;
+}
+
 /// By how much steps in time and rows are finer where the pair swings often in a mesh period: errors of forces, of
 /// third order in time, add up from swing to swing.
-double finer_for_swings(const CaseInput& problem) {
-  constexpr double few_swings = 10.0;  // in a mesh period, from which on they are
-  if (!swings(problem)) return 1.0;
-  return std::max(1.0, std::cbrt(mesh_period(problem) / natural_period(problem) / few_swings));
+double finer_for_forces(const CaseInput& problem) {
+  constexpr double few_swings = 10.0;
+  return std::max(1.0, std::cbrt(number_of_swings(problem) / few_swings));
+}
+
+/// By how much lines are finer there, and steps in time once more: swings send waves of film with steep fronts through
+/// the contact. In a step oil passes the same part of a cell.
+double finer_for_waves(const CaseInput& problem) {
+  constexpr double few_swings = 12.0, most = 4.0 / 3.0;
+  return std::clamp(std::sqrt(number_of_swings(problem) / few_swings), 1.0, most);
 }
 
 /// As for the film alone, and for what oil beyond its edges would carry while the pair swings: with half the Hertz
@@ -60,14 +71,14 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 
 /// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
 /// force at the ends of the path, where flanks may be much more curved. Along X and Y no longer than that forces follow
-/// an ellipse which grows and shrinks, and that what oil takes from swings is right.
+/// an ellipse which grows and shrinks, and that what oil takes from swings is right. Along X finer for waves of film.
 Steps steps_on_path(const CaseInput& problem, double accuracy) {
   constexpr double finest_rows = 4.0 / 3.0;
   constexpr double accuracy_at_ends = 0.3, longest_along = 0.1, longest_across = 0.12;
   const FilmDiscretisation discretisation = problem.numerics.discretisation;
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
   if (!problem.pair.line) return steps;
-  steps.y = std::min(steps.y, longest_across / std::min(finer_for_swings(problem), finest_rows));
+  steps.y = std::min(steps.y, longest_across / std::min(finer_for_forces(problem), finest_rows));
   steps.x = std::min(steps.x, longest_along);
   const LineOfAction& line = *problem.pair.line;
   for (const double xi : {line.entry(), line.exit()}) {
@@ -79,6 +90,7 @@ Steps steps_on_path(const CaseInput& problem, double accuracy) {
     const double own = steps_of_contact(discretisation, scales, std::max(accuracy, accuracy_at_ends)).x;
     steps.x = std::min(steps.x, own * scales.hertz.a / problem.scales.hertz.a);
   }
+  steps.x /= finer_for_waves(problem);
   return steps;
 }
 
@@ -199,7 +211,8 @@ double steps_in_swing_of(const CaseInput& problem) {
   const double by_accuracy =
       std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
   const double by_oil = L * L / (stiffening * stiffening);
-  const double finer = std::min(std::max(by_oil, finer_for_swings(problem)), most);
+  const double by_swings = finer_for_forces(problem) * finer_for_waves(problem);
+  const double finer = std::min(std::max(by_oil, by_swings), most);
   return steps_in_swing * std::max(by_accuracy, finer);
 }
 

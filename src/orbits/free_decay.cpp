@@ -25,10 +25,10 @@ bool forgotten(const MeshModel& mesh, const Returns& motions, const Motion& orbi
   return last < gone * push && mesh.weighted_norm(difference(motions.back(), orbit)) < near_orbit * push;
 }
 
-/// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far; before each end, relative to
-/// the orbit, the motion from which it followed.
+/// The motion after 0, 1, 2, ... periods, until the push is gone, or has grown too far, or what there is suffices;
+/// before each end, relative to the orbit, the motion from which it followed.
 Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, const DecayOptions& options,
-                   std::vector<Return>& leads) {
+                   std::vector<Return>& leads, const std::function<bool(const Returns&)>& suffice) {
   const MeshModel& mesh = march.mesh();
   const Motion& begin = orbit.start.motion;
   march.resume(mesh.next_period(march.T()), orbit.start);
@@ -45,6 +45,7 @@ Returns returns_of(MeshMarch& march, const PeriodicOrbit& orbit, double push, co
     if (n >= 2 &&
         (forgotten(mesh, motions, orbit.end.motion) || mesh.weighted_norm(difference(motions.back(), begin)) > far))
       break;
+    if (n >= 3 && suffice(motions)) break;
   }
   return motions;
 }
@@ -128,14 +129,18 @@ FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const Deca
   const auto near = [&](const Returns& motions) {
     return march.mesh().weighted_norm(difference(motions.back(), begin)) <= far;
   };
+  const auto well_fitted = [&](const FreeDecay& decay) {
+    return decay.fit_error < std::max<double>(well_known, of_grid_error * options.grid_error(decay.multipliers));
+  };
+  const auto alone = [&](const Returns& motions) { return well_fitted(fit_decay({motions}, begin, orbit.end.motion)); };
   const Motion none = Motion::zero(begin.freedoms());
   std::vector<Return> leads = {{none, none}};  // the orbit's own
   double push = options.push;
-  Returns first = returns_of(march, orbit, push, options, leads);
+  Returns first = returns_of(march, orbit, push, options, leads, alone);
   while (!near(first) && 0.1 * push >= smallest_push) {
     push *= 0.1;
     leads.resize(1);
-    first = returns_of(march, orbit, push, options, leads);
+    first = returns_of(march, orbit, push, options, leads, alone);
   }
   if (forgotten(march.mesh(), first, orbit.end.motion)) {
     // Nothing is left to be fitted; how little, the first two returns say.
@@ -146,9 +151,10 @@ FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const Deca
     return {{}, small, kept};
   }
   FreeDecay decay = fit_decay({first}, begin, orbit.end.motion);
-  if (decay.fit_error >= std::max<double>(well_known, of_grid_error * options.grid_error(decay.multipliers))) {
-    const Returns other_way = returns_of(march, orbit, -push, options, leads);
-    decay = fit_decay({first, other_way}, begin, orbit.end.motion);
+  if (!well_fitted(decay)) {
+    const auto both = [&](const Returns& other_way) { return fit_decay({first, other_way}, begin, orbit.end.motion); };
+    decay = both(returns_of(march, orbit, -push, options, leads,
+                            [&](const Returns& other_way) { return well_fitted(both(other_way)); }));
   }
   if (leads.size() > AffineFit::unknowns(begin) && decay.fit_error < well_known)
     decay.lead_map = AffineFit(leads).map();
