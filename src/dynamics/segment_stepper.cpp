@@ -25,17 +25,11 @@ const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short s
 // is taken to be at most the second: longer steps resolve no swing.
 constexpr double shortest_swing_step = 1e-3, longest_swing_step = 1.5;
 
-// In cells that oil passes. With third-order differences in time and the wedge of `fitted` in space no wave of an even
-// film grows up to 0.61 where oil conducts; elsewhere up to 0.9, or 1.2 times this with rates in the wedge.
-constexpr double longest_damped_step = 0.6;
-
 }  // namespace
 
 double cells_passed(const MeshModel& mesh, double dT, double h_x) {
   return mesh.path.course().largest_speed() * dT / h_x;
 }
-
-bool third_order_damps_waves(double passed) { return passed <= longest_damped_step; }
 
 double StepOptions::largest() const { return std::max(tolerance ? largest_step * dT : dT, without_event); }
 
