@@ -35,8 +35,8 @@ double finer_for_forces(const CaseInput& problem) {
   return std::max(1.0, std::cbrt(number_of_swings(problem) / few_swings));
 }
 
-/// By how much lines are finer there, and steps in time once more: swings send waves of film with steep fronts through
-/// the contact. In a step oil passes the same part of a cell.
+/// By how much lines are finer there, and, up to a limit, steps in time once more: swings send waves of film with steep
+/// fronts through the contact.
 double finer_for_waves(const CaseInput& problem) {
   constexpr double few_swings = 12.0, most = 4.0 / 3.0;
   return std::clamp(std::sqrt(number_of_swings(problem) / few_swings), 1.0, most);
@@ -206,14 +206,15 @@ double time_step_by_waves(const CaseInput& problem) {
 double steps_in_swing_of(const CaseInput& problem) {
   constexpr double stiffening = 17.3;  // Moes' L from which on they grow
   constexpr double most = 1.875;       // by how much
+  constexpr double most_for_waves = 1.6;
   if (problem.dry()) return steps_in_swing;
   const Scales& scales = problem.scales;
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
   const double by_accuracy =
       std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
   const double by_oil = L * L / (stiffening * stiffening);
-  const double by_swings = finer_for_forces(problem) * finer_for_waves(problem);
-  const double finer = std::min(std::max(by_oil, by_swings), most);
+  const double by_waves = std::min(finer_for_forces(problem) * finer_for_waves(problem), most_for_waves);
+  const double finer = std::min(std::max({by_oil, by_waves, finer_for_forces(problem)}), most);
   return steps_in_swing * std::max(by_accuracy, finer);
 }
 

@@ -10,7 +10,6 @@
 namespace gearfilm {
 namespace {
 
-const Tuned<double> largest_fall("newton_largest_fall", 0.4, "largest fall of a pressure in an iteration, relative");
 const Tuned<double> free_below("newton_free_below", 0.03, "a pressure below this may vanish in one iteration");
 const Tuned<double> patience("newton_patience", 10.0,
                              "growth of the merit that limited changes may bring in an iteration");
@@ -26,12 +25,12 @@ const Tuned<double> least_part("newton_least_part", 0.25,
 constexpr int restart = 20;
 
 /// Limits each pressure's part of the change (the new state is state - change).
-void limit_pressure_change(Vec state, Vec change, PetscInt pressures, double largest_rise) {
+void limit_pressure_change(Vec state, Vec change, PetscInt pressures, const PressureLimits& limits) {
   const VecReading pressure(state);
   const VecWriting step(change);
   for (PetscInt n = 0; n < pressures; ++n) {
-    if (pressure[n] > free_below) step[n] = std::min(step[n], largest_fall * pressure[n]);
-    step[n] = std::max(step[n], -largest_rise);
+    if (pressure[n] > free_below) step[n] = std::min(step[n], limits.fall * pressure[n]);
+    step[n] = std::max(step[n], -limits.rise);
   }
 }
 
@@ -187,7 +186,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
         [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
           return petsc_callback([&] {
             const auto& limited = *static_cast<LinearisedSystem*>(context);
-            limit_pressure_change(state, change, limited.pressure_count(), limited.largest_rise());
+            limit_pressure_change(state, change, limited.pressure_count(), limited.pressure_limits());
             *changed = PETSC_TRUE;
           });
         },

@@ -33,6 +33,12 @@ struct NewtonOptions {
   Watcher watcher{};           ///< of stationary films, called every iteration
 };
 
+/// How much a pressure may change in an iteration at most.
+struct PressureLimits {
+  double rise = HUGE_VAL;
+  double fall = 1.0;  ///< relative
+};
+
 /// A nonlinear system as its linear solver sees it, linearised about the last state.
 class LinearisedSystem {
 public:
@@ -41,8 +47,8 @@ public:
   virtual PetscInt local_size() const = 0;
   /// How many entries of the local array, from its beginning, are pressures.
   virtual PetscInt pressure_count() const = 0;
-  /// How much a pressure may rise in an iteration at most, where changes are limited.
-  virtual double largest_rise() const { return HUGE_VAL; }
+  /// Where changes are limited.
+  virtual PressureLimits pressure_limits() const { return {}; }
   /// How far rows are from zero, as a line search compares it: their norm, where nothing else is better.
   virtual double merit(Vec rows);
   /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false

@@ -24,13 +24,18 @@ private:
   std::optional<VecReading> vec_;
 };
 
-const Tuned<double> largest_rise_of_all("newton_largest_rise", 0.1, "largest rise of a pressure in an iteration");
+const Tuned<double> largest_rise("newton_largest_rise", 0.1, "largest rise of a pressure in an iteration");
+const Tuned<double> largest_fall("newton_largest_fall", 0.9, "largest fall of a pressure in an iteration, relative");
+const Tuned<double> fall_of_stiff_oil("newton_fall_of_stiff_oil", 0.4, "the same where oil stiffens much");
 
 /// Smaller where oil stiffens much under pressure: where full film comes and goes over a whole inlet, its viscosity
 /// would change by factors from one iteration to the next.
-double largest_rise_in(const Scales& scales) {
+PressureLimits pressure_limits_in(const Scales& scales) {
+  constexpr double stiffening = 8.0;  // Moes' L from which on falls are smaller
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
-  return L > 0.0 ? std::min<double>(largest_rise_of_all, 1.0 / L) : largest_rise_of_all;
+  if (L <= 0.0) return {largest_rise, largest_fall};
+  return {std::min<double>(largest_rise, 1.0 / L),
+          std::clamp<double>(largest_fall * stiffening / L, fall_of_stiff_oil, largest_fall)};
 }
 
 }  // namespace
@@ -40,7 +45,7 @@ FilmSystem::FilmSystem(std::vector<ContactFilm*> films, BodyEquations bodies)
       bodies_(std::move(bodies)),
       grid_(films_.front()->grid()),
       weight_(std::sqrt(static_cast<double>(films_.size()) * grid_.nx() * grid_.rows())),
-      largest_rise_(largest_rise_in(films_.front()->scales())) {
+      limits_(pressure_limits_in(films_.front()->scales())) {
   if (std::set(films_.begin(), films_.end()).size() != films_.size()) {
     throw std::logic_error("a film stands twice in a system, where it would have to show two states at once");
   }

@@ -66,7 +66,7 @@ public:
   /// elimination is always exact.
   void linearise(Vec state, const Rate& rate, double shift, BlockElimination elimination,
                  SmootherFactors factors = SmootherFactors::of_this_state);
-  double largest_rise() const override { return largest_rise_; }
+  PressureLimits pressure_limits() const override { return limits_; }
   double merit(Vec rows) override;
   bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
   double moved() override;
@@ -122,7 +122,7 @@ private:
   Eigen::MatrixXd reverse_jacobian_;  ///< of their rows, at the state of the Jacobian
   const Grid& grid_;
   double weight_;
-  double largest_rise_;
+  PressureLimits limits_;
   double shift_ = 0.0;
   BlockElimination elimination_ = BlockElimination::scalars_first;
   StateVersions versions_;    ///< of states
