@@ -35,7 +35,7 @@ PressureLimits pressure_limits_in(const Scales& scales) {
   const double L = moes_groups(scales.solids, scales.oil, scales.operation).L;
   if (L <= 0.0) return {largest_rise, largest_fall};
   return {std::min<double>(largest_rise, 1.0 / L),
-          std::clamp<double>(largest_fall * stiffening / L, fall_of_stiff_oil, largest_fall)};
+          std::min<double>(largest_fall, std::max<double>(fall_of_stiff_oil, largest_fall * stiffening / L))};
 }
 
 }  // namespace

@@ -340,6 +340,19 @@ TEST_P(TwoFilms, elimination_is_exact_with_exact_films) {
   }
 }
 
+TEST(PressureLimits, are_narrow_where_oil_stiffens_much) {
+  const auto expect_limits = [](double L, double rise, double fall) {
+    const FilmCase contact = moes_contact(2400.0, L, 1.0);
+    ContactFilm film(discretise(Grid(PETSC_COMM_WORLD, contact.shape(33, 17)), contact.scales), contact.scales, {});
+    const PressureLimits limits = FilmSystem({&film}, fixed_approach(0.0, 1)).pressure_limits();
+    EXPECT_NEAR(limits.rise, rise, 1e-9) << L;
+    EXPECT_NEAR(limits.fall, fall, 1e-9) << L;
+  };
+  expect_limits(25.0, 1.0 / 25.0, 0.4);
+  expect_limits(12.0, 1.0 / 12.0, 0.6);
+  expect_limits(6.0, 0.1, 0.9);
+}
+
 INSTANTIATE_TEST_SUITE_P(on_solids, TwoFilms, testing::Values("rigid", "compliant"),
                          [](const auto& solids) { return std::string(solids.param); });
 
