@@ -206,7 +206,7 @@ Records time_records() {
   return section(
       "time", Scope::gear_pair,
       {optional("the shortest of the grid's h_x (at least 0.026 where grid.nx is not given), a hundredth of "
-                "a mesh period, a fortieth of a free oscillation",
+                "a mesh period, a fortieth to a 75th of a free oscillation",
                 number("dt", "dT", "-", closed(1e-6, 1),
                        "time step in units of a/u_m; without inertia a hundredth of a mesh period where that is longer "
                        "and no event disturbs the films, unless it is given")),
