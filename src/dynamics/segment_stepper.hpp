@@ -61,8 +61,9 @@ double cells_passed(const MeshModel& mesh, double dT, double h_x);
 /// 0.9, or 1.2 times this with rates in the wedge.
 inline constexpr double longest_damped_step = 0.6;
 
-/// Whether they do, where it passes so many cells in a step; equal but for round-off.
-inline bool third_order_damps_waves(double passed) { return passed <= longest_damped_step * (1.0 + 1e-9); }
+/// Whether they do, where it passes so many cells in a step. Steps that fill a segment may be longer by 1e-6 of them
+/// than the one that was asked for.
+inline bool third_order_damps_waves(double passed) { return passed <= longest_damped_step * (1.0 + 1e-6); }
 
 /// Newton's method for steps between rough surfaces, where many nodes fill and dry.
 inline NewtonOptions rough_step_newton() {

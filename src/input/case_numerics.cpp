@@ -213,8 +213,9 @@ double steps_in_swing_of(const CaseInput& problem) {
   const double by_accuracy =
       std::sqrt(usual_accuracy / std::min(problem.parameters.real("grid.accuracy"), usual_accuracy));
   const double by_oil = L * L / (stiffening * stiffening);
-  const double by_waves = std::min(finer_for_forces(problem) * finer_for_waves(problem), most_for_waves);
-  const double finer = std::min(std::max({by_oil, by_waves, finer_for_forces(problem)}), most);
+  const double by_forces = finer_for_forces(problem);
+  const double by_waves = std::min(by_forces * finer_for_waves(problem), most_for_waves);
+  const double finer = std::min(std::max({by_oil, by_forces, by_waves}), most);
   return steps_in_swing * std::max(by_accuracy, finer);
 }
 
