@@ -20,12 +20,14 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   const MeshModel& mesh = problem.mesh;
   const double period = mesh.period(), mesh_period = mesh.path.mesh_period();
   MarchStatistics statistics(period, mesh.scales.static_force);
+  PitchFilmRecorder pitch_films(mesh);
   MotionSignal signal;
   std::map<long, Motion> after_leaving;  // by mesh periods
   bool searching = true;
   const auto on_step = [&](const StepRecord& record, const std::vector<ActiveContact>& live) {
     if (!searching) return;
     statistics.add(record, available_models(mesh, true));
+    pitch_films.add(record);
     signal.add(record);
     const double mesh_periods = record.T / mesh_period;
     if (std::abs(mesh_periods - std::round(mesh_periods)) < 1e-9)
@@ -38,6 +40,7 @@ DescribedOrbit find_described_orbit(const OrbitProblem& problem, const SharedDis
   searching = false;
   const double begin = found.orbit.begin, end = begin + period;
   found.quantities = statistics.periods().at(static_cast<std::size_t>(std::lround(begin / period)));
+  found.pitch_films = pitch_films.within(begin, end);
   found.states_after_leaving = {found.orbit.start.motion};
   const long first = std::lround(begin / mesh_period);
   for (long n = 1; n < mesh.periods(); ++n) found.states_after_leaving.push_back(after_leaving.at(first + n));

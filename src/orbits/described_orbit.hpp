@@ -5,6 +5,7 @@
 #include "dynamics/march_statistics.hpp"
 #include "orbits/free_decay.hpp"
 #include "orbits/orbit_search.hpp"
+#include "orbits/pitch_films.hpp"
 #include "orbits/spectrum.hpp"
 
 namespace gearfilm {
@@ -12,6 +13,7 @@ namespace gearfilm {
 struct DescribedOrbit {
   PeriodicOrbit orbit;
   PeriodQuantities quantities;               ///< of the periodic period
+  std::vector<PitchFilm> pitch_films;        ///< of it
   std::vector<Motion> states_after_leaving;  ///< one a mesh period of it
   bool contact_lost = false;                 ///< in it
   SignalDeviation transmission_error;        ///< of H_0 over it

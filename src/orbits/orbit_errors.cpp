@@ -29,11 +29,29 @@ Estimate with_least_bar(Estimate bar, double least, FilmDiscretisation discretis
   return bar;
 }
 
-/// With the errors of steps in time, where the coarse orbit tells those in space alone.
-Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
-  const Estimate in_time = estimate(coarse, longer_step, FoundOrbit::step_ratio);
+/// The law's estimate for a quantity of two orbits; of one at the pitch point at least that of its largest difference
+/// nearby.
+template <class Law>
+std::optional<Estimate> estimate_of(std::size_t place, const DescribedOrbit& own, const DescribedOrbit& other,
+                                    Law law) {
+  const std::optional<double>&value = own.quantities.values[place], &others = other.quantities.values[place];
+  if (!value || !others) return {};
+  Estimate bar = law(*value, *others);
+  const PeriodQuantity& quantity = period_quantities[place];
+  if (quantity.reduction != Reduction::at_pitch) return bar;
+  const std::optional<double> change = largest_relative_change(own.pitch_films, other.pitch_films, quantity.source);
+  if (change) bar.error = std::max(bar.error, law(*value, *value * (1.0 + *change)).error);
+  return bar;
+}
+
+/// The error of steps in time, where the coarse orbit tells that in space alone.
+Estimate estimate_in_time(double coarse, double longer_step) {
+  return estimate(coarse, longer_step, FoundOrbit::step_ratio);
+}
+
+Estimate with_error_in_time(Estimate bar, const Estimate& in_time) {
   bar.error += in_time.error;
-  if (bar.extrapolated) *bar.extrapolated += *in_time.extrapolated - coarse;
+  if (bar.extrapolated) *bar.extrapolated += *in_time.extrapolated - in_time.value;
   return bar;
 }
 
@@ -41,20 +59,24 @@ Estimate with_error_in_time(Estimate bar, double coarse, double longer_step) {
 /// orbit has no value, or no spike.
 std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& found) {
   const PeriodQuantities &fine = found.own.quantities, &coarse = found.coarse->quantities;
-  const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
-  if (!own || !other) return {};
+  const double ratio = found.ratio;
   const auto with_spike = [](double pressure, const PeriodQuantities& quantities) {
     return PeakPressures{pressure, quantities[spike_pressure].value_or(0.0)};
   };
   const PeriodQuantity& quantity = period_quantities[place];
-  if (place == spike_pressure.place) return estimate_spike(*own, *other, found.ratio);
-  if (place == largest_pressure.place)
-    return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.own.orbit.end.shape.h_x(),
-                            found.ratio);
+  if (place == spike_pressure.place || place == largest_pressure.place) {
+    const std::optional<double>&own = fine.values[place], &other = coarse.values[place];
+    if (!own || !other) return {};
+    if (place == spike_pressure.place) return estimate_spike(*own, *other, ratio);
+    return estimate_largest(with_spike(*own, fine), with_spike(*other, coarse), found.own.orbit.end.shape.h_x(), ratio);
+  }
   const bool smallest = quantity.of_contact && quantity.source == smallest_film.place;
-  const Estimate bar = smallest ? estimate_smallest(*own, *other, found.ratio) : estimate(*own, *other, found.ratio);
+  const std::optional<Estimate> bar = estimate_of(place, found.own, *found.coarse, [&](double own, double other) {
+    return smallest ? estimate_smallest(own, other, ratio) : estimate(own, other, ratio);
+  });
+  if (!bar) return {};
   const double least = is_force(quantity) ? left_out : smallest ? least_bars.smallest : least_bars.central;
-  return with_least_bar(bar, least, found.discretisation);
+  return with_least_bar(*bar, least, found.discretisation);
 }
 
 /// Value, error in space and time, and limit of the quantity at that place, dimensionless; nothing where an orbit has
@@ -62,10 +84,9 @@ std::optional<Estimate> error_in_space(std::size_t place, const FoundOrbit& foun
 std::optional<Estimate> error_of(std::size_t place, const FoundOrbit& found) {
   const std::optional<Estimate> bar = error_in_space(place, found);
   if (!bar || !found.longer_step) return bar;
-  const std::optional<double>&coarse = found.coarse->quantities.values[place],
-        &longer = found.longer_step->quantities.values[place];
-  if (!longer) return {};
-  return with_error_in_time(*bar, *coarse, *longer);
+  const std::optional<Estimate> in_time = estimate_of(place, *found.coarse, *found.longer_step, estimate_in_time);
+  if (!in_time) return {};
+  return with_error_in_time(*bar, *in_time);
 }
 
 std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
@@ -74,7 +95,7 @@ std::optional<Estimate> error_of_swing(const FoundOrbit& found) {
   const Estimate bar = with_least_bar(estimate(found.own.transmission_error.peak_to_peak, coarse, found.ratio),
                                       left_out, found.discretisation);
   if (!found.longer_step) return bar;
-  return with_error_in_time(bar, coarse, found.longer_step->transmission_error.peak_to_peak);
+  return with_error_in_time(bar, estimate_in_time(coarse, found.longer_step->transmission_error.peak_to_peak));
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// Films near the pitch point in a motion that repeats after one mesh period. A pair that swings fast changes its films
+// by as much as their half within a swing: where two grids have other phases of it, or other waves of film, a
+// difference at the pitch point may be small by chance. The largest one within a quarter of a swing is not.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dynamics/step_record.hpp"
+
+namespace gearfilm {
+
+/// A contact at a step.
+struct PitchFilm {
+  double time = 0.0;  ///< since it passed the pitch point, negative before
+  ContactQuantities quantities;
+};
+
+/// Records the contacts that pass the pitch point within a quarter of a free swing; none of bodies in balance, or in
+/// motions that repeat after more than one mesh period.
+class PitchFilmRecorder {
+public:
+  explicit PitchFilmRecorder(const MeshModel& mesh);
+
+  void add(const StepRecord& record);
+  /// Of the steps that end in the time, by time since the pitch point.
+  std::vector<PitchFilm> within(double T_begin, double T_end) const;
+
+private:
+  struct Recorded {
+    double T = 0.0;
+    PitchFilm film;
+  };
+  const MeshModel& mesh_;
+  double reach_ = 0.0;
+  std::vector<Recorded> recorded_;
+};
+
+/// Of a quantity of contacts (its place in contact_quantities), the other films' value over the films' less one, where
+/// that is largest; nothing where they have no time in common.
+std::optional<double> largest_relative_change(const std::vector<PitchFilm>& films, const std::vector<PitchFilm>& other,
+                                              std::size_t quantity);
+
+}  // namespace gearfilm
