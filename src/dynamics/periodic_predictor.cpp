@@ -16,7 +16,18 @@ constexpr int places = 1'000'000;        // in a mesh period, that are told apar
 constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
 constexpr double oldest = 1.5;           // mesh periods
 constexpr double most_pressures = 32e6;  // on all processes
-constexpr double largest = 32767.0;      // multiple of a unit
+constexpr double largest_code = 8191.0;
+
+/// A miss, over the largest one, as a whole number: by its fourth root, since where the film is thick and oil flows
+/// freely the smallest pressures count.
+std::int16_t code_of(double part) {
+  return static_cast<std::int16_t>(std::copysign(std::sqrt(std::sqrt(std::abs(part))) * largest_code + 0.5, part));
+}
+
+double part_of(std::int16_t code) {
+  const double root = code / largest_code;
+  return root * root * root * std::abs(root);
+}
 
 int place_of(const MeshModel& mesh, double T) {
   const double periods = mesh.path.mesh_periods(T);
@@ -38,7 +49,7 @@ PeriodicPredictor::PeriodicPredictor(ValueReader values)
     PredictorError& miss = errors_[static_cast<int>(values.value())];
     miss.recorded_at = values.value();
     miss.motion = values.motion();
-    miss.unit = values.value();
+    miss.largest = values.value();
     miss.count = values.count();
     miss.pressures.resize(values.count());
     std::memcpy(miss.pressures.data(), values.values(values_for(miss.pressures.size())).data(), miss.pressures.size());
@@ -57,7 +68,7 @@ void PeriodicPredictor::append_to(std::vector<double>& values) const {
     values.insert(values.end(), {static_cast<double>(place), miss.recorded_at});
     append(values, miss.motion);
     const std::size_t bytes = miss.pressures.size();
-    values.insert(values.end(), {miss.unit, static_cast<double>(miss.count), static_cast<double>(bytes)});
+    values.insert(values.end(), {miss.largest, static_cast<double>(miss.count), static_cast<double>(bytes)});
     const std::size_t begin = values.size();
     values.resize(begin + values_for(bytes));
     std::memcpy(values.data() + begin, miss.pressures.data(), bytes);
@@ -86,7 +97,8 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
   {
     const std::vector<std::int16_t> missed = unpacked(miss->pressures, miss->count);
     const VecWriting values(guess);
-    for (std::size_t n = 0; n < guessed_.size(); ++n) values[n] = std::max(0.0, guessed_[n] + miss->unit * missed[n]);
+    for (std::size_t n = 0; n < guessed_.size(); ++n)
+      values[n] = std::max(0.0, guessed_[n] + miss->largest * part_of(missed[n]));
   }
   pair.set_motion(guess, moved(guessed_motion_, 1.0, miss->motion));
 }
@@ -106,8 +118,9 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   if (before) {
     const std::vector<std::int16_t> last = unpacked(before->pressures, before->count);
     squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
-               std::transform_reduce(missed.begin(), missed.end(), last.begin(), 0.0, std::plus(),
-                                     [&](double now, std::int16_t then) { return square(now - before->unit * then); })};
+               std::transform_reduce(
+                   missed.begin(), missed.end(), last.begin(), 0.0, std::plus(),
+                   [&](double now, std::int16_t then) { return square(now - before->largest * part_of(then)); })};
   }
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
   trusted_ = squares[1] < helpful * squares[0];
@@ -116,18 +129,18 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   const Grid& grid = pair.system().grid();
   const double pressures = 1.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
   if (!before && static_cast<double>(errors_.size() + 1) * pressures > most_pressures) return;
-  // One unit for all processes: any number of them makes the same guesses.
-  double most = std::transform_reduce(
+  // The largest of all processes: any number of them makes the same guesses.
+  double largest = std::transform_reduce(
       missed.begin(), missed.end(), 0.0, [](double a, double b) { return std::max(a, b); },
       [](double value) { return std::abs(value); });
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, pair.system().comm());
-  const double unit = most > 0.0 ? most / largest : 1.0;
-  std::vector<std::int16_t> multiples(missed.size());
-  std::ranges::transform(missed, multiples.begin(), [inverse = 1.0 / unit](double value) {
-    return static_cast<std::int16_t>(value * inverse + std::copysign(0.5, value));
-  });
-  errors_[place_of(mesh, T)] = {marched_, difference(pair.motion(solved), guessed_motion_), unit, missed.size(),
-                                packed(multiples)};
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, pair.system().comm());
+  std::vector<std::int16_t> codes(missed.size());
+  if (largest > 0.0) {
+    std::ranges::transform(missed, codes.begin(),
+                           [inverse = 1.0 / largest](double value) { return code_of(value * inverse); });
+  }
+  errors_[place_of(mesh, T)] = {marched_, difference(pair.motion(solved), guessed_motion_), largest, missed.size(),
+                                packed(codes)};
 }
 
 }  // namespace gearfilm

@@ -38,7 +38,7 @@ double finer_for_forces(const CaseInput& problem) {
 /// By how much lines are finer there, and, up to a limit, steps in time once more: swings send waves of film with steep
 /// fronts through the contact.
 double finer_for_waves(const CaseInput& problem) {
-  constexpr double few_swings = 12.0, most = 4.0 / 3.0;
+  constexpr double few_swings = 12.0, most = 1.5;
   return std::clamp(std::sqrt(number_of_swings(problem) / few_swings), 1.0, most);
 }
 
