@@ -16,18 +16,28 @@ constexpr int places = 1'000'000;        // in a mesh period, that are told apar
 constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
 constexpr double oldest = 1.5;           // mesh periods
 constexpr double most_pressures = 32e6;  // on all processes
-constexpr double largest_code = 8191.0;
+constexpr double many_nodes = 25e3;      // of a grid
 
 /// A miss, over the largest one, as a whole number: by its fourth root, since where the film is thick and oil flows
-/// freely the smallest pressures count.
-std::int16_t code_of(double part) {
-  return static_cast<std::int16_t>(std::copysign(std::sqrt(std::sqrt(std::abs(part))) * largest_code + 0.5, part));
-}
+/// freely the smallest pressures count. On grids of many nodes, where that takes too much memory, by the part itself.
+class MissCode {
+public:
+  explicit MissCode(const Grid& grid) : by_root_(1.0 * grid.nx() * grid.rows() < many_nodes) {}
 
-double part_of(std::int16_t code) {
-  const double root = code / largest_code;
-  return root * root * root * std::abs(root);
-}
+  std::int16_t code(double part) const {
+    const double size = by_root_ ? std::sqrt(std::sqrt(std::abs(part))) * largest_root : std::abs(part) * largest_part;
+    return static_cast<std::int16_t>(std::copysign(size + 0.5, part));
+  }
+  double part(std::int16_t code) const {
+    if (!by_root_) return code / largest_part;
+    const double root = code / largest_root;
+    return root * root * root * std::abs(root);
+  }
+
+private:
+  static constexpr double largest_root = 8191.0, largest_part = 32767.0;
+  bool by_root_;
+};
 
 int place_of(const MeshModel& mesh, double T) {
   const double periods = mesh.path.mesh_periods(T);
@@ -95,10 +105,11 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
   const PredictorError* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
   if (!miss) return;
   {
+    const MissCode code(pair.system().grid());
     const std::vector<std::int16_t> missed = unpacked(miss->pressures, miss->count);
     const VecWriting values(guess);
     for (std::size_t n = 0; n < guessed_.size(); ++n)
-      values[n] = std::max(0.0, guessed_[n] + miss->largest * part_of(missed[n]));
+      values[n] = std::max(0.0, guessed_[n] + miss->largest * code.part(missed[n]));
   }
   pair.set_motion(guess, moved(guessed_motion_, 1.0, miss->motion));
 }
@@ -109,6 +120,8 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   if (guessed_.empty() || guessed_at_ != T) return;
   std::vector<double> missed;
   std::swap(missed, guessed_);
+  const Grid& grid = pair.system().grid();
+  const MissCode code(grid);
   const VecReading values(solved);
   std::ranges::transform(pressures_of(pair, values), missed, missed.begin(), std::minus());
 
@@ -120,13 +133,12 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
     squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
                std::transform_reduce(
                    missed.begin(), missed.end(), last.begin(), 0.0, std::plus(),
-                   [&](double now, std::int16_t then) { return square(now - before->largest * part_of(then)); })};
+                   [&](double now, std::int16_t then) { return square(now - before->largest * code.part(then)); })};
   }
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
   trusted_ = squares[1] < helpful * squares[0];
 
   std::erase_if(errors_, [&](const auto& entry) { return entry.second.recorded_at < marched_ - oldest; });
-  const Grid& grid = pair.system().grid();
   const double pressures = 1.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
   if (!before && static_cast<double>(errors_.size() + 1) * pressures > most_pressures) return;
   // The largest of all processes: any number of them makes the same guesses.
@@ -137,7 +149,7 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   std::vector<std::int16_t> codes(missed.size());
   if (largest > 0.0) {
     std::ranges::transform(missed, codes.begin(),
-                           [inverse = 1.0 / largest](double value) { return code_of(value * inverse); });
+                           [&code, inverse = 1.0 / largest](double value) { return code.code(value * inverse); });
   }
   errors_[place_of(mesh, T)] = {marched_, difference(pair.motion(solved), guessed_motion_), largest, missed.size(),
                                 packed(codes)};

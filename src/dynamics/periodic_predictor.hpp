@@ -8,7 +8,8 @@
 // g: the stepper's own guess; m: what its own guess missed at this step a mesh period ago; e' and m': what it missed at
 // the step before this one, and a mesh period before that. That is the state a mesh period ago and the extrapolated
 // difference from it, for as long as the past is a guide. Guesses decide how soon a step converges, not to what:
-// pressures are kept to three digits, and one that missed by 1e-8 of the largest miss still to a fortieth.
+// misses are kept to three digits, and one of 1e-8 of the largest still to a fortieth; on grids of many nodes to 2e-5
+// of the largest.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +38,7 @@ private:
   struct PredictorError {
     double recorded_at = 0.0;  ///< mesh periods marched until then
     Motion motion;
-    // The pressures of all contacts, by the fourth root of their part of the largest.
+    // The pressures of all contacts, as codes of their parts of the largest.
     double largest = 0.0;
     std::size_t count = 0;
     std::vector<std::uint8_t> pressures;  ///< packed
