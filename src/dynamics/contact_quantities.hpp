@@ -102,13 +102,14 @@ inline constexpr auto contact_quantities = std::to_array<Quantity<QuantityInputs
      quantity::of_film<&FilmQuantities::central_film>(
          "h_central", "h", units::metre, "film thickness at x = y = 0", RequiredModel::film,
          Reduced{"pitch_h_central", Reduction::at_pitch, units::metre,
-                 "central film as a contact passes the pitch point"},
+                 "central film at the step nearest to the pitch point"},
          Reduced{"entry_h_central", Reduction::at_entry, units::metre,
                  "central film at the first step after a contact entered"}),
      quantity::of_film<&FilmQuantities::smallest_film>(
          "h_min", "h", units::metre, "smallest film thickness", RequiredModel::film,
          Reduced{"h_min", Reduction::smallest, units::metre, "smallest film thickness", ShownIn::everywhere},
-         Reduced{"pitch_h_min", Reduction::at_pitch, units::metre, "smallest film as a contact passes the pitch point"},
+         Reduced{"pitch_h_min", Reduction::at_pitch, units::metre,
+                 "smallest film at the step nearest to the pitch point"},
          Reduced{"entry_h_min", Reduction::at_entry, units::metre,
                  "smallest film at the first step after a contact entered"}),
      quantity::of<QuantityInputs>(hertz_pressure_of, "p_hertz", "p_h", units::pascal,

@@ -9,15 +9,8 @@ namespace {
 /// Where a contact is, for the reductions that ask for it.
 struct Moments {
   bool nearest_pitch = false;
-  double at_pitch = 0.0;  ///< the value there, or where the contact has come nearest to it
   bool entered = false;
 };
-
-/// A contact that passes the pitch point within a step: the part of the step before it does.
-std::optional<double> part_before_pitch(double position_before, double position) {
-  if (position_before * position >= 0.0) return {};
-  return position_before / (position_before - position);
-}
 
 /// Whether a reduction takes a record: that of an event, which takes no time, counts among extremes only.
 bool counts(const StepRecord& record, Reduction reduction) {
@@ -36,7 +29,7 @@ std::optional<double> reduced(const std::optional<double>& kept, Reduction reduc
     case Reduction::steps:
       return kept.value_or(0.0) + 1.0;
     case Reduction::at_pitch:
-      return moments.nearest_pitch ? moments.at_pitch : kept;
+      return moments.nearest_pitch ? value : kept;
     case Reduction::at_entry:
       return moments.entered ? value : kept;
     default:  // last; means are those of steps only: add_to_mean
@@ -56,14 +49,13 @@ double value_in(const StepRecord& record, const PeriodQuantity& quantity) {
 
 void MarchStatistics::add(const StepRecord& record, const AvailableModels& given) {
   // A film that enters is that of its place at once where the bodies are in balance.
-  const bool is_event = record.dT == 0.0 && !before_.empty() && !periods_.empty();
+  const bool is_event = record.dT == 0.0 && !present_.empty() && !periods_.empty();
   add_events(record);
   add_loss(record);
   if (record.dT > 0.0 || (is_event && !given.inertia)) add_to_period(record, given);
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     if (period_quantities[n].reduction == Reduction::mean) last_[n] = value_in(record, period_quantities[n]);
   }
-  before_ = record.contacts;
 }
 
 void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t quantity, double value, double dT) {
@@ -72,19 +64,21 @@ void MarchStatistics::add_to_mean(std::optional<double>& mean, std::size_t quant
 }
 
 void MarchStatistics::add_events(const StepRecord& record) {
-  const auto missing_in = [](const std::vector<ContactRecord>& list, const ContactRecord& contact) {
-    return std::ranges::find(list, contact.number, &ContactRecord::number) == list.end();
+  std::vector<int> contacts;
+  for (const ContactRecord& contact : record.contacts) contacts.push_back(contact.number);
+  const auto missing_in = [](const std::vector<int>& list, int contact) {
+    return std::find(list.begin(), list.end(), contact) == list.end();
   };
-  for (const ContactRecord& contact : before_) {
-    if (!missing_in(record.contacts, contact)) continue;
-    events_.push_back({MeshEvent::Kind::exit, contact.number, record.T, record.motion});
+  const bool first = present_.empty();
+  for (int contact : present_) {
+    if (missing_in(contacts, contact)) events_.push_back({MeshEvent::Kind::exit, contact, record.T, record.motion});
   }
-  if (before_.empty()) return;
-  for (const ContactRecord& contact : record.contacts) {
-    if (!missing_in(before_, contact)) continue;
-    events_.push_back({MeshEvent::Kind::entry, contact.number, record.T, record.motion});
-    entered_ = contact.number;
+  for (int contact : contacts) {
+    if (first || !missing_in(present_, contact)) continue;
+    events_.push_back({MeshEvent::Kind::entry, contact, record.T, record.motion});
+    entered_ = contact;
   }
+  present_ = std::move(contacts);
 }
 
 void MarchStatistics::add_loss(const StepRecord& record) {
@@ -131,21 +125,15 @@ void MarchStatistics::add_to_period(const StepRecord& record, const AvailableMod
 void MarchStatistics::add_contact(const StepRecord& record, const ContactRecord& contact, const AvailableModels& given,
                                   PeriodQuantities& period) {
   const bool is_step = record.dT > 0.0;
-  const auto before = std::ranges::find(before_, contact.number, &ContactRecord::number);
-  const std::optional<double> part =
-      before != before_.end() ? part_before_pitch(before->position, contact.position) : std::nullopt;
-  const double distance = part ? 0.0 : std::abs(contact.position);
-  Moments moments{.nearest_pitch = is_step && distance < pitch_distance_,
-                  .entered = is_step && entered_ == contact.number};
-  if (moments.nearest_pitch) pitch_distance_ = distance;
+  const Moments moments{is_step && std::abs(contact.position) < pitch_distance_, is_step && entered_ == contact.number};
+  if (moments.nearest_pitch) pitch_distance_ = std::abs(contact.position);
   if (moments.entered) entered_.reset();
   for (std::size_t n = 0; n < period_quantities.size(); ++n) {
     const PeriodQuantity& quantity = period_quantities[n];
     if (!quantity.of_contact || quantity.reduction == Reduction::mean) continue;
     if (!given.has(quantity.needs) || !counts(record, quantity.reduction)) continue;
-    const double value = contact.quantities.values[quantity.source];
-    moments.at_pitch = part ? std::lerp(before->quantities.values[quantity.source], value, *part) : value;
-    period.values[n] = reduced(period.values[n], quantity.reduction, value, moments);
+    period.values[n] =
+        reduced(period.values[n], quantity.reduction, contact.quantities.values[quantity.source], moments);
   }
 }
 

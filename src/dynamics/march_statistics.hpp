@@ -61,10 +61,10 @@ private:
   std::vector<ContactLoss> losses_;
   std::array<double, period_quantities.size()> last_{};  ///< of means, at the last record
   double elapsed_ = 0.0;                                 ///< of the present period, before the last step
-  std::vector<ContactRecord> before_;                    ///< of the last record
+  std::vector<int> present_;                             ///< contacts of the last record
   bool lost_ = false;
   std::optional<int> entered_;   ///< contact whose first step is still to come
-  double pitch_distance_ = 0.0;  ///< least |xi| of a contact in the present period, zero where one passed it [m]
+  double pitch_distance_ = 0.0;  ///< |xi| of the nearest contact of the present period so far [m]
 };
 
 }  // namespace gearfilm

@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "dynamics/miss_code.hpp"
 #include "dynamics/packed_integers.hpp"
 
 namespace gearfilm {
@@ -16,33 +17,13 @@ constexpr int places = 1'000'000;        // in a mesh period, that are told apar
 constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
 constexpr double oldest = 1.5;           // mesh periods
 constexpr double most_pressures = 32e6;  // on all processes
-constexpr double many_nodes = 25e3;      // of a grid
-
-/// A miss, over the largest one, as a whole number: by its fourth root, since where the film is thick and oil flows
-/// freely the smallest pressures count. On grids of many nodes, where that takes too much memory, by the part itself.
-class MissCode {
-public:
-  explicit MissCode(const Grid& grid) : by_root_(1.0 * grid.nx() * grid.rows() < many_nodes) {}
-
-  std::int16_t code(double part) const {
-    const double size = by_root_ ? std::sqrt(std::sqrt(std::abs(part))) * largest_root : std::abs(part) * largest_part;
-    return static_cast<std::int16_t>(std::copysign(size + 0.5, part));
-  }
-  double part(std::int16_t code) const {
-    if (!by_root_) return code / largest_part;
-    const double root = code / largest_root;
-    return root * root * root * std::abs(root);
-  }
-
-private:
-  static constexpr double largest_root = 8191.0, largest_part = 32767.0;
-  bool by_root_;
-};
 
 int place_of(const MeshModel& mesh, double T) {
   const double periods = mesh.path.mesh_periods(T);
   return static_cast<int>(std::lround((periods - std::floor(periods)) * places)) % places;
 }
+
+double nodes_of(const Grid& grid) { return 1.0 * grid.nx() * grid.rows(); }
 
 std::span<const double> pressures_of(const LubricatedPair& pair, const VecReading& state) {
   return state.values().first(static_cast<std::size_t>(pair.system().pressure_count()));
@@ -105,7 +86,7 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
   const PredictorError* miss = trusted_ ? last_time(pair.mesh(), T, guessed_.size()) : nullptr;
   if (!miss) return;
   {
-    const MissCode code(pair.system().grid());
+    const MissCode code(nodes_of(pair.system().grid()));
     const std::vector<std::int16_t> missed = unpacked(miss->pressures, miss->count);
     const VecWriting values(guess);
     for (std::size_t n = 0; n < guessed_.size(); ++n)
@@ -120,8 +101,8 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   if (guessed_.empty() || guessed_at_ != T) return;
   std::vector<double> missed;
   std::swap(missed, guessed_);
-  const Grid& grid = pair.system().grid();
-  const MissCode code(grid);
+  const double nodes = nodes_of(pair.system().grid());
+  const MissCode code(nodes);
   const VecReading values(solved);
   std::ranges::transform(pressures_of(pair, values), missed, missed.begin(), std::minus());
 
@@ -139,7 +120,7 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   trusted_ = squares[1] < helpful * squares[0];
 
   std::erase_if(errors_, [&](const auto& entry) { return entry.second.recorded_at < marched_ - oldest; });
-  const double pressures = 1.0 * grid.nx() * grid.rows() * static_cast<double>(pair.numbers().size());
+  const double pressures = nodes * static_cast<double>(pair.numbers().size());
   if (!before && static_cast<double>(errors_.size() + 1) * pressures > most_pressures) return;
   // The largest of all processes: any number of them makes the same guesses.
   double largest = std::transform_reduce(

@@ -42,9 +42,8 @@ inline constexpr Unit velocity{
     "m/s", [](const Scales& scales, double value) { return scales.operation.entrainment_velocity * value; }};
 }  // namespace units
 
-/// How the values of a quantity in a mesh period become one number. last: the value at the end; at_pitch: where
-/// a contact first passes xi = 0, between two steps, or comes nearest to it; at_entry: at the first step after the last
-/// entry; mean: in time, of the sum over contacts.
+/// How the values of a quantity in a mesh period become one number. last: the value at the end; at_pitch: at the step
+/// nearest xi = 0; at_entry: at the first step after the last entry; mean: in time, of the sum over contacts.
 enum class Reduction { largest, smallest, sum, steps, last, at_pitch, at_entry, mean };
 
 /// Where the quantity of a mesh period is shown besides: nowhere, in the summary of a march over all its periods, in

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "orbits/orbit_errors.hpp"
 #include "pair_case.hpp"
 
 namespace gearfilm {
@@ -59,6 +61,21 @@ TEST(PitchFilms, of_other_phases_differ_by_more_than_at_the_pitch_point) {
                                               swinging_films(mesh, 0.1, phase - 0.1, 400), central_film.place);
   ASSERT_TRUE(change);
   EXPECT_NEAR(std::abs(*change), 0.2 * 0.1, 2e-3);  // at the pitch point both have 1 + 0.1 cos(0.1)
+}
+
+TEST(PitchFilms, make_the_error_bar_of_orbits_whose_films_at_the_pitch_point_are_equal) {
+  const MeshModel mesh = mesh_of(table3_case());
+  FoundOrbit found{.discretisation = FilmDiscretisation::central};
+  found.own.quantities.values[PeriodQuantityName("pitch_h_central").place] = 1.0;
+  found.own.pitch_films = swinging_films(mesh, 0.1, 0.0, 400);
+  found.coarse = found.own;
+  const auto error = [&found] {
+    const std::vector<OrbitError> errors = errors_of(found);
+    return std::ranges::find(errors, "pitch_h_central", &OrbitError::name)->bar.value().error;
+  };
+  EXPECT_EQ(error(), 0.0);
+  found.coarse->pitch_films = swinging_films(mesh, 0.12, 0.0, 200);
+  EXPECT_NEAR(error(), 0.02 / 0.9 / 3.0, 2e-4);
 }
 
 TEST(PitchFilms, are_none_of_bodies_without_inertia) {

@@ -96,20 +96,13 @@ TEST(MarchStatistics, extremes_are_kept_by_contact_and_of_the_sum) {
   EXPECT_DOUBLE_EQ(second["h_min"].value(), 6.3);
 }
 
-TEST(MarchStatistics, pitch_film_is_that_between_two_steps_where_a_contact_first_passes_the_pitch_point) {
+TEST(MarchStatistics, pitch_film_is_the_one_nearest_the_pitch_point_in_its_period) {
   const MarchStatistics statistics =
       statistics_of({step(0.25, 0.25, {contact(0, -0.3, 10.0, 1.0)}), step(0.5, 0.25, {contact(0, -0.05, 10.0, 2.0)}),
                      step(0.75, 0.25, {contact(0, 0.2, 5.0, 3.0), contact(1, -0.8, 5.0, 4.0)}),
-                     step(1.0, 0.25, {contact(0, 0.4, 5.0, 9.0), contact(1, 0.0, 5.0, 9.0)})});
-  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["pitch_h_central"].value(), 2.2);
-  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["pitch_h_min"].value(), 0.9 * 2.2);
-}
-
-TEST(MarchStatistics, pitch_film_of_a_period_in_which_none_passes_is_the_nearest) {
-  const MarchStatistics statistics =
-      statistics_of({step(0.75, 0.75, {contact(0, 0.2, 5.0, 3.0), contact(1, -0.8, 5.0, 4.0)}),
-                     step(1.25, 0.5, {contact(0, 0.7, 5.0, 5.0), contact(1, -0.3, 5.0, 6.0)})});
-  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["pitch_h_central"].value(), 3.0);
+                     step(1.25, 0.50, {contact(0, 0.7, 5.0, 5.0), contact(1, -0.3, 5.0, 6.0)})});
+  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["pitch_h_central"].value(), 2.0);
+  EXPECT_DOUBLE_EQ(statistics.periods().at(0)["pitch_h_min"].value(), 1.8);
   EXPECT_DOUBLE_EQ(statistics.periods().at(1)["pitch_h_central"].value(), 6.0);
 }
 
