@@ -5,8 +5,10 @@
 
 namespace gearfilm {
 
-PitchFilmRecorder::PitchFilmRecorder(const MeshModel& mesh)
-    : mesh_(mesh), reach_(mesh.inertia > 0.0 && mesh.periods() == 1 ? 0.25 / mesh.frequency() : 0.0) {}
+PitchFilmRecorder::PitchFilmRecorder(const MeshModel& mesh) : mesh_(mesh) {
+  if (mesh.inertia > 0.0 && mesh.periods() == 1)
+    reach_ = std::min(0.25 / mesh.frequency(), mesh.path.mesh_period() / 40.0);
+}
 
 void PitchFilmRecorder::add(const StepRecord& record) {
   if (record.dT == 0.0) return;

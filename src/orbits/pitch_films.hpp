@@ -1,6 +1,7 @@
 // Films near the pitch point in a motion that repeats after one mesh period. A pair that swings fast changes its films
 // by as much as their half within a swing: where two grids have other phases of it, or other waves of film, a
-// difference at the pitch point may be small by chance. The largest one within a quarter of a swing is not.
+// difference at the pitch point may be small by chance. The largest one within a quarter of a swing is not. Of pairs
+// that swing less than ten times in a mesh period a fortieth of it counts, in which nothing else changes films.
 #pragma once
 
 #include <optional>
@@ -16,8 +17,8 @@ struct PitchFilm {
   ContactQuantities quantities;
 };
 
-/// Records the contacts that pass the pitch point within a quarter of a free swing; none of bodies in balance, or in
-/// motions that repeat after more than one mesh period.
+/// Records contacts within that time of the pitch point; none of bodies in balance, or in motions that repeat after
+/// more than one mesh period.
 class PitchFilmRecorder {
 public:
   explicit PitchFilmRecorder(const MeshModel& mesh);

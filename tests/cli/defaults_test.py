@@ -111,7 +111,7 @@ class Defaults(ProgramTest):
                     self.assertIn(name, {"p_max", "p_spike_max"})
                     continue
                 off = abs(found[name + "_extrapolated"] - found[name])
-                if name == "p_max":
+                if name == "p_max" or name.startswith("pitch_"):  # the film's largest difference near that point
                     self.assertGreaterEqual(found[name + "_error"], off)
                     continue
                 factor = 1.5 if name in {"h_min", "pitch_h_min", "entry_h_min"} else 1  # slower than second order

@@ -67,8 +67,8 @@ class Installed(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             return output_of([*launcher, program, *arguments], env=environment_of(processes, scratch), cwd=self.folder)
 
-    def result_of(self, command, case, *options):
-        run = Run([command, case, *options, "-output_dir", "own"], 1, self.folder)
+    def result_of(self, command, case, *options, processes=1):
+        run = Run([command, case, *options, "-output_dir", "own"], processes, self.folder)
         self.assertEqual(run.status, 0, run)
         return summary_in(self.folder / "own")
 
@@ -84,7 +84,7 @@ class Installed(unittest.TestCase):
         self.assertLessEqual(max(line), 1e-9 * expected["p_max"] * (1 + SAME) + 1e-4)
         self.assertGreater(max(line), 0.85e-9 * expected["p_max"])
 
-    def assert_own_result(self, text):
+    def assert_own_result(self, text, processes):
         """A pair, a figure and a field that are not the program's, beside results that are the program's."""
         values = re.findall(r'\{"(\w+)\.(\w+)", "([^"]+)"\}', (SOURCE / "docs/examples/own_result.cpp").read_text(encoding="utf-8"))
         values += [(gear, key, value) for gear in ("pinion", "wheel")
@@ -93,7 +93,7 @@ class Installed(unittest.TestCase):
         sections = dict.fromkeys(section for section, _, _ in values)
         case.write_text("".join(f"{section}:\n" + "".join(f"  {key}: {value}\n" for name, key, value in values if name == section)
                                 for section in sections), encoding="utf-8")
-        periodic, steady = self.result_of("periodic", case), self.result_of("steady", case)
+        periodic, steady = self.result_of("periodic", case, processes=processes), self.result_of("steady", case)
         folder = self.folder / "output/own_pair"
         summary = summary_in(folder)
         self.assertAlmostEqual(summary["floquet_modulus"], periodic["floquet_modulus"], delta=periodic["floquet_modulus_error"])
@@ -123,7 +123,8 @@ class Installed(unittest.TestCase):
                 text = self.run_example(self.folder / "build/observed_march", BARBIERI, *SHORT, processes=processes)
                 self.assert_same(text, "h_min", 1e6 * march["h_min"])
                 self.assertGreater(int(text.split()[0]), 30)
-                self.assert_own_result(self.run_example(self.folder / "build/own_result", processes=processes))
+                text = self.run_example(self.folder / "build/own_result", processes=processes)
+                self.assert_own_result(text, processes)
 
     def test_examples_with_pkg_config(self):
         flags = self.flags("--cflags", "--libs")
