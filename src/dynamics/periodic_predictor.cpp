@@ -90,7 +90,7 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
     const std::vector<std::int16_t> missed = unpacked(miss->pressures, miss->count);
     const VecWriting values(guess);
     for (std::size_t n = 0; n < guessed_.size(); ++n)
-      values[n] = std::max(0.0, guessed_[n] + miss->largest * code.part(missed[n]));
+      values[n] = std::max(0.0, guessed_[n] + miss->largest * code.decoded(missed[n]));
   }
   pair.set_motion(guess, moved(guessed_motion_, 1.0, miss->motion));
 }
@@ -114,7 +114,7 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
     squares = {std::transform_reduce(missed.begin(), missed.end(), 0.0, std::plus(), square),
                std::transform_reduce(
                    missed.begin(), missed.end(), last.begin(), 0.0, std::plus(),
-                   [&](double now, std::int16_t then) { return square(now - before->largest * code.part(then)); })};
+                   [&](double now, std::int16_t then) { return square(now - before->largest * code.decoded(then)); })};
   }
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
   trusted_ = squares[1] < helpful * squares[0];
@@ -130,7 +130,7 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   std::vector<std::int16_t> codes(missed.size());
   if (largest > 0.0) {
     std::ranges::transform(missed, codes.begin(),
-                           [&code, inverse = 1.0 / largest](double value) { return code.code(value * inverse); });
+                           [&code, inverse = 1.0 / largest](double value) { return code.encoded(value * inverse); });
   }
   errors_[place_of(mesh, T)] = {marched_, difference(pair.motion(solved), guessed_motion_), largest, missed.size(),
                                 packed(codes)};

@@ -17,14 +17,14 @@ struct PitchFilm {
   ContactQuantities quantities;
 };
 
-/// Records contacts within that time of the pitch point; none of bodies in balance, or in motions that repeat after
-/// more than one mesh period.
+/// Records contacts at every step from a quarter of a free swing (at most a fortieth of a mesh period) before the pitch
+/// point to as long behind it; none of bodies in balance, or in motions that repeat after more than one mesh period.
 class PitchFilmRecorder {
 public:
   explicit PitchFilmRecorder(const MeshModel& mesh);
 
   void add(const StepRecord& record);
-  /// Of the steps that end in the time, by time since the pitch point.
+  /// The contacts of steps that end in (T_begin, T_end], sorted by the time since they passed the pitch point.
   std::vector<PitchFilm> within(double T_begin, double T_end) const;
 
 private:
@@ -37,8 +37,9 @@ private:
   std::vector<Recorded> recorded_;
 };
 
-/// Of a quantity of contacts (its place in contact_quantities), the other films' value over the films' less one, where
-/// that is largest; nothing where they have no time in common.
+/// The relative change, other/films - 1, from the films of one motion to those of another at the same time since the
+/// pitch point, with its sign, where its size is largest; of the quantity at this place in contact_quantities. Nothing
+/// where both have no time in common.
 std::optional<double> largest_relative_change(const std::vector<PitchFilm>& films, const std::vector<PitchFilm>& other,
                                               std::size_t quantity);
 

@@ -101,13 +101,13 @@ TEST(Guesses, are_what_they_were_after_being_kept) {
 TEST(MissCode, keeps_small_parts_as_exactly_as_large_ones_but_on_grids_of_many_nodes) {
   const MissCode few(1000.0), many(MissCode::many_nodes);
   for (const double part : {1.0, -0.37, 0.01, -1e-4, 1e-6, 1e-8}) {
-    EXPECT_NEAR(few.part(few.code(part)) / part, 1.0, 2.5e-4 / std::pow(std::abs(part), 0.25)) << part;
-    EXPECT_NEAR(many.part(many.code(part)), part, 1.6e-5) << part;
+    EXPECT_NEAR(few.decoded(few.encoded(part)) / part, 1.0, 2.5e-4 / std::pow(std::abs(part), 0.25)) << part;
+    EXPECT_NEAR(many.decoded(many.encoded(part)), part, 1.6e-5) << part;
   }
   for (const MissCode& code : {few, many}) {
-    EXPECT_EQ(code.part(code.code(0.0)), 0.0);
-    EXPECT_EQ(code.part(code.code(1.0)), 1.0);
-    EXPECT_EQ(code.part(code.code(-1.0)), -1.0);
+    EXPECT_EQ(code.decoded(code.encoded(0.0)), 0.0);
+    EXPECT_EQ(code.decoded(code.encoded(1.0)), 1.0);
+    EXPECT_EQ(code.decoded(code.encoded(-1.0)), -1.0);
   }
 }
 
