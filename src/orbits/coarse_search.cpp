@@ -157,13 +157,15 @@ DescribedOrbit CoarseSearch::with_decay(DescribedOrbit run) {
 
 // Damping as wrong as the central film would be: what the map has wrong besides, the search finds out.
 OrbitGuess CoarseSearch::guess_from(const DescribedOrbit& run) const {
-  const PeriodicOrbit& orbit = run.orbit;
-  const auto serves = [&](const FreeDecay& decay) {
-    const double modulus = largest_modulus(decay.multipliers);
-    const double of_damping = modulus * std::log(modulus) * film_errors(problem()).central;
-    return std::hypot(decay.fit_error, of_damping) < well_known;
-  };
-  return {orbit.end.motion, run.decay && serves(*run.decay) ? run.decay->map : orbit.monodromy, orbit.end};
+  OrbitGuess guess{run.orbit.end.motion, run.orbit.monodromy, run.orbit.end};
+  if (!run.decay) return guess;
+  const double modulus = largest_modulus(run.decay->multipliers);
+  const double of_damping = modulus * std::log(modulus) * film_errors(problem()).central;
+  if (std::hypot(run.decay->fit_error, of_damping) < well_known) {
+    guess.monodromy = run.decay->map;
+    guess.lead_map = run.decay->lead_map;
+  }
+  return guess;
 }
 
 double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const SharedDiscretisation& films) {
@@ -182,7 +184,6 @@ OrbitGuess guess_on_grid(const OrbitProblem& problem, const SharedDiscretisation
   guess.neighbour = refined(*coarse.orbit.before, films->grid().comm());
   guess.neighbour->motion.H0() += shift;
   guess.lead = search.problem().search.options.lead;
-  if (coarse.decay) guess.lead_map = coarse.decay->lead_map;
   return guess;
 }
 

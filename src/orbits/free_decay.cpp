@@ -98,7 +98,7 @@ FreeDecay decay_of_train(MeshMarch& march, const PeriodicOrbit& orbit, const Dec
   FreeDecay decay{map.monodromy(), multipliers(map.monodromy()), 0.0};
   decay.fit_error = std::abs((mode * error).value() / (mode * to_vector(way)).value());
   pushed.leads.push_back({Motion::zero(way.freedoms()), Motion::zero(way.freedoms())});
-  if (pushed.leads.size() > static_cast<std::size_t>(pushed.map.rows()) && decay.fit_error < well_known)
+  if (pushed.leads.size() > static_cast<std::size_t>(pushed.map.rows()))
     decay.lead_map = AffineFit(pushed.leads).map();
   return decay;
 }
@@ -156,8 +156,7 @@ FreeDecay decay_of_pair(MeshMarch& march, const PeriodicOrbit& orbit, const Deca
     decay = both(returns_of(march, orbit, -push, options, leads,
                             [&](const Returns& other_way) { return well_fitted(both(other_way)); }));
   }
-  if (leads.size() > AffineFit::unknowns(begin) && decay.fit_error < well_known)
-    decay.lead_map = AffineFit(leads).map();
+  if (leads.size() > AffineFit::unknowns(begin)) decay.lead_map = AffineFit(leads).map();
   return decay;
 }
 
