@@ -155,16 +155,15 @@ DescribedOrbit CoarseSearch::with_decay(DescribedOrbit run) {
   return run;
 }
 
-// Damping as wrong as the central film would be: what the map has wrong besides, the search finds out.
 OrbitGuess CoarseSearch::guess_from(const DescribedOrbit& run) const {
   OrbitGuess guess{run.orbit.end.motion, run.orbit.monodromy, run.orbit.end};
   if (!run.decay) return guess;
+  // Damping as wrong as the central film would be: what the map has wrong besides, the search finds out. In the short
+  // lead damping does little.
   const double modulus = largest_modulus(run.decay->multipliers);
   const double of_damping = modulus * std::log(modulus) * film_errors(problem()).central;
-  if (std::hypot(run.decay->fit_error, of_damping) < well_known) {
-    guess.monodromy = run.decay->map;
-    guess.lead_map = run.decay->lead_map;
-  }
+  if (std::hypot(run.decay->fit_error, of_damping) < well_known) guess.monodromy = run.decay->map;
+  if (run.decay->fit_error < well_known) guess.lead_map = run.decay->lead_map;
   return guess;
 }
 
