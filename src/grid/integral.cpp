@@ -5,16 +5,20 @@
 namespace gearfilm {
 namespace {
 
-/// Int Int over the own rows and their mirror images, for h_x = 1. Sums over each row run side by side, for vector
-/// instructions.
-double own_part(const Grid& grid, std::span<const double> values) {
-  const std::span<const double> weights = grid.row_weights();
-  std::vector<double> sums(weights.size());
+/// Sums over each own row. They run side by side, for vector instructions.
+std::vector<double> row_sums(const Grid& grid, std::span<const double> values) {
+  std::vector<double> sums(grid.row_weights().size());
   for (std::size_t first = 0; first < values.size(); first += sums.size()) {
     const double* line = values.data() + first;
     for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += line[j];
   }
-  return std::inner_product(sums.begin(), sums.end(), weights.begin(), 0.0);
+  return sums;
+}
+
+/// Int Int over the own rows and their mirror images, for h_x = 1.
+double own_part(const Grid& grid, std::span<const double> values) {
+  const std::vector<double> sums = row_sums(grid, values);
+  return std::inner_product(sums.begin(), sums.end(), grid.row_weights().begin(), 0.0);
 }
 
 }  // namespace
@@ -31,5 +35,11 @@ std::vector<double> integrals(const Grid& grid, std::span<const double> values, 
 }
 
 double integral(const Grid& grid, std::span<const double> values) { return integrals(grid, values, 1).front(); }
+
+std::vector<double> row_integrals(const Grid& grid, std::span<const double> values) {
+  std::vector<double> sums = row_sums(grid, values);
+  for (double& sum : sums) sum *= grid.h_x();
+  return sums;
+}
 
 }  // namespace gearfilm

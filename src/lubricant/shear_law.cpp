@@ -4,26 +4,32 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "lubricant/independent_iterations.hpp"
+#include "lubricant/vector_math.hpp"
 
 namespace gearfilm {
 namespace {
 
 constexpr double unsheared = -300.0;  // ln of a stress that counts as none
-constexpr double beyond_exp = 30.0;   // asinh(e^A) = A + ln 2 to the last digit
+
+// Without branches, so that loops over many places use vector instructions.
 
 /// ln(sinh S/S), S of either sign.
-double log_sinhc(double S) {
-  const double s = std::abs(S);
-  if (s < 0.01) return s * s / 6.0;
-  return s + std::log1p(-std::exp(-2.0 * s)) - std::log(2.0 * s);
+[[gnu::always_inline]] inline double log_sinhc(double S) {
+  const double s = std::max(std::abs(S), 1e-200);
+  return s + log(expm1(-2.0 * s) / (-2.0 * s));
 }
 
 /// asinh(e^A) and its derivative.
-MeanShear asinh_of_exp(double A) {
-  if (A > beyond_exp) return {A + std::numbers::ln2, 1.0};
-  const double e = std::exp(A);
-  return {std::asinh(e), e / std::sqrt(1.0 + e * e)};
+[[gnu::always_inline]] inline MeanShear asinh_of_exp(double A) {
+  const double e = exp(-std::abs(A)), root = std::sqrt(1.0 + e * e);
+  return {std::max(A, 0.0) + log1p(A > 0.0 ? root : e + e * e / (1.0 + root)), (A > 0.0 ? 1.0 : e) / root};
+}
+
+[[gnu::always_inline]] inline MeanShear eyring_shear(double tau_0, double log_newtonian, double half_gradient) {
+  const MeanShear relative = asinh_of_exp(log_newtonian - log(tau_0) - log_sinhc(half_gradient / tau_0));
+  return {tau_0 * relative.stress, tau_0 * relative.by_rate};
 }
 
 /// ln g of Carreau's law and d ln g/d ln tau, of a stress given as ln(tau/G); ln g is relative to G too.
@@ -83,11 +89,8 @@ MeanShear unlimited(const ShearLaw& law, double log_newtonian, double half_gradi
       const double stress = std::exp(log_newtonian);
       return {stress, stress};
     }
-    case ShearLawKind::eyring: {
-      const double tau_0 = law.eyring_stress;
-      const MeanShear relative = asinh_of_exp(log_newtonian - std::log(tau_0) - log_sinhc(half_gradient / tau_0));
-      return {tau_0 * relative.stress, tau_0 * relative.by_rate};
-    }
+    case ShearLawKind::eyring:
+      return eyring_shear(law.eyring_stress, log_newtonian, half_gradient);
     case ShearLawKind::carreau: {
       const MeanShear relative = carreau_shear(law, log_newtonian, half_gradient);
       return {law.carreau_modulus * relative.stress, law.carreau_modulus * relative.by_rate};
@@ -175,14 +178,36 @@ double thinning_power(const ShearLaw& law) {
 }
 
 double ShearLaw::limit(double pressure) const {
-  if (kind == ShearLawKind::coulomb || limiting_ratio == 0.0) return std::numeric_limits<double>::infinity();
-  return std::max(limiting_stress, limiting_ratio * pressure);
+  const bool none = kind == ShearLawKind::coulomb || limiting_ratio == 0.0;
+  return none ? std::numeric_limits<double>::infinity() : std::max(limiting_stress, limiting_ratio * pressure);
 }
 
 MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure) {
   const MeanShear free = unlimited(law, log_newtonian, half_gradient, pressure);
   const double limit = law.limit(pressure);
   return free.stress < limit ? free : MeanShear{limit, 0.0};
+}
+
+void mean_shears(const ShearLaw& law, const ShearedPlaces& at, double* stress, double* by_rate) {
+  // By value: what is stored might else be taken for a part of them.
+  const auto each_place = [law, at, stress, by_rate](auto shear) {
+    GEARFILM_INDEPENDENT_ITERATIONS
+    for (std::size_t n = 0; n < at.count; ++n) {
+      const MeanShear free = shear(at.log_newtonian[n], at.half_gradient[n], at.pressure[n]);
+      const double limit = law.limit(at.pressure[n]);
+      stress[n] = free.stress < limit ? free.stress : limit;
+      by_rate[n] = free.stress < limit ? free.by_rate : 0.0;
+    }
+  };
+  if (law.kind == ShearLawKind::eyring) {
+    each_place([tau_0 = law.eyring_stress](double log_newtonian, double half_gradient, double) {
+      return eyring_shear(tau_0, log_newtonian, half_gradient);
+    });
+  } else {
+    each_place([&law](double log_newtonian, double half_gradient, double pressure) {
+      return unlimited(law, log_newtonian, half_gradient, pressure);
+    });
+  }
 }
 
 double fluidity(const ShearLaw& law, double stress) {

@@ -14,6 +14,7 @@
 // eta spans more decades than a double has: its logarithm is what goes in.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace gearfilm {
@@ -42,6 +43,19 @@ struct MeanShear {
 /// tau_m of a film of uniform viscosity, from ln(eta |u_s|/h), the shear stress that a Newtonian oil would have
 /// [ln Pa]; h p_x/2 [Pa], of either sign; and the pressure [Pa], which limits it. The sign of tau_m is that of u_s.
 MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure);
+
+/// Shear rate of a film that is not sheared [1/s]: its logarithm is finite.
+inline constexpr double no_shear_rate = 1e-100;
+
+/// Many places, with arrays of what mean_shear takes at each.
+struct ShearedPlaces {
+  std::size_t count = 0;
+  const double* log_newtonian = nullptr;
+  const double* half_gradient = nullptr;
+  const double* pressure = nullptr;
+};
+/// mean_shear at each, by vector instructions for Eyring's law.
+void mean_shears(const ShearLaw& law, const ShearedPlaces& at, double* stress, double* by_rate);
 
 /// What the shear that drags makes of the flow that pressure drives, over that of a Newtonian oil of the same
 /// viscosity.

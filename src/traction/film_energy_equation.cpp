@@ -107,20 +107,22 @@ void FilmEnergyEquation::shear() {
     const double weight = weights_[k];
     each_lane([&](int l) { mean[l] += weight * fluidity_[k][l]; });
   }
+  Lanes sheared;
   each_lane([&](int l) {
     inverse[l] = full_film[l] / mean[l];
-    log_newtonian_[l] = log_ambient_ + log(std::abs(sliding[l]) / (thickness[l] * mean[l]));
+    sheared[l] = sliding[l] != 0.0 ? full_film[l] : 0.0;
+    log_newtonian_[l] =
+        log_ambient_ + log(sheared[l] != 0.0 ? std::abs(sliding[l]) / (thickness[l] * mean[l]) : no_shear_rate);
   });
   for (int k = 0; k < count; ++k) {
     each_lane([&](int l) { share_[k][l] = fluidity_[k][l] * inverse[l] + (1.0 - full_film[l]); });
   }
-  for (int l = 0; l < lanes; ++l) {
-    stress_[l] = by_rate_[l] = 0.0;
-    if (full_film[l] == 0.0 || sliding[l] == 0.0) continue;
-    const MeanShear found = mean_shear(law_, log_newtonian_[l], half_gradient[l], pressure[l]);
-    stress_[l] = found.stress;
-    by_rate_[l] = found.by_rate;
-  }
+  mean_shears(law_, {lanes, log_newtonian_.data(), half_gradient.data(), pressure.data()}, stress_.data(),
+              by_rate_.data());
+  each_lane([&](int l) {
+    stress_[l] = sheared[l] != 0.0 ? stress_[l] : 0.0;
+    by_rate_[l] = sheared[l] != 0.0 ? by_rate_[l] : 0.0;
+  });
 }
 
 void FilmEnergyEquation::set_transport() {

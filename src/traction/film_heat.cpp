@@ -73,6 +73,7 @@ public:
 
   TractionFields march() {
     line_.load(0);
+    line_.load_flow(0);
     for (int j = 0; j < rows(); ++j) {
       store_entering(0, j);
       const SurfaceVelocities& u = line_.velocities[j];
@@ -112,6 +113,7 @@ private:
 
   void solve_line(int i) {
     line_.load(i);
+    line_.load_flow(i);
     std::visit([&](const auto& viscosity) { find_heating_ratios(viscosity); }, viscosity_);
     source_.earlier(fields_.heat_flux_pinion, i, base_pinion_);
     source_.earlier(fields_.heat_flux_wheel, i, base_wheel_);

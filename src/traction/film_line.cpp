@@ -52,12 +52,7 @@ void FilmLine::load(int i) {
   // Dry nodes of rough surfaces have what Newton's method leaves.
   const double least = rough ? 1e-6 : 0.0;
   const double by_x = scales.pressure / (2.0 * scales.length * grid.h_x());
-  // h^3/(12 eta) = xi_R/rho lambda (a^2/R_x)^3/(12 eta_0)
-  const double by_flow = scales.lambda * scales.thickness * scales.thickness * scales.pressure /
-                         (12.0 * scales.oil.viscosity * scales.length);
-  poiseuille_flow(film_.discretisation()->equation(), film_.state(), i, poiseuille);
   for (int j = 0; j < grid.y_count(); ++j) {
-    poiseuille[j] *= H[j] > 0.0 ? by_flow / H[j] : 0.0;
     pressure[j] = scales.pressure * (rough ? std::max(here[j], 0.0) : here[j]);
     thickness[j] = scales.thickness * H[j];
     density[j] = rho[j];
@@ -66,6 +61,16 @@ void FilmLine::load(int i) {
   }
   const double ambient = std::log(scales.oil.viscosity);
   std::visit([&](auto viscosity) { set_viscosity(viscosity, ambient, pressure, log_viscosity); }, viscosity_);
+}
+
+void FilmLine::load_flow(int i) {
+  const Scales& scales = film_.scales();
+  const double* H = film_.mean_gap().row(i);
+  // h^3/(12 eta) = xi_R/rho lambda (a^2/R_x)^3/(12 eta_0)
+  const double by_flow = scales.lambda * scales.thickness * scales.thickness * scales.pressure /
+                         (12.0 * scales.oil.viscosity * scales.length);
+  poiseuille_flow(film_.discretisation()->equation(), film_.state(), i, poiseuille);
+  for (std::size_t j = 0; j < poiseuille.size(); ++j) poiseuille[j] *= H[j] > 0.0 ? by_flow / H[j] : 0.0;
 }
 
 }  // namespace gearfilm

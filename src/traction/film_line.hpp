@@ -16,6 +16,8 @@ struct FilmLine {
 
   /// Line i of the film at its present state.
   void load(int i);
+  /// Its poiseuille, too.
+  void load_flow(int i);
 
   std::vector<double> pressure;       ///< p [Pa], of the oil
   std::vector<double> thickness;      ///< h [m], between rough surfaces their mean gap

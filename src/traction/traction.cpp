@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
 #include "gearfilm/error.hpp"
 #include "grid/integral.hpp"
+#include "lubricant/vector_math.hpp"
 #include "parallel/agreement.hpp"
 #include "traction/boundary_friction.hpp"
 #include "traction/film_line.hpp"
@@ -23,15 +25,23 @@ TractionFields isothermal_film(const TractionModel& model, const ContactFilm& fi
   fields.shear_stress.assign(grid.local_size(), 0.0);
   fields.boundary_stress = boundary_stress(model, film);
   FilmLine line(film);
+  const auto rows = static_cast<std::size_t>(grid.y_count());
+  std::vector<double> shear_rate(rows), log_newtonian(rows), half_gradient(rows), stress(rows), by_rate(rows);
   for (int i = 0; i < grid.nx(); ++i) {
     line.load(i);
-    for (int j = 0; j < grid.y_count(); ++j) {
-      const double h = line.thickness[j], sliding = line.velocities[j].sliding;
-      if (!line.full_film[j] || sliding == 0.0) continue;
-      const double log_newtonian = line.log_viscosity[j] + std::log(std::abs(sliding) / h);
-      const double stress = mean_shear(model.law, log_newtonian, 0.5 * h * line.gradient[j], line.pressure[j]).stress;
-      fields.shear_stress[static_cast<std::size_t>(i) * grid.y_count() + j] = std::copysign(stress, sliding);
+    const auto sheared = [&line](std::size_t j) { return line.full_film[j] && line.velocities[j].sliding != 0.0; };
+    for (std::size_t j = 0; j < rows; ++j) {
+      const double h = line.thickness[j];
+      shear_rate[j] = sheared(j) ? std::abs(line.velocities[j].sliding) / h : no_shear_rate;
+      half_gradient[j] = 0.5 * h * line.gradient[j];
     }
+    std::ranges::transform(line.log_viscosity, shear_rate, log_newtonian.begin(),
+                           [](double log_viscosity, double rate) { return log_viscosity + log(rate); });
+    mean_shears(model.law, {rows, log_newtonian.data(), half_gradient.data(), line.pressure.data()}, stress.data(),
+                by_rate.data());
+    double* signed_stress = fields.shear_stress.data() + static_cast<std::size_t>(i) * rows;
+    for (std::size_t j = 0; j < rows; ++j)
+      signed_stress[j] = sheared(j) ? std::copysign(stress[j], line.velocities[j].sliding) : 0.0;
   }
   return fields;
 }
@@ -53,7 +63,10 @@ std::vector<double> rolling_stress(const ContactFilm& film) {
 
 /// tau_m u_s, the heat of sliding [W/m^2], compact.
 std::vector<double> sliding_heat(const std::vector<SurfaceVelocities>& velocities, std::vector<double> shear_stress) {
-  for (std::size_t n = 0; n < shear_stress.size(); ++n) shear_stress[n] *= velocities[n % velocities.size()].sliding;
+  const std::size_t rows = velocities.size();
+  for (std::size_t first = 0; first < shear_stress.size(); first += rows) {
+    for (std::size_t j = 0; j < rows; ++j) shear_stress[first + j] *= velocities[j].sliding;
+  }
   return shear_stress;
 }
 
@@ -109,8 +122,6 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   const std::vector<double>& of_asperities = fields.boundary_stress;
   std::vector<double> all_stress = fields.shear_stress;
   for (std::size_t n = 0; n < of_asperities.size(); ++n) all_stress[n] += of_asperities[n];
-  const std::vector<double> heat = sliding_heat(velocities, all_stress);
-  std::vector<double> rolling_power = rolling_stress(film);
 
   enum Sum {
     stress,
@@ -126,27 +137,36 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
     boundary_loss,
     sums
   };
-  const std::size_t size = grid.local_size();
-  std::vector<double> values(sums * size, 0.0);
-  const auto put = [&](Sum sum, const std::vector<double>& field) {
-    std::ranges::copy(field, values.begin() + static_cast<std::ptrdiff_t>(sum * size));
+  std::array<double, sums> total{};
+  // The parts of an integral that each row has, and of the power of a stress, whose speed is the same along a row.
+  const auto parts_of = [&](const std::vector<double>& field) {
+    std::vector<double> parts = row_integrals(grid, field);
+    for (std::size_t j = 0; j < parts.size(); ++j) parts[j] *= grid.row_weights()[j];
+    return parts;
   };
-  put(stress, all_stress);
-  put(boundary, of_asperities);
-  put(boundary_loss, of_asperities.empty() ? of_asperities : sliding_heat(velocities, of_asperities));
-  put(rolling, rolling_power);
-  for (std::size_t n = 0; n < size; ++n) rolling_power[n] *= 2.0 * velocities[n % velocities.size()].mean;
-  put(sliding_loss, heat);
-  put(rolling_loss, rolling_power);
-  double unconverged[] = {fields.unconverged_nodes, 0.0};
-  std::vector<double> own(size);
+  const auto put = [&](Sum sum, const std::vector<double>& parts) {
+    total[sum] = std::accumulate(parts.begin(), parts.end(), 0.0);
+  };
+  const auto put_power = [&](Sum sum, const std::vector<double>& parts, auto speed) {
+    for (std::size_t j = 0; j < parts.size(); ++j) total[sum] += parts[j] * speed(velocities[j]);
+  };
+  const auto sliding_speed = [](const SurfaceVelocities& u) { return u.sliding; };
+  const std::vector<double> sliding_parts = parts_of(all_stress), rolling_parts = parts_of(rolling_stress(film)),
+                            boundary_parts = parts_of(of_asperities);
+  put(stress, sliding_parts);
+  put_power(sliding_loss, sliding_parts, sliding_speed);
+  put(rolling, rolling_parts);
+  put_power(rolling_loss, rolling_parts, [](const SurfaceVelocities& u) { return 2.0 * u.mean; });
+  put(boundary, boundary_parts);
+  put_power(boundary_loss, boundary_parts, sliding_speed);
+  std::vector<double> own(grid.local_size());
   film.total_pressure().store(own);
-  put(pressure, own);
-  put(pinion, fields.heat_flux_pinion);
-  put(wheel, fields.heat_flux_wheel);
-  put(oil, fields.heat_carried);
-  put(generated, fields.heat_generated);
-  std::vector<double> total = integrals(grid, values, sums);
+  put(pressure, parts_of(own));
+  put(pinion, parts_of(fields.heat_flux_pinion));
+  put(wheel, parts_of(fields.heat_flux_wheel));
+  put(oil, parts_of(fields.heat_carried));
+  put(generated, parts_of(fields.heat_generated));
+  MPI_Allreduce(MPI_IN_PLACE, total.data(), sums, MPI_DOUBLE, MPI_SUM, grid.comm());
   // Of a line contact by unit length.
   const double area = scales.solids.line ? scales.length : scales.length * scales.length;
   for (double& integral : total) integral *= area;
@@ -161,11 +181,13 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
   quantities.boundary_coefficient = force > 0.0 ? total[boundary] / force : 0.0;
   quantities.power_boundary = total[boundary_loss];
 
+  const std::vector<double> heat = sliding_heat(velocities, std::move(all_stress));
   std::array<double, 5> maxima = {common_flash(model, grid, scales.length * grid.h_x(), velocities, heat),
                                   largest_of(fields.temperature_pinion), largest_of(fields.temperature_wheel),
                                   largest_of(fields.temperature_mean), largest_of(fields.temperature_max)};
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), static_cast<int>(maxima.size()), MPI_DOUBLE, MPI_MAX, grid.comm());
-  unconverged[1] = static_cast<double>(std::ranges::count_if(own, [](double value) { return value > 0.0; }));
+  const auto loaded = std::ranges::count_if(own, [](double value) { return value > 0.0; });
+  double unconverged[] = {fields.unconverged_nodes, static_cast<double>(loaded)};
   MPI_Allreduce(MPI_IN_PLACE, unconverged, 2, MPI_DOUBLE, MPI_SUM, grid.comm());
   quantities.unconverged_fraction = unconverged[0] > 0.0 ? unconverged[0] / unconverged[1] : 0.0;
   quantities.flash = maxima[0];
