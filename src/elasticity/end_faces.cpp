@@ -8,18 +8,19 @@
 #include "algebra/dense.hpp"
 #include "elasticity/fftw.hpp"
 #include "elasticity/love.hpp"
+#include "lubricant/independent_iterations.hpp"
+#include "lubricant/vector_math.hpp"
 
 namespace gearfilm {
 namespace {
 
 using std::numbers::pi;
 
-/// f of the stress at depth z, for y >= 0.
+/// f of the stress at depth z, for y >= 0; at y = 0 both arcs of the last term are +-pi/2.
 double stress_corner(double x, double y, double z, double nu) {
-  if (y == 0.0) return 0.0;  // both arcs tend to +-pi/2
   const double rho = std::sqrt(x * x + y * y + z * z);
-  return -z * x * y / ((y * y + z * z) * rho) + 2.0 * nu * std::atan(x * y / (z * rho)) +
-         (1.0 - 2.0 * nu) * (std::atan(x / y) - std::atan(z * x / (y * rho)));
+  return -z * x * y / ((y * y + z * z) * rho) + 2.0 * nu * atan(x * y / (z * rho)) +
+         (1.0 - 2.0 * nu) * (atan(x / y) - atan(z * x / (y * rho)));
 }
 
 /// Rows as one end sees them: nodes and edges of cells at their distances from it, the nearest first.
@@ -111,8 +112,9 @@ void fill_from_corners(EvenTransforms& transforms, int count, double h_x, Corner
   std::vector<double> before(static_cast<std::size_t>(rows) * edges), behind(before);
   const auto find = [&](double x, std::vector<double>& corners) {
     for (int row = 0; row < rows; ++row) {
-      for (int edge = 0; edge < edges; ++edge)
-        corners[static_cast<std::size_t>(row) * edges + edge] = corner(x, edge, row);
+      double* of_row = &corners[static_cast<std::size_t>(row) * edges];
+      GEARFILM_INDEPENDENT_ITERATIONS
+      for (int edge = 0; edge < edges; ++edge) of_row[edge] = corner(x, edge, row);
     }
   };
   find(-0.5 * h_x, before);
@@ -148,9 +150,9 @@ void fill_free_end(EvenTransforms& added, const FromEnd& rows, int count, double
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(cells.count(), cells.count());
   const double scale = 1.0 / (2.0 * (count - 1));
   for (int k = 0; k < count; ++k) {
-    const Eigen::MatrixXd S = stress.at(k), system = identity - S * S;
-    // (K + K_mirrored) (1 - S^2)^-1 - K
-    added.at(k) = scale * (both.at(k) * LuFactors(system).solve_columns(of_rows) - added.at(k));
+    // (K + K_mirrored) (1 - S^2)^-1 - K, with 1 - S^2 = (1 - S) (1 + S)
+    const Eigen::MatrixXd S = stress.at(k), half_way = LuFactors(identity - S).solve_columns(of_rows);
+    added.at(k) = scale * (both.at(k) * LuFactors(identity + S).solve_columns(half_way) - added.at(k));
   }
   added.transform();
 }

@@ -8,11 +8,13 @@
 #include <cmath>
 
 #include "grid/row_axis.hpp"
+#include "lubricant/vector_math.hpp"
 
 namespace gearfilm {
 
 inline double love_corner(double x, double y) {
-  return y == 0.0 ? 0.0 : x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y));
+  const double sum = x * asinh(y / std::abs(x)) + y * asinh(x / std::abs(y));
+  return y == 0.0 ? 0.0 : sum;
 }
 
 /// Deformation at distance x from the middle line of a cell h_x wide that lies in a strip of Y relative to the place.

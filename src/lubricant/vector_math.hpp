@@ -1,4 +1,4 @@
-// exp, expm1, log and log1p that a compiler may call for several values at once.
+// exp, expm1, log, log1p, asinh and atan that a compiler may call for several values at once.
 //
 // libmvec of glibc 2.35 and later has vector versions of them for x86-64, accurate to 4 units in the last place, but
 // its headers offer them only together with reassociation of sums, which would make results depend on the compiler.
@@ -10,6 +10,8 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__GLIBC__)
 #if __GLIBC_PREREQ(2, 35)
 extern "C" {
+__attribute__((simd("notinbranch"))) double asinh(double) noexcept;
+__attribute__((simd("notinbranch"))) double atan(double) noexcept;
 __attribute__((simd("notinbranch"))) double exp(double) noexcept;
 __attribute__((simd("notinbranch"))) double expm1(double) noexcept;
 __attribute__((simd("notinbranch"))) double log(double) noexcept;
