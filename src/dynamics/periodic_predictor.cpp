@@ -16,6 +16,7 @@ namespace {
 constexpr int places = 1'000'000;        // in a mesh period, that are told apart
 constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
 constexpr double oldest = 1.5;           // mesh periods
+constexpr double between_sweeps = 0.1;   // mesh periods, after which what is older is looked for
 constexpr double most_pressures = 32e6;  // on all processes
 
 int place_of(const MeshModel& mesh, double T) {
@@ -66,10 +67,13 @@ void PeriodicPredictor::append_to(std::vector<double>& values) const {
   }
 }
 
+bool PeriodicPredictor::is_old(const PredictorError& error) const { return error.recorded_at < marched_ - oldest; }
+
 const PeriodicPredictor::PredictorError* PeriodicPredictor::last_time(const MeshModel& mesh, double T,
                                                                       std::size_t pressures) const {
   const auto found = errors_.find(place_of(mesh, T));
-  return found != errors_.end() && found->second.count == pressures ? &found->second : nullptr;
+  if (found == errors_.end() || found->second.count != pressures || is_old(found->second)) return nullptr;
+  return &found->second;
 }
 
 void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T) {
@@ -97,7 +101,10 @@ void PeriodicPredictor::correct(const LubricatedPair& pair, Vec guess, double T)
 
 void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0, double T) {
   const MeshModel& mesh = pair.mesh();
+  const double before_step = marched_;
   marched_ += mesh.path.mesh_periods(T) - mesh.path.mesh_periods(T0);
+  if (std::floor(marched_ / between_sweeps) > std::floor(before_step / between_sweeps))
+    std::erase_if(errors_, [this](const auto& entry) { return is_old(entry.second); });
   if (guessed_.empty() || guessed_at_ != T) return;
   std::vector<double> missed;
   std::swap(missed, guessed_);
@@ -119,7 +126,6 @@ void PeriodicPredictor::record(const LubricatedPair& pair, Vec solved, double T0
   MPI_Allreduce(MPI_IN_PLACE, squares.data(), 2, MPI_DOUBLE, MPI_SUM, pair.system().comm());
   trusted_ = squares[1] < helpful * squares[0];
 
-  std::erase_if(errors_, [&](const auto& entry) { return entry.second.recorded_at < marched_ - oldest; });
   const double pressures = nodes * static_cast<double>(pair.numbers().size());
   if (!before && static_cast<double>(errors_.size() + 1) * pressures > most_pressures) return;
   // The largest of all processes: any number of them makes the same guesses.

@@ -44,6 +44,8 @@ private:
     std::vector<std::uint8_t> pressures;  ///< packed
   };
 
+  /// Of a place that the march has not come by a mesh period ago.
+  bool is_old(const PredictorError& error) const;
   /// The error of the guess for as many contacts at this place a mesh period ago; null where there is none.
   const PredictorError* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;
 

@@ -36,10 +36,10 @@ std::vector<double> integrals(const Grid& grid, std::span<const double> values, 
 
 double integral(const Grid& grid, std::span<const double> values) { return integrals(grid, values, 1).front(); }
 
-std::vector<double> row_integrals(const Grid& grid, std::span<const double> values) {
-  std::vector<double> sums = row_sums(grid, values);
-  for (double& sum : sums) sum *= grid.h_x();
-  return sums;
+std::vector<double> parts_of_rows(const Grid& grid, std::span<const double> values) {
+  std::vector<double> parts = row_sums(grid, values);
+  for (std::size_t j = 0; j < parts.size(); ++j) parts[j] *= grid.h_x() * grid.row_weights()[j];
+  return parts;
 }
 
 }  // namespace gearfilm

@@ -14,8 +14,7 @@ double integral(const Grid& grid, std::span<const double> values);
 /// The integrals of some fields, one after the other.
 std::vector<double> integrals(const Grid& grid, std::span<const double> values, std::size_t fields);
 
-/// Int dX along each own row of a field, not common to all processes; its rows' parts of the integral are these times
-/// Grid::row_weights.
-std::vector<double> row_integrals(const Grid& grid, std::span<const double> values);
+/// The parts of an integral that the own rows have; not common to all processes.
+std::vector<double> parts_of_rows(const Grid& grid, std::span<const double> values);
 
 }  // namespace gearfilm

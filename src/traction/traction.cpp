@@ -138,12 +138,8 @@ Traction summed(const TractionModel& model, const ContactFilm& film, TractionFie
     sums
   };
   std::array<double, sums> total{};
-  // The parts of an integral that each row has, and of the power of a stress, whose speed is the same along a row.
-  const auto parts_of = [&](const std::vector<double>& field) {
-    std::vector<double> parts = row_integrals(grid, field);
-    for (std::size_t j = 0; j < parts.size(); ++j) parts[j] *= grid.row_weights()[j];
-    return parts;
-  };
+  // The speed at which a stress acts is the same along a row.
+  const auto parts_of = [&grid](const std::vector<double>& field) { return parts_of_rows(grid, field); };
   const auto put = [&](Sum sum, const std::vector<double>& parts) {
     total[sum] = std::accumulate(parts.begin(), parts.end(), 0.0);
   };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <vector>
 
 namespace gearfilm {
 namespace {
@@ -135,6 +136,33 @@ TEST(ShearLaw, the_stress_ends_at_its_limit) {
   EXPECT_DOUBLE_EQ(limited.stress, 0.045 * 2e9);
   EXPECT_EQ(limited.by_rate, 0.0);
   EXPECT_DOUBLE_EQ(mean_shear(law, 40.0, 0.0, 1e6).stress, law.limiting_stress);  // in the inlet
+}
+
+TEST(ShearLaw, many_places_have_the_stresses_of_each) {
+  std::vector<double> shear_rates, gradients, loads;
+  for (const double rate : {no_shear_rate, 1e-6, 1.0, 1e3, 1e30}) {
+    for (const double gradient : {-1e9, -1e3, 0.0, 4e6}) {
+      for (const double carried : {0.0, 1e6, 2e9}) {
+        shear_rates.push_back(std::log(rate) + std::log(8e6));
+        gradients.push_back(gradient);
+        loads.push_back(carried);
+      }
+    }
+  }
+  const std::size_t count = shear_rates.size();
+  for (const ShearLawKind kind :
+       {ShearLawKind::newtonian, ShearLawKind::eyring, ShearLawKind::carreau, ShearLawKind::coulomb}) {
+    for (const double limiting_ratio : {0.0, 0.045}) {
+      const ShearLaw law{.kind = kind, .coefficient = 0.05, .limiting_ratio = limiting_ratio};
+      std::vector<double> stresses(count), by_rate(count);
+      mean_shears(law, {count, shear_rates.data(), gradients.data(), loads.data()}, stresses.data(), by_rate.data());
+      for (std::size_t n = 0; n < count; ++n) {
+        const MeanShear one = mean_shear(law, shear_rates[n], gradients[n], loads[n]);
+        EXPECT_NEAR(stresses[n], one.stress, 1e-13 * one.stress) << static_cast<int>(kind) << " " << n;
+        EXPECT_NEAR(by_rate[n], one.by_rate, 1e-13 * one.by_rate) << static_cast<int>(kind) << " " << n;
+      }
+    }
+  }
 }
 
 TEST(ShearLaw, coulomb_knows_pressure_only) {
