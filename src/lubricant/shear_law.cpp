@@ -17,8 +17,9 @@ constexpr double unsheared = -300.0;  // ln of a stress that counts as none
 
 /// ln(sinh S/S), S of either sign.
 [[gnu::always_inline]] inline double log_sinhc(double S) {
-  const double s = std::max(std::abs(S), 1e-200);
-  return s + log(expm1(-2.0 * s) / (-2.0 * s));
+  const double s = std::max(std::abs(S), 1e-200), square = s * s;
+  const double whole = s + log(expm1(-2.0 * s) / (-2.0 * s));
+  return s < 1e-3 ? square * (1.0 / 6.0 - square / 180.0) : whole;
 }
 
 /// asinh(e^A) and its derivative.
