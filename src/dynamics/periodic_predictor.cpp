@@ -16,7 +16,7 @@ namespace {
 constexpr int places = 1'000'000;        // in a mesh period, that are told apart
 constexpr double helpful = 0.5;          // of the square of a miss, what may be left of it
 constexpr double oldest = 1.5;           // mesh periods
-constexpr double between_sweeps = 0.1;   // mesh periods, after which what is older is looked for
+constexpr double between_sweeps = 0.1;   // mesh periods marched from one removal of old errors to the next
 constexpr double most_pressures = 32e6;  // on all processes
 
 int place_of(const MeshModel& mesh, double T) {

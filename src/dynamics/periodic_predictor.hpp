@@ -44,7 +44,7 @@ private:
     std::vector<std::uint8_t> pressures;  ///< packed
   };
 
-  /// Of a place that the march has not come by a mesh period ago.
+  /// Whether an error was recorded so many mesh periods ago that it is no guide any more: `oldest`, 1.5.
   bool is_old(const PredictorError& error) const;
   /// The error of the guess for as many contacts at this place a mesh period ago; null where there is none.
   const PredictorError* last_time(const MeshModel& mesh, double T, std::size_t pressures) const;

@@ -84,6 +84,10 @@ MeanShear carreau_shear(const ShearLaw& law, double log_newtonian, double half_g
   return {mean, rate / now.by_rate};
 }
 
+[[gnu::always_inline]] inline MeanShear limited(const MeanShear& free, double limit) {
+  return {free.stress < limit ? free.stress : limit, free.stress < limit ? free.by_rate : 0.0};
+}
+
 MeanShear unlimited(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure) {
   switch (law.kind) {
     case ShearLawKind::newtonian: {
@@ -184,9 +188,7 @@ double ShearLaw::limit(double pressure) const {
 }
 
 MeanShear mean_shear(const ShearLaw& law, double log_newtonian, double half_gradient, double pressure) {
-  const MeanShear free = unlimited(law, log_newtonian, half_gradient, pressure);
-  const double limit = law.limit(pressure);
-  return free.stress < limit ? free : MeanShear{limit, 0.0};
+  return limited(unlimited(law, log_newtonian, half_gradient, pressure), law.limit(pressure));
 }
 
 void mean_shears(const ShearLaw& law, const ShearedPlaces& at, double* stress, double* by_rate) {
@@ -194,10 +196,10 @@ void mean_shears(const ShearLaw& law, const ShearedPlaces& at, double* stress, d
   const auto each_place = [law, at, stress, by_rate](auto shear) {
     GEARFILM_INDEPENDENT_ITERATIONS
     for (std::size_t n = 0; n < at.count; ++n) {
-      const MeanShear free = shear(at.log_newtonian[n], at.half_gradient[n], at.pressure[n]);
-      const double limit = law.limit(at.pressure[n]);
-      stress[n] = free.stress < limit ? free.stress : limit;
-      by_rate[n] = free.stress < limit ? free.by_rate : 0.0;
+      const MeanShear found =
+          limited(shear(at.log_newtonian[n], at.half_gradient[n], at.pressure[n]), law.limit(at.pressure[n]));
+      stress[n] = found.stress;
+      by_rate[n] = found.by_rate;
     }
   };
   if (law.kind == ShearLawKind::eyring) {

@@ -73,7 +73,6 @@ public:
 
   TractionFields march() {
     line_.load(0);
-    line_.load_flow(0);
     for (int j = 0; j < rows(); ++j) {
       store_entering(0, j);
       const SurfaceVelocities& u = line_.velocities[j];
