@@ -81,9 +81,11 @@ std::complex<double> BackwardDifferences::of_oscillation(double w, int order) co
 
 void BackwardDifferences::make_rate(Vec values) const { petsc_check(VecAYPX(values, shift_, constant_)); }
 
-void BackwardDifferences::extrapolate(double T, int states) {
+std::vector<double> BackwardDifferences::extrapolate(double T, int states) {
   const int count = std::min(states, known_);
-  combine(states_, lagrange_values({times_.begin(), times_.begin() + count}, T).data(), count, sought_);
+  std::vector<double> weights = lagrange_values({times_.begin(), times_.begin() + count}, T);
+  combine(states_, weights.data(), count, sought_);
+  return weights;
 }
 
 double BackwardDifferences::error(double T, int order, Vec allowed) {

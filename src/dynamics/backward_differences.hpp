@@ -46,8 +46,8 @@ public:
   std::complex<double> of_oscillation(double w, int order) const;
   /// Makes s C + c of C.
   void make_rate(Vec values) const;
-  /// Seeks from the polynomial at T through as many states as are known, at most.
-  void extrapolate(double T, int states);
+  /// Seeks from the polynomial at T through as many states as are known, at most. Returns their weights, latest first.
+  std::vector<double> extrapolate(double T, int states);
   /// Error of what was found at T with differences of this order, root mean square of its parts over `allowed`.
   double error(double T, int order, Vec allowed);
 

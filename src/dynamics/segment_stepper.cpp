@@ -208,7 +208,9 @@ bool SegmentStepper::try_step(double dT, bool again) {
     differences_.forget(1);
     keep(stage_time_, true);
   }
-  differences_.extrapolate(step_begin_ + dT, again ? 2 : 3);
+  const std::vector<double> weights = differences_.extrapolate(step_begin_ + dT, again ? 2 : 3);
+  pair_.system().extrapolate_falls(differences_.sought(), weights,
+                                   [&](std::size_t n) { return differences_.state(n); });
   return solve_stage(step_begin_ + dT, 2);
 }
 

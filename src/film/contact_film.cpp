@@ -43,7 +43,7 @@ ContactFilm::ContactFilm(SharedDiscretisation discretisation, const Scales& scal
       preconditioner_(make_linearised_film(*discretisation_, options, longest_step_)),
       displacement_column_(grid_.local_size()),
       smallest_scales_(grid_.y_count()),
-      weights_(displacement_column_.size()),
+      weights_(displacement_column_.size(), 1.0F),
       conductance_(displacement_column_.size()) {
   if (scales.solids.rough) state_.rough.emplace(grid_);
 }

@@ -63,6 +63,11 @@ public:
   }
   void displacement_column(std::span<double> column) override { levels_.front()->displacement_column(column); }
 
+  void project_change(std::span<const double> pressure, std::span<const float> weights,
+                      std::span<double> change) override {
+    levels_.front()->project_change(pressure, weights, change);
+  }
+
   int levels() const override { return static_cast<int>(levels_.size()) + (whole_ ? whole_->levels() - 1 : 0); }
 
 private:

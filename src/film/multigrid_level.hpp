@@ -4,6 +4,7 @@
 #include <span>
 
 #include "film/discretisation.hpp"
+#include "film/projected_change.hpp"
 #include "film/smoother.hpp"
 #include "film/transfer.hpp"
 
@@ -42,6 +43,10 @@ public:
   /// change = one relaxation from zero with the displacement column as the residual, both compact, if the smoother
   /// knows it from its factors (smoother.hpp); returns whether it does.
   bool relax_displacement(std::span<const double> column, std::span<double> change);
+  /// As project_change() of projected_change.hpp.
+  void project_change(std::span<const double> pressure, std::span<const float> weights, std::span<double> change) {
+    gearfilm::project_change(grid(), linear_, pressure, weights, change_, change);
+  }
   /// Restriction of a fine residual to this level, and addition of this level's correction to the fine one; compact.
   void restrict_from(MultigridLevel& fine, std::span<const double> fine_residual, std::span<double> residual);
   void interpolate_to(MultigridLevel& fine, std::span<const double> correction, std::span<double> fine_change);

@@ -57,6 +57,10 @@ struct ReynoldsEquation {
                                      ///< 1/(h_y h_south), 1/(h_y h_north); zero in a line contact
 };
 
+/// Whether oil flows so freely at a node that a change of its pressure changes its row by what is conducted, not by
+/// what is deformed. weight: d without conductance over the node's own.
+inline bool conducts_freely(float weight) { return weight < 0.1F; }
+
 /// Computes G on the own nodes, compact, and sets rate, full_film and row_scale of the state, whose ghosts it needs.
 /// entrainment: U of the own rows, for d.
 void reynolds_residual(const ReynoldsEquation& equation, std::span<const double> entrainment, FilmState& state,

@@ -185,8 +185,9 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
         line_search,
         [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
           return petsc_callback([&] {
-            const auto& limited = *static_cast<LinearisedSystem*>(context);
+            auto& limited = *static_cast<LinearisedSystem*>(context);
             limit_pressure_change(state, change, limited.pressure_count(), limited.pressure_limits());
+            limited.project_change(state, change);
             *changed = PETSC_TRUE;
           });
         },

@@ -49,6 +49,8 @@ public:
   virtual PetscInt pressure_count() const = 0;
   /// Where changes are limited.
   virtual PressureLimits pressure_limits() const { return {}; }
+  /// Improves a change that would leave pressures below zero, which then become zero.
+  virtual void project_change(Vec /*state*/, Vec /*change*/) {}
   /// How far rows are from zero, as a line search compares it: their norm, where nothing else is better.
   virtual double merit(Vec rows);
   /// Shortens single entries of a change of which a full step has overshot, given the rows before and after it; false

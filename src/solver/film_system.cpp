@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -106,6 +107,25 @@ Eigen::VectorXd FilmSystem::forces(std::span<const double> values) const {
   return Eigen::Map<const Eigen::VectorXd>(sums.data(), static_cast<Eigen::Index>(sums.size()));
 }
 
+// Extrapolated by a polynomial, what has fallen as a square would rise again behind an edge that has passed.
+void FilmSystem::extrapolate_falls(Vec guess, std::span<const double> weights,
+                                   const std::function<Vec(std::size_t)>& state) const {
+  if (weights.size() < 2) return;
+  std::deque<VecReading> states;
+  for (std::size_t k = 0; k < weights.size(); ++k) states.emplace_back(state(k));
+  const VecWriting values(guess);
+  for (std::size_t n = 0; n < scalars_at(); ++n) {
+    const double last = states[0][n];
+    const bool falls = last <= 0.0 || last < states[1][n];
+    if (!falls || !films_[n / field_size()]->conducts_freely(n % field_size())) continue;
+    double root = 0.0;
+    for (std::size_t k = 0; k < weights.size() && last > 0.0; ++k) {
+      root += weights[k] * std::sqrt(std::max(0.0, states[k][n]));
+    }
+    values[n] = root > 0.0 ? root * root : 0.0;
+  }
+}
+
 // Half of what is small would keep nodes full that a film's edge leaves.
 void FilmSystem::clip_predictor(Vec guess, Vec last) const {
   constexpr double may_vanish = 0.003, left_at_least = 0.5;
@@ -202,6 +222,14 @@ double FilmSystem::merit(Vec rows) {
   for (std::size_t n = scalars_at(); n < in.values().size(); ++n) sum += in[n] * in[n];
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm());
   return std::sqrt(sum);
+}
+
+void FilmSystem::project_change(Vec state, Vec change) {
+  const VecReading pressures(state);
+  const VecWriting changes(change);
+  for (std::size_t k = 0; k < films(); ++k) {
+    films_[k]->project_change(part(pressures.values(), k), part(changes.values(), k));
+  }
 }
 
 bool FilmSystem::relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) {

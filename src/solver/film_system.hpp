@@ -16,6 +16,7 @@
 // has not got on with the cycle has cycle and smoother by turns.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "algebra/dense.hpp"
@@ -47,6 +48,11 @@ public:
   std::vector<double> field(Vec state, std::size_t contact) const;
   void set_scalars(Vec state, std::span<const double> scalars) const;
   std::vector<double> scalars(Vec state) const;
+  /// Where oil flows freely and pressure falls, makes a guess by its square root, with the weights of the last states,
+  /// latest first: near an edge of the full film pressure grows as the square of the distance from it. Dry nodes stay
+  /// dry.
+  void extrapolate_falls(Vec guess, std::span<const double> weights,
+                         const std::function<Vec(std::size_t)>& state) const;
   /// Makes every pressure of a guess at least half of what it is in the last state, where that is not small, and >= 0.
   void clip_predictor(Vec guess, Vec last) const;
 
@@ -68,6 +74,7 @@ public:
                  SmootherFactors factors = SmootherFactors::of_this_state);
   PressureLimits pressure_limits() const override { return limits_; }
   double merit(Vec rows) override;
+  void project_change(Vec state, Vec change) override;
   bool relax_overshot_nodes(Vec change, Vec whole, Vec before, Vec after) override;
   double moved() override;
   void copied(Vec from, Vec to) override { versions_.copied(from, to); }

@@ -213,6 +213,44 @@ TEST_P(LubricatedPairAt, films_act_on_each_other_through_the_motion_and_bodies_o
   EXPECT_NE(motion_rows.V0(), 0.0);
 }
 
+// Of pressures (c - T)^2 and of rising ones at T = 0, 1, 2, extrapolated to T = 3 by a parabola.
+TEST_P(LubricatedPairAt, guessed_pressures_that_fall_vanish_behind_an_edge_where_oil_flows_freely) {
+  linearise();
+  const std::vector<double> weights = {3.0, -3.0, 1.0};
+  const std::vector<double> edges = {2.5, 4.5, 1.0};  // passed by T = 3, not passed, passed by T = 2
+  std::vector<OwnedVec> states(3);
+  const OwnedVec guess = films.create_state(), polynomial = films.create_state();
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    std::vector<std::vector<double>> pressures = steps.last.pressure;
+    for (std::vector<double>& film : pressures) {
+      for (std::size_t n = 0; n < film.size(); ++n) {
+        const double left =
+            n % 4 < 3 ? std::max(0.0, edges[n % 4] - (2.0 - static_cast<double>(k))) : 3.0 - static_cast<double>(k);
+        film[n] = left * left;
+      }
+    }
+    states[k] = system.vector(pressures, steps.last.motion);
+    petsc_check(VecAXPY(guess, weights[k], states[k]));
+  }
+  petsc_check(VecCopy(guess, polynomial));
+  films.extrapolate_falls(guess, weights, [&](std::size_t n) -> Vec { return states[n]; });
+  std::size_t free = 0, stiff = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::vector<double> guessed = films.field(guess, k), plain = films.field(polynomial, k);
+    for (std::size_t n = 0; n < guessed.size(); ++n) {
+      if (!films.film(k).conducts_freely(n) || n % 4 == 3) {
+        EXPECT_EQ(guessed[n], plain[n]);
+        ++stiff;
+      } else {
+        EXPECT_NEAR(guessed[n], n % 4 == 1 ? 2.25 : 0.0, 1e-12);
+        ++free;
+      }
+    }
+  }
+  EXPECT_GT(free, 0U);
+  EXPECT_GT(stiff, 0U);
+}
+
 // Small ones may vanish.
 TEST_P(LubricatedPairAt, guessed_pressures_fall_by_half_at_most_and_not_below_zero) {
   constexpr double small = 0.003;
