@@ -39,12 +39,19 @@ public:
       for (int n = 1; n < nx_ - 1; ++n) relax_line(sweep % 2 == 0 ? n : nx_ - 1 - n);
     }
     for (int i = 1; i < nx_ - 1; ++i) {
-      for (int j = near_[i].begin; j < near_[i].end; ++j) change_[node(i, j)] += added_.row(i)[j];
+      for (int j = near_[i].begin; j < near_[i].end; ++j) {
+        const std::size_t n = node(i, j);
+        const Real added = added_.row(i)[j];
+        change_[n] = added == most(n) ? pressure_[n] : change_[n] + added;
+      }
     }
   }
 
 private:
   std::size_t node(int i, int j) const { return static_cast<std::size_t>(i) * count_ + j; }
+
+  /// What makes the new pressure zero.
+  Real most(std::size_t n) const { return static_cast<Real>(pressure_[n] - change_[n]); }
 
   /// Finds the nodes that would go below zero; false where there are none.
   bool begin() {
@@ -56,7 +63,7 @@ private:
           near_.resize(nx_);
           added_.fill(Real(0));
         }
-        added_.row(i)[j] = static_cast<Real>(pressure_[n] - change_[n]);
+        added_.row(i)[j] = most(n);
         for (int line = std::max(1, i - sweeps_around); line <= std::min(nx_ - 2, i + sweeps_around); ++line) {
           near_[line].include(std::max(0, j - sweeps_around), std::min(count_, j + sweeps_around + 1));
         }
@@ -77,7 +84,7 @@ private:
       if (!conducts_freely(weights_[n]) || slope <= Real(0)) continue;
       const Real others = of(west_west)[j] * ww[j] + of(west)[j] * w[j] + of(east)[j] * e[j] +
                           of(south)[j] * own[j - 1] + of(north)[j] * own[j + 1];
-      own[j] = std::min(-others / slope, static_cast<Real>(pressure_[n] - change_[n]));
+      own[j] = std::min(-others / slope, most(n));
     }
     mirror(i);
   }
