@@ -110,10 +110,10 @@ public:
   void precondition_displacement(std::span<double> change);
   /// Approximate solution as above, by one relaxation of the smoother.
   void relax(std::span<const double> rows, std::span<double> change);
-  /// Whether oil flows freely at an own node of the state of the Jacobian (projected_change.hpp). Not collective.
+  /// Whether oil flows freely at an own node of the state of the Jacobian (reynolds.hpp). Not collective.
   bool conducts_freely(std::size_t n) const { return gearfilm::conducts_freely(weights_[n]); }
-  /// Makes a change of the pressure that would leave some below zero at such nodes one that leaves them there. Not
-  /// collective.
+  /// Makes a change of the pressure that would leave some below zero at such nodes one that leaves them there
+  /// (projected_change.hpp). Not collective.
   void project_change(std::span<const double> pressure, std::span<double> change) {
     linearised_->project_change(pressure, weights_, change);
   }

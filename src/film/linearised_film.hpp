@@ -47,7 +47,8 @@ public:
   virtual bool relax_displacement(std::span<const double> column, std::span<double> change) = 0;
   /// Approximate solution as above, by one relaxation on the finest level.
   virtual void relax(std::span<const double> residual, std::span<double> change) = 0;
-  /// Makes a change that would leave pressures below zero one that leaves them there (projected_change.hpp); compact.
+  /// Makes a change that would leave pressures below zero one that leaves them there, of nodes with these weights of
+  /// rows (projected_change.hpp); compact.
   virtual void project_change(std::span<const double> pressure, std::span<const float> weights,
                               std::span<double> change) = 0;
   virtual int levels() const = 0;

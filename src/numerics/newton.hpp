@@ -8,9 +8,10 @@
 // step for their sake crawls. Where a full step leads up, single nodes that have overshot therefore take a part of
 // their changes only (overshoot.hpp); that may lead to three times what it was before, since their neighbours have not
 // followed yet. Each node's change can also be limited by itself first: no pressure falls by more than 0.4 of it, or
-// rises by more than the system allows, in one step. A direction so limited is not Newton's, and need not lead down at
-// once: the merit may grow tenfold in an iteration, and the norm to a thousand times what it began with. A good first
-// guess has a small norm, and it is behind such a one that a limit of ten stopped iterations which find their way.
+// rises by more than the system allows, in one step; and the system may adapt changes around pressures that would fall
+// below zero. A direction so limited is not Newton's, and need not lead down at once: the merit may grow tenfold in an
+// iteration, and the norm to a thousand times what it began with. A good first guess has a small norm, and it is behind
+// such a one that a limit of ten stopped iterations which find their way.
 #pragma once
 
 #include <cmath>

@@ -116,7 +116,7 @@ void FilmSystem::extrapolate_falls(Vec guess, std::span<const double> weights,
   const VecWriting values(guess);
   for (std::size_t n = 0; n < scalars_at(); ++n) {
     const double last = states[0][n];
-    const bool falls = last <= 0.0 || last < states[1][n];
+    const bool falls = last <= 0.0 ? values[n] != 0.0 : last < states[1][n];
     if (!falls || !films_[n / field_size()]->conducts_freely(n % field_size())) continue;
     double root = 0.0;
     for (std::size_t k = 0; k < weights.size() && last > 0.0; ++k) {
