@@ -209,8 +209,11 @@ bool SegmentStepper::try_step(double dT, bool again) {
     keep(stage_time_, true);
   }
   const std::vector<double> weights = differences_.extrapolate(step_begin_ + dT, again ? 2 : 3);
-  pair_.system().extrapolate_falls(differences_.sought(), weights,
-                                   [&](std::size_t n) { return differences_.state(n); });
+  // A run that goes on from a stored state knows of no earlier Jacobian by which films tell where oil flows freely.
+  if (newton_ > 0) {
+    pair_.system().extrapolate_falls(differences_.sought(), weights,
+                                     [&](std::size_t n) { return differences_.state(n); });
+  }
   return solve_stage(step_begin_ + dT, 2);
 }
 
