@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <vector>
 
+#include "grid/row_axis.hpp"
+
 namespace gearfilm {
 namespace {
 
-constexpr int sweeps_around = 4;
-
-/// Rows of a line; none where there is none yet.
-struct NearRows {
-  int begin = 0, end = 0;
-
-  bool empty() const { return begin >= end; }
-  void include(int from, int to) {
-    begin = empty() ? from : std::min(begin, from);
-    end = std::max(end, to);
-  }
-};
+/// The smallest range that holds these rows too.
+RowRange including(const RowRange& rows, int begin, int end) {
+  return rows.count() == 0 ? RowRange{begin, end} : RowRange{std::min(rows.begin, begin), std::max(rows.end, end)};
+}
 
 template <class Real>
 class ProjectedChange {
@@ -35,7 +29,7 @@ public:
 
   void solve() {
     if (!begin()) return;
-    for (int sweep = 0; sweep < sweeps_around; ++sweep) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       for (int n = 1; n < nx_ - 1; ++n) relax_line(sweep % 2 == 0 ? n : nx_ - 1 - n);
     }
     for (int i = 1; i < nx_ - 1; ++i) {
@@ -48,6 +42,9 @@ public:
   }
 
 private:
+  static constexpr int sweeps = 4;
+  static constexpr int around = 4;  ///< nodes along X and rows from one that falls dry whose changes are adapted
+
   std::size_t node(int i, int j) const { return static_cast<std::size_t>(i) * count_ + j; }
 
   /// What makes the new pressure zero.
@@ -64,8 +61,8 @@ private:
           added_.fill(Real(0));
         }
         added_.row(i)[j] = most(n);
-        for (int line = std::max(1, i - sweeps_around); line <= std::min(nx_ - 2, i + sweeps_around); ++line) {
-          near_[line].include(std::max(0, j - sweeps_around), std::min(count_, j + sweeps_around + 1));
+        for (int line = std::max(1, i - around); line <= std::min(nx_ - 2, i + around); ++line) {
+          near_[line] = including(near_[line], std::max(0, j - around), std::min(count_, j + around + 1));
         }
       }
     }
@@ -74,7 +71,6 @@ private:
   }
 
   void relax_line(int i) {
-    if (near_[i].empty()) return;
     const Real *ww = added_.row(std::max(i - 2, 0)), *w = added_.row(i - 1), *e = added_.row(i + 1);
     Real* own = added_.row(i);
     const auto of = [this, i](Neighbour neighbour) { return linear_.by_pressure[neighbour].row(i); };
@@ -99,7 +95,7 @@ private:
   std::span<const float> weights_;
   Field<Real>& added_;
   std::span<double> change_;
-  std::vector<NearRows> near_;  ///< by line, around nodes that would go below zero; empty where there are none
+  std::vector<RowRange> near_;  ///< by line, around nodes that would go below zero; empty where there are none
 };
 
 }  // namespace
