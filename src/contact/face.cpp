@@ -20,6 +20,19 @@ double table_at(const std::vector<std::pair<double, double>>& points, double y) 
   return std::lerp(before->second, after->second, (y - before->first) / (after->first - before->first));
 }
 
+bool is_within(const Face& face, double y) { return std::abs(y) < 0.5 * face.width * (1.0 - 1e-9); }
+
+/// Where reliefs of a power begin, on both sides.
+std::set<double> relieved_from(const Face& face, int power) {
+  std::set<double> places;
+  for (const EndRelief& relief : face.gap.reliefs) {
+    const double begin = 0.5 * face.width - relief.length;
+    if (relief.amount == 0.0 || relief.power != power || !is_within(face, begin)) continue;
+    places.insert({-begin, begin});
+  }
+  return places;
+}
+
 }  // namespace
 
 double Face::operator()(double y) const {
@@ -35,18 +48,18 @@ double Face::operator()(double y) const {
 bool Face::symmetric() const { return gap.slope == 0.0 && gap.tables.empty(); }
 
 std::vector<double> Face::kinks() const {
-  std::set<double> places;
-  const auto add = [&](double y) {
-    if (std::abs(y) < 0.5 * width * (1.0 - 1e-9)) places.insert(y);
-  };
-  for (const EndRelief& relief : gap.reliefs) {
-    if (relief.amount == 0.0) continue;
-    add(0.5 * width - relief.length);
-    add(relief.length - 0.5 * width);
-  }
+  std::set<double> places = relieved_from(*this, 1);
   for (const auto& table : gap.tables) {
-    for (const auto& [y, value] : table) add(y);
+    for (const auto& [y, value] : table) {
+      if (is_within(*this, y)) places.insert(y);
+    }
   }
+  return {places.begin(), places.end()};
+}
+
+std::vector<double> Face::bends() const {
+  std::set<double> places = relieved_from(*this, 2);
+  for (const double kink : kinks()) places.erase(kink);
   return {places.begin(), places.end()};
 }
 

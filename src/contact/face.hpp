@@ -54,8 +54,10 @@ struct Face {
   double operator()(double y) const;
   /// Whether the gap is its own mirror image in y = 0.
   bool symmetric() const;
-  /// Where the slope of the gap, or its curvature, jumps [m]; each of both sides, increasing.
+  /// Where the slope of the gap jumps [m], within the face, increasing: dry pressure is infinite there.
   std::vector<double> kinks() const;
+  /// Where its curvature jumps and its slope does not.
+  std::vector<double> bends() const;
   /// Whether the gap is that of crowning and slope alone up to so far from a place [m].
   bool plain_around(double centre, double half_length) const;
 };

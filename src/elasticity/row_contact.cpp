@@ -200,6 +200,36 @@ double RowContact::most_loaded_place() const {
   return rows_.y(*std::ranges::max_element(rows, {}, [&](int row) { return loads_[row]; }));
 }
 
+// s^2 falls to zero as a straight line does, as at the tip of an ellipse, but before the next row.
+std::vector<ContactEnd> RowContact::ends_within() const {
+  std::vector<ContactEnd> ends;
+  const int count = rows_.count();
+  const auto loaded = [&](int row) { return row >= 0 && row < count && loads_[row] > 0.0; };
+  for (const int out : {-1, 1}) {
+    for (int row = 0; row < count; ++row) {
+      const int next = row + out;
+      if (!loaded(row) || loaded(next) || next < 0 || rows_.is_ambient(next)) continue;
+      const double square = half_widths_[row] * half_widths_[row], y = rows_.y(row);
+      double widening = square / std::abs(rows_.y(next) - y);
+      for (int inner = row - out; loaded(inner) && std::abs(inner - row) <= 2; inner -= out) {
+        const double rise = half_widths_[inner] * half_widths_[inner] - square;
+        widening = std::max(widening, rise / std::abs(rows_.y(inner) - y));
+      }
+      ends.push_back({.y = y + out * square / widening, .widening = widening});
+    }
+  }
+  return ends;
+}
+
+Strip RowContact::reached() const {
+  const int last = rows_.count() - 1;
+  int upper = last, lower = 0;
+  while (upper > 0 && loads_[upper - 1] == 0.0) --upper;
+  while (lower < last && loads_[lower + 1] == 0.0) ++lower;
+  const double to = rows_.y(upper) + 1.0;
+  return rows_.mirrored() ? Strip{-to, to} : Strip{rows_.y(lower) - 1.0, to};
+}
+
 FaceContact RowContact::found(double force, double approach) const {
   FaceContact contact{.force = force, .approach = approach};
   double moment = 0.0;
@@ -257,11 +287,13 @@ double half_width_of(const Scales& scales) { return 0.5 * scales.solids.face->wi
 }  // namespace
 
 RowGrading coarse_grading(const Scales& scales) {
-  return {.first = 0.1, .kink = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width_of(scales) / 12.0)};
+  return {
+      .first = 0.1, .kink = 0.3, .bend = 0.3, .growth = 1.6, .largest = std::max(1.25, half_width_of(scales) / 12.0)};
 }
 
 RowGrading fine_grading(const Scales& scales) {
-  return {.first = 0.06, .kink = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width_of(scales) / 32.0)};
+  return {
+      .first = 0.06, .kink = 0.2, .bend = 0.2, .growth = 1.4, .largest = std::max(1.25, half_width_of(scales) / 32.0)};
 }
 
 FaceRows::FaceRows(const Face& face, const RowGrading& grading, double a)
@@ -273,6 +305,22 @@ RowContact FaceRows::contact(const Scales& scales) const {
   RowContact contact(scales, rows_);
   if (ends_) contact.add_ends(*ends_, h_x_);
   return contact;
+}
+
+LoadedFace loaded_face(const Scales& scales, std::span<const double> forces, const RowGrading& grading) {
+  const RowAxis rows = rows_over_face(*scales.solids.face, grading, scales.length);
+  RowContact contact(scales, rows);
+  LoadedFace face;
+  for (const double force : forces) {
+    contact.solve(force, 1.0);
+    const std::vector<ContactEnd> ends = contact.ends_within();
+    face.ends.insert(face.ends.end(), ends.begin(), ends.end());
+    if (rows.mirrored()) {
+      for (const ContactEnd& end : ends) face.ends.push_back({-end.y, end.widening});
+    }
+    if (force == forces.front()) face.reached = contact.reached();
+  }
+  return face;
 }
 
 double most_loaded_place(const Scales& scales, double force, double relative_radius) {

@@ -21,6 +21,12 @@
 
 namespace gearfilm {
 
+/// Where a dry contact ends within the face.
+struct ContactEnd {
+  double y = 0.0;         ///< Y
+  double widening = 0.0;  ///< |d(s^2)/dY| there, of its half-width s
+};
+
 class RowContact {
 public:
   /// For the scales' face; rows over the whole face or half of it.
@@ -43,6 +49,10 @@ public:
   double loaded_width() const;
   /// Y of the row that carries most of them, off the ends.
   double most_loaded_place() const;
+  /// Where it ends within the face: over half of the face those at Y > 0.
+  std::vector<ContactEnd> ends_within() const;
+  /// Between the first and the last row without load, and as far as `a` beyond.
+  Strip reached() const;
 
 private:
   struct Place {
@@ -90,6 +100,16 @@ private:
   std::optional<EndFaceCompliance> ends_;
   double h_x_;
 };
+
+/// What dry contacts take of a face.
+struct LoadedFace {
+  Strip reached;                 ///< by the first of the forces
+  std::vector<ContactEnd> ends;  ///< within the face, under all of them; at both sides where these are alike
+};
+
+/// Of dry contacts along the scales' face under forces [-] from the largest to the smallest, on rows that are graded
+/// so. Throws SolveError.
+LoadedFace loaded_face(const Scales& scales, std::span<const double> forces, const RowGrading& grading);
 
 /// Y [a] of the row that carries most by unit length of the dry contact along the scales' face, under a force [-] at a
 /// radius; rows beside an end do not count where others are loaded. Throws SolveError.

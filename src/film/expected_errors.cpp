@@ -70,6 +70,10 @@ FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm
   return {central, steps.y < law.tearing_step ? smallest : HUGE_VAL};
 }
 
+double tearing_step(FilmDiscretisation discretisation, const ExpectedFilm& expected) {
+  return law_of(discretisation, expected).tearing_step;
+}
+
 Steps steps_for(FilmDiscretisation discretisation, const ExpectedFilm& expected, double accuracy) {
   constexpr double safe = 2.0 / 3.0;  // of the step from which on films tear
   const Law law = law_of(discretisation, expected);

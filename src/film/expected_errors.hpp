@@ -37,6 +37,9 @@ struct FilmErrors {
 };
 FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm& expected, const Steps& steps);
 
+/// The step along Y [b] from which on a film tears at its sides.
+double tearing_step(FilmDiscretisation discretisation, const ExpectedFilm& expected);
+
 /// Relative, what errors of fitted films that change their sign with the step may be though two grids agree.
 inline constexpr FilmErrors least_bars{.central = 0.0035, .smallest = 0.0125};
 

@@ -1,9 +1,11 @@
 #include "input/case_face.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/hertz.hpp"
+#include "elasticity/row_contact.hpp"
 #include "film/expected_errors.hpp"
 #include "input/point_table.hpp"
 
@@ -170,18 +172,49 @@ double half_length(ContactSolids solids, double load) {
   return std::min(half_face, hertz_contact(solids, load).b);
 }
 
+double finer_rows(const ParameterValues& values) {
+  return std::sqrt(std::min(1.0, values.real("grid.accuracy") / usual_accuracy));
+}
+
 /// Away from ends and kinks pressure changes over the whole contact, or with the waves of the flanks.
 double longest_between_rows(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
   constexpr double always = 2.5, part_of_contact = 0.1;
-  const double by_accuracy = std::sqrt(std::min(1.0, values.real("grid.accuracy") / usual_accuracy));
   const double contact = half_length(scales.solids, scales.operation.load);
-  const double by_contact = std::min(part_of_contact * by_accuracy * contact, longest_by_waves);
-  return std::max(always * by_accuracy, by_contact / scales.length);
+  const double by_contact = std::min(part_of_contact * finer_rows(values) * contact, longest_by_waves);
+  return std::max(always * finer_rows(values), by_contact / scales.length);
+}
+
+/// Where a contact ends within the face, it does as at the tip of an ellipse whose half-width grows alike, with
+/// d(s^2)/dY = 2 a^2/b: its film tears on rows that are farther apart than that ellipse allows.
+RowPlace place_of(const ContactEnd& end, FilmDiscretisation discretisation, const Scales& scales) {
+  ExpectedFilm tip(scales);
+  tip.ellipticity = 0.5 * end.widening;
+  return {end.y, tearing_step(discretisation, tip) / tip.ellipticity};
+}
+
+/// Takes from dry contacts where the face is loaded and where contacts end on it. Their own rows begin coarse.
+void follow_contacts(const Scales& scales, FilmDiscretisation discretisation, double finer, RowGrading& grading) {
+  constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35};  // of the static force
+  std::vector<double> forces;
+  for (const double ratio : ratios) forces.push_back(ratio * scales.static_force);
+  RowGrading of_rows = coarse_grading(scales);
+  for (int pass = 0; pass < 2; ++pass) {
+    const LoadedFace face = loaded_face(scales, forces, of_rows);
+    grading.reached = face.reached;
+    grading.contact_ends.clear();
+    for (const ContactEnd& end : face.ends) {
+      RowPlace place = place_of(end, discretisation, scales);
+      place.step *= finer;
+      grading.contact_ends.push_back(place);
+    }
+    of_rows.contact_ends = grading.contact_ends;
+  }
 }
 
 }  // namespace
 
-RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
+RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, FilmDiscretisation discretisation,
+                            double longest_by_waves) {
   const FaceGap& gap = scales.solids.face->gap;
   const bool sharp = gap.reliefs.empty() && gap.logarithmic == 0.0;
   RowGrading grading;
@@ -189,6 +222,7 @@ RowGrading read_row_grading(const ParameterValues& values, const Scales& scales,
   grading.growth = values.real("grid.row_growth");
   grading.largest =
       values.real_if_given("grid.largest_row").value_or(longest_between_rows(values, scales, longest_by_waves));
+  follow_contacts(scales, discretisation, finer_rows(values), grading);
   return grading;
 }
 

@@ -21,6 +21,7 @@ void set_face(const ParameterValues& values, const std::shared_ptr<const Face>& 
               ContactSolids& solids);
 
 /// How rows along the face of such scales are graded. longest_by_waves: distance that resolves waves of the flanks [m].
-RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, double longest_by_waves);
+RowGrading read_row_grading(const ParameterValues& values, const Scales& scales, FilmDiscretisation discretisation,
+                            double longest_by_waves);
 
 }  // namespace gearfilm

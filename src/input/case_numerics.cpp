@@ -284,7 +284,7 @@ void set_film_numerics(CaseInput& result) {
       values.text("film.discretisation") == "central" ? FilmDiscretisation::central : FilmDiscretisation::fitted;
   if (result.scales.solids.face) {
     const double by_waves = steps_by_waves(result).y * result.scales.hertz.b;
-    result.numerics.face_rows = read_row_grading(values, result.scales, by_waves);
+    result.numerics.face_rows = read_row_grading(values, result.scales, result.numerics.discretisation, by_waves);
   }
   set_nodes(result);
   result.numerics.solver = {read_newton_options(values, "solver", values.real("solver.newton_tolerance"),

@@ -183,7 +183,7 @@ protected:
     return {most, top};
   }
 
-  RowAxis rows = graded_rows(12.0, {-7.0, 7.0}, {.first = 0.2, .growth = 1.6}, Edge::ambient);
+  RowAxis rows = graded_rows(12.0, {{-7.0, 0.1}, {7.0, 0.1}}, {.first = 0.2, .growth = 1.6}, Edge::ambient);
   GridShape shape{17, -3.0, 1.5, rows};
 };
 
@@ -250,7 +250,7 @@ TEST_F(EndFaceCompliances, move_the_middle_of_the_face_no_nearer) {
 
 // Rows at Y >= 0 know those at Y < 0 as mirror images; the other end of the face is one.
 TEST_F(EndFaceCompliances, of_half_the_rows_are_those_of_all_of_them) {
-  const RowAxis half = graded_rows(12.0, {-7.0, 7.0}, {.first = 0.2, .growth = 1.6}, Edge::symmetry);
+  const RowAxis half = graded_rows(12.0, {{-7.0, 0.1}, {7.0, 0.1}}, {.first = 0.2, .growth = 1.6}, Edge::symmetry);
   ASSERT_EQ(half.whole_count(), rows.count());
   const int shift = half.count() - 1;
   for (const EndFaces& ends : {free_ends(), EndFaces{.kind = EndFace::mirror, .mirror_factor = 1.39}}) {

@@ -44,14 +44,11 @@ inline Scales line_scales(double line_load) {
 
 /// Rows over the face of some scales, all of them or those at Y >= 0.
 inline RowAxis rows_of_face(const Scales& scales, const RowGrading& grading, Edge lower) {
-  const Face& face = *scales.solids.face;
-  std::vector<double> kinks = face.kinks();
-  for (double& y : kinks) y /= scales.length;
-  return graded_rows(0.5 * face.width / scales.length, kinks, grading, lower);
+  return rows_over_face(*scales.solids.face, grading, scales.length, lower);
 }
 
 /// Few rows, where these are not what is tested.
-inline constexpr RowGrading few_rows{.first = 0.3, .kink = 0.8, .growth = 2.0, .largest = 5.0};
+inline constexpr RowGrading few_rows{.first = 0.3, .kink = 0.8, .bend = 0.8, .growth = 2.0, .largest = 5.0};
 
 /// From -3 to 1.5 a.
 inline GridShape shape_over(const RowAxis& rows, int nx) { return {nx, -3.0, 1.5, rows}; }

@@ -48,15 +48,24 @@ TEST(FaceGap, of_a_logarithmic_profile_is_finite_at_the_ends) {
   for (const double y : {-0.5 * F, 0.5 * F}) EXPECT_NEAR(face(y), 0.8e-6 * 9.0 * std::log(10.0), 1e-18);
 }
 
-TEST(Face, has_kinks_where_reliefs_begin_and_where_tables_have_points) {
+TEST(Face, has_kinks_where_linear_reliefs_begin_and_where_tables_have_points) {
   Face face{.width = F};
   EXPECT_THAT(face.kinks(), IsEmpty());
-  face.gap.reliefs = {{.amount = 10e-6, .length = 3e-3}, {.amount = 0.0, .length = 1e-3}};
+  face.gap.reliefs = {{.amount = 10e-6, .length = 3e-3, .power = 1}, {.amount = 0.0, .length = 1e-3, .power = 1}};
   EXPECT_THAT(face.kinks(), ElementsAre(DoubleEq(-4e-3), DoubleEq(4e-3)));
+  EXPECT_THAT(face.bends(), IsEmpty());
   face.gap.tables = {{{-7e-3, 0.0}, {1e-3, 0.0}, {7e-3, 1e-6}}};  // the ends are none
   EXPECT_THAT(face.kinks(), ElementsAre(DoubleEq(-4e-3), DoubleEq(1e-3), DoubleEq(4e-3)));
-  face.gap = {.reliefs = {{.amount = 10e-6, .length = 0.5 * F}}};  // from the middle on
+  face.gap = {.reliefs = {{.amount = 10e-6, .length = 0.5 * F, .power = 1}}};  // from the middle on
   EXPECT_THAT(face.kinks(), ElementsAre(0.0));
+}
+
+TEST(Face, bends_where_circular_reliefs_begin_unless_it_has_a_kink_there) {
+  Face face{.width = F, .gap = {.reliefs = {{.amount = 10e-6, .length = 3e-3}, {.amount = 5e-6, .length = 1e-3}}}};
+  EXPECT_THAT(face.bends(), ElementsAre(DoubleEq(-6e-3), DoubleEq(-4e-3), DoubleEq(4e-3), DoubleEq(6e-3)));
+  EXPECT_THAT(face.kinks(), IsEmpty());
+  face.gap.reliefs[1] = {.amount = 5e-6, .length = 3e-3, .power = 1};
+  EXPECT_THAT(face.bends(), IsEmpty());
 }
 
 TEST(Face, is_symmetric_unless_it_slopes_or_has_tables) {
