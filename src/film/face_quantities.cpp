@@ -37,10 +37,22 @@ double FaceQuantities::smallest_film_beyond(double distance) const {
   return smallest;
 }
 
-double FaceQuantities::smallest_film_at() const {
+int FaceQuantities::thinnest_row() const {
   const int left_out = corners_carry_films ? 0 : 1;
-  return Y[std::ranges::min_element(smallest_film.begin() + left_out, smallest_film.end() - left_out) -
-           smallest_film.begin()];
+  const auto thinnest = std::ranges::min_element(smallest_film.begin() + left_out, smallest_film.end() - left_out);
+  return static_cast<int>(thinnest - smallest_film.begin());
+}
+
+double FaceQuantities::smallest_film_at() const { return Y[thinnest_row()]; }
+
+double FaceQuantities::film_between_rows() const {
+  const int row = thinnest_row(), left_out = corners_carry_films ? 0 : 1;
+  const int last = static_cast<int>(Y.size()) - 1 - left_out;
+  double beside = HUGE_VAL;
+  for (const int near : {row - 1, row + 1}) {
+    if (near >= left_out && near <= last) beside = std::min(beside, smallest_film[near]);
+  }
+  return beside - smallest_film[row];
 }
 
 double FaceQuantities::largest_pressure_at() const {

@@ -26,7 +26,12 @@ struct FaceQuantities {
   double smallest_film_beyond(double distance) const;
   /// Y of the smallest film, of those that count, and of the largest pressure.
   double smallest_film_at() const;
+  /// By how much the nearer film of the rows beside that of the smallest film exceeds it: what rows may hide.
+  double film_between_rows() const;
   double largest_pressure_at() const;
+
+private:
+  int thinnest_row() const;
 };
 
 /// The quantities of the film that was evaluated last. Collective.

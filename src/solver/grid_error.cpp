@@ -1,6 +1,9 @@
 #include "solver/grid_error.hpp"
 
+#include <algorithm>
+
 #include "film/expected_errors.hpp"
+#include "film/face_quantities.hpp"
 #include "film/transfer.hpp"
 #include "gearfilm/error.hpp"
 #include "parallel/events.hpp"
@@ -47,6 +50,11 @@ std::optional<GridErrors> errors_between(const Discretisation& discretisation, c
   return errors;
 }
 
+/// Coarser grids over a face have the same rows, and tell nothing of them.
+void add_rows_of_face(const ContactFilm& film, Estimate& smallest_film) {
+  smallest_film.error = std::max(smallest_film.error, face_quantities(film).film_between_rows());
+}
+
 /// From nothing, grid by grid; where a step of that way fails, from the finer film. That alone would take far longer:
 /// 19 Newton iterations from 1025 x 1025 nodes, five times the work.
 StationaryResult film_on_coarser(const ContactFilm& film, ContactFilm& coarse, const LoadCondition& load,
@@ -78,10 +86,12 @@ std::optional<GridErrors> grid_errors(const ContactFilm& film, const LoadConditi
       return {};
     }
   };
-  if (const auto errors = against(fine.prepare_coarser())) return errors;
+  std::optional<GridErrors> errors = against(fine.prepare_coarser());
   // Fitted films have few rows, of which half may not be enough; most of their errors come from the lines.
-  return fine.of_films() == FilmDiscretisation::fitted ? against(fine.prepare_coarser(Coarsening::x_only))
-                                                       : std::nullopt;
+  if (!errors && fine.of_films() == FilmDiscretisation::fitted)
+    errors = against(fine.prepare_coarser(Coarsening::x_only));
+  if (errors && film.scales().solids.face) add_rows_of_face(film, errors->smallest_film);
+  return errors;
 }
 
 }  // namespace gearfilm

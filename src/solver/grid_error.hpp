@@ -2,7 +2,8 @@
 //
 // The same film on every second node of the grid tells that (estimate.hpp). A film that was found from every second
 // node has been there; else the estimate costs another solution there. A fitted film that every second node does not
-// carry is compared with that on every second line.
+// carry is compared with that on every second line. Over a face, whose coarser grids have all its rows, the smallest
+// film has at least the bar by which the nearer row beside it differs.
 #pragma once
 
 #include <algorithm>

@@ -130,6 +130,20 @@ struct CrownedFilm {
   FaceQuantities face;
 };
 
+// The rows at the ends count where corners carry films.
+TEST(FaceQuantitiesBetweenRows, are_what_the_nearer_row_beside_the_thinnest_has_more) {
+  FaceQuantities face;
+  face.Y = {-3.0, -1.0, 0.0, 1.0, 3.0};
+  face.smallest_film = {0.1, 0.9, 0.5, 0.8, 2.0};
+  face.corners_carry_films = false;
+  EXPECT_EQ(face.smallest_film_at(), 0.0);
+  EXPECT_DOUBLE_EQ(face.film_between_rows(), 0.3);
+  face.smallest_film[1] = 0.2;  // beside an end
+  EXPECT_DOUBLE_EQ(face.film_between_rows(), 0.3);
+  face.corners_carry_films = true;
+  EXPECT_DOUBLE_EQ(face.film_between_rows(), 0.1);
+}
+
 // theta y + y^2/(2 R_y) = (y + theta R_y)^2/(2 R_y) - theta^2 R_y/2: 14 rows towards -y.
 TEST(FaceFilm, of_a_crowned_and_misaligned_contact_is_the_shifted_one) {
   const double slope = 49e-6 / face_width, shift = -slope * CrownedFilm::radius_y;
