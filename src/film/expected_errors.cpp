@@ -6,7 +6,8 @@
 namespace gearfilm {
 namespace {
 
-constexpr double along_x = 0.7;  // of the errors, where a node gains most; the rest comes from the steps along Y
+constexpr double safe = 2.0 / 3.0;  // of the step from which on films tear
+constexpr double along_x = 0.7;     // of the errors, where a node gains most; the rest comes from the steps along Y
 
 /// Factors of the errors' powers of steps.
 struct Law {
@@ -70,18 +71,17 @@ FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm
   return {central, steps.y < law.tearing_step ? smallest : HUGE_VAL};
 }
 
-double tearing_step(FilmDiscretisation discretisation, const ExpectedFilm& expected) {
-  return law_of(discretisation, expected).tearing_step;
+double longest_side_step(FilmDiscretisation discretisation, const ExpectedFilm& expected) {
+  return safe * law_of(discretisation, expected).tearing_step;
 }
 
 Steps steps_for(FilmDiscretisation discretisation, const ExpectedFilm& expected, double accuracy) {
-  constexpr double safe = 2.0 / 3.0;  // of the step from which on films tear
   const Law law = law_of(discretisation, expected);
   const double l = inlet_rise(expected);
   const double x = std::min(longest_step(law.central_rise, law.central_order, law.central_step, l, along_x * accuracy),
                             longest_step(law.smallest_rise, 2, 0.0, l, along_x * accuracy));
   const double y = std::sqrt((1.0 - along_x) * accuracy / std::max(law.central_side, law.smallest_side)) * l;
-  return {x, std::min(y, safe * law.tearing_step)};
+  return {x, std::min(y, longest_side_step(discretisation, expected))};
 }
 
 }  // namespace gearfilm

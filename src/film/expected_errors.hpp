@@ -37,8 +37,8 @@ struct FilmErrors {
 };
 FilmErrors expected_errors(FilmDiscretisation discretisation, const ExpectedFilm& expected, const Steps& steps);
 
-/// The step along Y [b] from which on a film tears at its sides.
-double tearing_step(FilmDiscretisation discretisation, const ExpectedFilm& expected);
+/// The longest step along Y [b]: two thirds of that from which on a film tears at its sides.
+double longest_side_step(FilmDiscretisation discretisation, const ExpectedFilm& expected);
 
 /// Relative, what errors of fitted films that change their sign with the step may be though two grids agree.
 inline constexpr FilmErrors least_bars{.central = 0.0035, .smallest = 0.0125};

@@ -189,12 +189,12 @@ double longest_between_rows(const ParameterValues& values, const Scales& scales,
 RowPlace place_of(const ContactEnd& end, FilmDiscretisation discretisation, const Scales& scales) {
   ExpectedFilm tip(scales);
   tip.ellipticity = 0.5 * end.widening;
-  return {end.y, tearing_step(discretisation, tip) / tip.ellipticity};
+  return {end.y, longest_side_step(discretisation, tip) / tip.ellipticity};
 }
 
 /// Takes from dry contacts where the face is loaded and where contacts end on it. Their own rows begin coarse.
 void follow_contacts(const Scales& scales, FilmDiscretisation discretisation, double finer, RowGrading& grading) {
-  constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35};  // of the static force
+  constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};  // of the static force
   std::vector<double> forces;
   for (const double ratio : ratios) forces.push_back(ratio * scales.static_force);
   RowGrading of_rows = coarse_grading(scales);
