@@ -7,6 +7,7 @@
 #include "contact/hertz.hpp"
 #include "elasticity/row_contact.hpp"
 #include "film/expected_errors.hpp"
+#include "gearfilm/error.hpp"
 #include "input/point_table.hpp"
 
 namespace gearfilm {
@@ -192,12 +193,13 @@ RowPlace place_of(const ContactEnd& end, FilmDiscretisation discretisation, cons
   return {end.y, longest_side_step(discretisation, tip) / tip.ellipticity};
 }
 
-/// Takes from dry contacts where the face is loaded and where contacts end on it. Their own rows begin coarse.
-void follow_contacts(const Scales& scales, FilmDiscretisation discretisation, double finer, RowGrading& grading) {
+/// With what dry contacts reach and where they end. Their own rows begin coarse. Throws SolveError.
+RowGrading following_contacts(const RowGrading& given, const Scales& scales, FilmDiscretisation discretisation,
+                              double finer) {
   constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};  // of the static force
   std::vector<double> forces;
   for (const double ratio : ratios) forces.push_back(ratio * scales.static_force);
-  RowGrading of_rows = coarse_grading(scales);
+  RowGrading grading = given, of_rows = coarse_grading(scales);
   for (int pass = 0; pass < 2; ++pass) {
     const LoadedFace face = loaded_face(scales, forces, of_rows);
     grading.reached = face.reached;
@@ -209,6 +211,7 @@ void follow_contacts(const Scales& scales, FilmDiscretisation discretisation, do
     }
     of_rows.contact_ends = grading.contact_ends;
   }
+  return grading;
 }
 
 }  // namespace
@@ -222,8 +225,15 @@ RowGrading read_row_grading(const ParameterValues& values, const Scales& scales,
   grading.growth = values.real("grid.row_growth");
   grading.largest =
       values.real_if_given("grid.largest_row").value_or(longest_between_rows(values, scales, longest_by_waves));
-  follow_contacts(scales, discretisation, finer_rows(values), grading);
-  return grading;
+  if (discretisation == FilmDiscretisation::central) {  // for comparison with films on rows of ends and kinks alone
+    grading.bend = grading.kink;
+    return grading;
+  }
+  try {
+    return following_contacts(grading, scales, discretisation, finer_rows(values));
+  } catch (const SolveError&) {
+    return grading;  // who needs the dry contact says what it lacks
+  }
 }
 
 }  // namespace gearfilm

@@ -17,7 +17,7 @@ def depths_of(results, gear):
 def draw(flanks):
     figure, axes = pyplot.subplots(2, 2, figsize=(8, 5.4), constrained_layout=True)
     for panel, image, (gear, colour), (angles, places, depths) in zip(axes[0], axes[1], GEARS, flanks):
-        panel.plot(angles, depths[:, len(places) // 2], color=colour, linewidth=1.4, label=gear)
+        panel.plot(angles, depths[:, numpy.argmin(abs(places))], color=colour, linewidth=1.4, label=gear)
         panel.set_ylim(bottom=0)
         panel.set_ylabel("depth in the middle [µm]")
         add_legend(panel, *panel.get_legend_handles_labels())
