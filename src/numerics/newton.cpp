@@ -163,6 +163,24 @@ void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
       &system));
 }
 
+void limit_changes(SNES snes, LinearisedSystem& system) {
+  allow_growth(snes, system, Growth::tenfold);
+  petsc_check(SNESSetDivergenceTolerance(snes, astray));
+  SNESLineSearch line_search = nullptr;
+  petsc_check(SNESGetLineSearch(snes, &line_search));
+  petsc_check(SNESLineSearchSetPreCheck(
+      line_search,
+      [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
+        return petsc_callback([&] {
+          auto& limited = *static_cast<LinearisedSystem*>(context);
+          limit_pressure_change(state, change, limited.pressure_count(), limited.pressure_limits());
+          limited.project_change(state, change);
+          *changed = PETSC_TRUE;
+        });
+      },
+      &system));
+}
+
 void aim_at(SNES snes, double norm) {
   PetscReal aim = 0.0, relative = 0.0, step = 0.0;
   PetscInt iterations = 0, evaluations = 0;
@@ -178,21 +196,8 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
-  allow_growth(snes, system, options.limit_changes ? Growth::tenfold : Growth::none);
-  if (options.limit_changes) {
-    petsc_check(SNESSetDivergenceTolerance(snes, astray));
-    petsc_check(SNESLineSearchSetPreCheck(
-        line_search,
-        [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
-          return petsc_callback([&] {
-            auto& limited = *static_cast<LinearisedSystem*>(context);
-            limit_pressure_change(state, change, limited.pressure_count(), limited.pressure_limits());
-            limited.project_change(state, change);
-            *changed = PETSC_TRUE;
-          });
-        },
-        &system));
-  }
+  allow_growth(snes, system, Growth::none);
+  if (options.limit_changes) limit_changes(snes, system);
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);

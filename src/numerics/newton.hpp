@@ -87,4 +87,8 @@ enum class Growth { none, tenfold };
 /// For a SNES that is configured.
 void allow_growth(SNES snes, LinearisedSystem& system, Growth growth);
 
+/// Limits each node's change by the system's limits from now on, where the residual may grow tenfold on the way; for a
+/// SNES that is configured.
+void limit_changes(SNES snes, LinearisedSystem& system);
+
 }  // namespace gearfilm

@@ -52,12 +52,17 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
   return step > shortest_pseudo_step && newton.solve(load, solution);
 }
 
-/// Solves from a guess by Newton alone, or through pseudo-time where that fails.
+/// Solves from a guess by Newton alone; where that fails, with limited changes, which take more iterations from a near
+/// guess; and through pseudo-time where these fail.
 bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolution& guess) {
-  FilmSolution direct = guess;
-  if (!newton.solve(load, direct)) return solve_through_pseudo_time(newton, load, guess);
-  guess = std::move(direct);
-  return true;
+  for (const bool limited : {false, true}) {
+    if (limited) newton.limit_changes();
+    FilmSolution direct = guess;
+    if (!newton.solve(load, direct)) continue;
+    guess = std::move(direct);
+    return true;
+  }
+  return solve_through_pseudo_time(newton, load, guess);
 }
 
 /// Solves from the dry contact: of rough surfaces from theirs, and as between smooth ones where that fails.
