@@ -163,22 +163,27 @@ void allow_growth(SNES snes, LinearisedSystem& system, Growth growth) {
       &system));
 }
 
-void limit_changes(SNES snes, LinearisedSystem& system) {
-  allow_growth(snes, system, Growth::tenfold);
-  petsc_check(SNESSetDivergenceTolerance(snes, astray));
+void limit_changes(SNES snes, LinearisedSystem& system, Changes changes) {
+  const bool limited = changes == Changes::limited;
+  allow_growth(snes, system, limited ? Growth::tenfold : Growth::none);
+  constexpr double usual = 1e4;  // PETSc's own
+  petsc_check(SNESSetDivergenceTolerance(snes, limited ? double(astray) : usual));
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
-  petsc_check(SNESLineSearchSetPreCheck(
-      line_search,
-      [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
-        return petsc_callback([&] {
-          auto& limited = *static_cast<LinearisedSystem*>(context);
-          limit_pressure_change(state, change, limited.pressure_count(), limited.pressure_limits());
-          limited.project_change(state, change);
-          *changed = PETSC_TRUE;
-        });
-      },
-      &system));
+  const auto limit = [](SNESLineSearch, Vec state, Vec change, PetscBool* changed, void* context) -> PetscErrorCode {
+    return petsc_callback([&] {
+      auto& limits = *static_cast<LinearisedSystem*>(context);
+      limit_pressure_change(state, change, limits.pressure_count(), limits.pressure_limits());
+      limits.project_change(state, change);
+      *changed = PETSC_TRUE;
+    });
+  };
+  // PETSc keeps the function that it has where it is given none.
+  const auto leave = [](SNESLineSearch, Vec, Vec, PetscBool* changed, void*) -> PetscErrorCode {
+    *changed = PETSC_FALSE;
+    return PETSC_SUCCESS;
+  };
+  petsc_check(SNESLineSearchSetPreCheck(line_search, limited ? +limit : +leave, &system));
 }
 
 void aim_at(SNES snes, double norm) {
@@ -196,8 +201,7 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
   SNESLineSearch line_search = nullptr;
   petsc_check(SNESGetLineSearch(snes, &line_search));
   petsc_check(SNESLineSearchSetType(line_search, SNESLINESEARCHSHELL));
-  allow_growth(snes, system, Growth::none);
-  if (options.limit_changes) limit_changes(snes, system);
+  limit_changes(snes, system, options.limit_changes ? Changes::limited : Changes::free);
   KSP ksp = nullptr;
   petsc_check(SNESGetKSP(snes, &ksp));
   configure_krylov(ksp, system, options.krylov_tolerance, options.krylov_max_iterations);

@@ -87,8 +87,10 @@ enum class Growth { none, tenfold };
 /// For a SNES that is configured.
 void allow_growth(SNES snes, LinearisedSystem& system, Growth growth);
 
-/// Limits each node's change by the system's limits from now on, where the residual may grow tenfold on the way; for a
-/// SNES that is configured.
-void limit_changes(SNES snes, LinearisedSystem& system);
+/// Whether changes of nodes are limited by the system's limits.
+enum class Changes { free, limited };
+
+/// For a SNES that is configured; limited ones let the residual grow tenfold on the way, free ones do not.
+void limit_changes(SNES snes, LinearisedSystem& system, Changes changes);
 
 }  // namespace gearfilm

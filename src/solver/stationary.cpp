@@ -32,18 +32,32 @@ const Tuned<double> parting("stationary_parting", 0.1,
 
 double rough(double tolerance) { return std::max<double>(tolerance, rough_tolerance); }
 
+/// One step of pseudo-time from a solution to the next: as the last one, else with the other kind of changes. Free ones
+/// swing between full and empty nodes at edges of slender contacts; limited ones never leave guesses that overlap.
+bool step_to_next(StationaryNewton& newton, const LoadCondition& load, double shift, Changes& changes,
+                  FilmSolution& solution) {
+  const Changes other = changes == Changes::free ? Changes::limited : Changes::free;
+  for (const Changes tried : {changes, other}) {
+    newton.limit_changes(tried);
+    newton.begin(load, solution);
+    if (!newton.step(shift)) continue;
+    changes = tried;
+    solution = newton.films();
+    return true;
+  }
+  return false;
+}
+
 /// Marches the squeeze term with a growing step until it no longer matters, then solves without it.
 bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
   const double tolerance = newton.tolerance();
   newton.aim_at(rough(tolerance));
   double step = first_pseudo_step, growth = pseudo_step_growth;
-  newton.begin(load, solution);
+  Changes changes = Changes::free;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
-    if (newton.step(1.0 / step)) {
-      solution = newton.films();
+    if (step_to_next(newton, load, 1.0 / step, changes, solution)) {
       step *= growth;
     } else {
-      newton.begin(load, solution);
       step *= 0.25;
       growth = careful_growth;
     }
@@ -52,17 +66,13 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
   return step > shortest_pseudo_step && newton.solve(load, solution);
 }
 
-/// Solves from a guess by Newton alone; where that fails, with limited changes, which take more iterations from a near
-/// guess; and through pseudo-time where these fail.
+/// Solves from a guess by Newton alone, or through pseudo-time where that fails.
 bool solve_from(StationaryNewton& newton, const LoadCondition& load, FilmSolution& guess) {
-  for (const bool limited : {false, true}) {
-    if (limited) newton.limit_changes();
-    FilmSolution direct = guess;
-    if (!newton.solve(load, direct)) continue;
-    guess = std::move(direct);
-    return true;
-  }
-  return solve_through_pseudo_time(newton, load, guess);
+  newton.limit_changes(Changes::free);
+  FilmSolution direct = guess;
+  if (!newton.solve(load, direct)) return solve_through_pseudo_time(newton, load, guess);
+  guess = std::move(direct);
+  return true;
 }
 
 /// Solves from the dry contact: of rough surfaces from theirs, and as between smooth ones where that fails.

@@ -45,12 +45,16 @@ StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const
         });
       },
       this));
-  const Scales& scales = films.front()->scales();
-  configure_newton(snes_, system_, between_surfaces(scales, options), system_.weight());
-  // Where fronts move, Newton's way between rough surfaces leads up first; no gap changes by more than sigma in a step.
-  if (scales.solids.rough) allow_growth(snes_, system_, Growth::tenfold);
+  configure_newton(snes_, system_, between_surfaces(films.front()->scales(), options), system_.weight());
+  limit_changes(Changes::free);
   petsc_check(SNESSetFromOptions(snes_));
   if (watcher_) watch();
+}
+
+// Where fronts move, Newton's way between rough surfaces leads up first; no gap changes by more than sigma in a step.
+void StationaryNewton::limit_changes(Changes changes) {
+  gearfilm::limit_changes(snes_, system_, changes);
+  if (system_.film(0).scales().solids.rough) allow_growth(snes_, system_, Growth::tenfold);
 }
 
 // A linear solve of a large grid takes seconds, too.

@@ -73,8 +73,8 @@ public:
     gearfilm::aim_at(snes_, tolerance * system_.weight());
   }
   double tolerance() const { return tolerance_; }
-  /// For solves from now on: as in time steps, no pressure changes by much in an iteration, and the residual may grow.
-  void limit_changes() { gearfilm::limit_changes(snes_, system_); }
+  /// For solves from now on; limited as in time steps.
+  void limit_changes(Changes changes);
 
   const SolveCounts& counts() const { return counts_; }
   /// Where the last solve() left the largest residual, of one film. Collective.
