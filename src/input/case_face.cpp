@@ -173,7 +173,8 @@ double half_length(ContactSolids solids, double load) {
   return std::min(half_face, hertz_contact(solids, load).b);
 }
 
-double finer_rows(const ParameterValues& values) {
+/// By how much rows are closer where a case asks for more than usual accuracy.
+double part_by_accuracy(const ParameterValues& values) {
   return std::sqrt(std::min(1.0, values.real("grid.accuracy") / usual_accuracy));
 }
 
@@ -181,8 +182,8 @@ double finer_rows(const ParameterValues& values) {
 double longest_between_rows(const ParameterValues& values, const Scales& scales, double longest_by_waves) {
   constexpr double always = 2.5, part_of_contact = 0.1;
   const double contact = half_length(scales.solids, scales.operation.load);
-  const double by_contact = std::min(part_of_contact * finer_rows(values) * contact, longest_by_waves);
-  return std::max(always * finer_rows(values), by_contact / scales.length);
+  const double by_contact = std::min(part_of_contact * part_by_accuracy(values) * contact, longest_by_waves);
+  return std::max(always * part_by_accuracy(values), by_contact / scales.length);
 }
 
 /// Where a contact ends within the face, it does as at the tip of an ellipse whose half-width grows alike, with
@@ -193,9 +194,10 @@ RowPlace place_of(const ContactEnd& end, FilmDiscretisation discretisation, cons
   return {end.y, longest_side_step(discretisation, tip) / tip.ellipticity};
 }
 
-/// With what dry contacts reach and where they end. Their own rows begin coarse. Throws SolveError.
+/// With what dry contacts reach and where they end, no closer than at ends of the face. Their own rows begin coarse.
+/// Throws SolveError.
 RowGrading following_contacts(const RowGrading& given, const Scales& scales, FilmDiscretisation discretisation,
-                              double finer) {
+                              double by_accuracy) {
   constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};  // of the static force
   std::vector<double> forces;
   for (const double ratio : ratios) forces.push_back(ratio * scales.static_force);
@@ -205,9 +207,8 @@ RowGrading following_contacts(const RowGrading& given, const Scales& scales, Fil
     grading.reached = face.reached;
     grading.contact_ends.clear();
     for (const ContactEnd& end : face.ends) {
-      RowPlace place = place_of(end, discretisation, scales);
-      place.step *= finer;
-      grading.contact_ends.push_back(place);
+      const RowPlace place = place_of(end, discretisation, scales);
+      grading.contact_ends.push_back({place.y, std::max(given.first, by_accuracy * place.step)});
     }
     of_rows.contact_ends = grading.contact_ends;
   }
@@ -230,7 +231,7 @@ RowGrading read_row_grading(const ParameterValues& values, const Scales& scales,
     return grading;
   }
   try {
-    return following_contacts(grading, scales, discretisation, finer_rows(values));
+    return following_contacts(grading, scales, discretisation, part_by_accuracy(values));
   } catch (const SolveError&) {
     return grading;  // who needs the dry contact says what it lacks
   }

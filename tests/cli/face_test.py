@@ -121,6 +121,22 @@ class Faces(FaceTest):
         numpy.testing.assert_allclose(smallest, films.min(axis=0), rtol=1e-12)
         numpy.testing.assert_allclose(largest, pressures.max(axis=0), rtol=1e-12)
 
+    def test_a_contact_that_ends_in_a_relief_has_its_smallest_film_where_pressure_is_largest(self):
+        self.run_well("steady", SOURCE / "input/misaligned.yaml", "-grid_nx", 97, "-output_dir", "film")
+        summary = summary_in(self.folder / "film")
+        # 0.1378 um on 161 x 143 nodes, 3.5 mm from the middle; the load ends 5.8 mm from it, on the other side.
+        self.assertLess(abs(summary["h_min"] - 0.1378e-6), summary["h_min_error"])
+        self.assertLess(summary["h_min_error"], 0.1 * summary["h_min"])
+        self.assertLess(abs(summary["h_min_y"] + 3.5e-3), 0.5e-3)
+
+    def test_thick_oil_between_misaligned_flanks_has_a_film(self):
+        run = self.run_program("steady", SOURCE / "input/misaligned.yaml", "-lubricant_viscosity", 0.3,
+                               "-lubricant_pressure_viscosity", 3e-8, "-pinion_speed_rpm", 4500, "-pinion_torque", 100,
+                               "-grid_nx", 41, "-output_dir", "film")  # and a warning of the grid
+        self.assertEqual(run.status, 0, run)
+        summary = summary_in(self.folder / "film")
+        self.assert_near(summary["h_min"], 4.0e-6, 0.05)
+
     def test_free_ends_hold_a_film_that_the_half_space_does_not(self):
         free = self.steady(CONTACT, "-grid_nx", 33, "-grid_first_row", 0.06)
         corner = free["h_corner"]
