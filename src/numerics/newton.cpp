@@ -193,6 +193,13 @@ void aim_at(SNES snes, double norm) {
   petsc_check(SNESSetTolerances(snes, norm, relative, step, iterations, evaluations));
 }
 
+void allow_iterations(SNES snes, int most) {
+  PetscReal aim = 0.0, relative = 0.0, step = 0.0;
+  PetscInt iterations = 0, evaluations = 0;
+  petsc_check(SNESGetTolerances(snes, &aim, &relative, &step, &iterations, &evaluations));
+  petsc_check(SNESSetTolerances(snes, aim, relative, step, most, evaluations));
+}
+
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
   petsc_check(SNESSetTolerances(snes, options.tolerance * weight, 1e-30, 1e-12, options.max_iterations,

@@ -81,6 +81,9 @@ void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& 
 /// Another norm of the residual at which to end, for a SNES that is configured.
 void aim_at(SNES snes, double norm);
 
+/// How many iterations it may take, for a SNES that is configured.
+void allow_iterations(SNES snes, int most);
+
 /// Whether the residual may grow on the way.
 enum class Growth { none, tenfold };
 

@@ -1,5 +1,6 @@
 #include "solver/stationary.hpp"
 
+#include <cmath>
 #include <memory>
 #include <sstream>
 
@@ -22,7 +23,9 @@ const Tuned<double> last_pseudo_step("stationary_last_pseudo_step", 20.0,
 const Tuned<double> shortest_pseudo_step("stationary_shortest_pseudo_step", 1e-6, "shortest pseudo-time step");
 const Tuned<double> pseudo_step_growth("stationary_pseudo_step_growth", 4.0,
                                        "growth of pseudo-time steps until one fails");
-const Tuned<double> careful_growth("stationary_careful_growth", 2.0, "growth of pseudo-time steps once one has failed");
+const Tuned<double> careful_growth(
+    "stationary_careful_growth", 2.0,
+    "growth of pseudo-time steps once one has failed, at most, and its root once another has");
 const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
                                     "tolerance of films from which only others are computed");
 const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");
@@ -59,7 +62,7 @@ bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& lo
       step *= growth;
     } else {
       step *= 0.25;
-      growth = careful_growth;
+      growth = std::min<double>(careful_growth, std::sqrt(growth));
     }
   }
   newton.aim_at(tolerance);

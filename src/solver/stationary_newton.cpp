@@ -4,10 +4,12 @@
 #include <sstream>
 
 #include "film/expected_errors.hpp"
+#include "numerics/tuned.hpp"
 
 namespace gearfilm {
 namespace {
 
+const Tuned<int> most_in_step("stationary_most_in_step", 20, "Newton iterations of a pseudo-time step");
 constexpr double thinnest = 0.1;  // film before a pseudo-time step, of the expected central one
 
 /// A linear solve between rough surfaces that leaves much has nodes at the front full or dry by mistake.
@@ -26,6 +28,7 @@ StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const
       rate_(system_.create_state()),
       jacobian_(shell_jacobian(system_)),
       tolerance_(options.tolerance),
+      max_iterations_(options.max_iterations),
       watcher_(options.watcher) {
   petsc_check(SNESCreate(system_.comm(), snes_.put()));
   petsc_check(SNESSetOptionsPrefix(snes_, "steady_"));
@@ -46,7 +49,7 @@ StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const
       },
       this));
   configure_newton(snes_, system_, between_surfaces(films.front()->scales(), options), system_.weight());
-  limit_changes(Changes::free);
+  limit_changes(options.limit_changes ? Changes::limited : Changes::free);
   petsc_check(SNESSetFromOptions(snes_));
   if (watcher_) watch();
 }
@@ -164,12 +167,14 @@ bool StationaryNewton::step(double shift) {
   mass_ = mass_of_state();
   for (double& mass : mass_) mass = std::max(mass, least);
   step_ = ImplicitStep{shift, mass_};
+  allow_iterations(snes_, std::min<int>(most_in_step, max_iterations_));
   return iterate();
 }
 
 bool StationaryNewton::solve(const LoadCondition& load, FilmSolution& guess, const std::optional<ImplicitStep>& step) {
   begin(load, guess);
   step_ = step;
+  allow_iterations(snes_, max_iterations_);
   const bool found = iterate();
   guess = films();
   return found;

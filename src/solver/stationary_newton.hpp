@@ -101,6 +101,7 @@ private:
   OwnedMat jacobian_;
   OwnedSNES snes_;
   double tolerance_;
+  int max_iterations_;
   SolveCounts counts_;
   Watcher watcher_;
   struct {
