@@ -351,7 +351,7 @@ Records solver_records() {
        preset(standard.newton.tolerance, number("newton_tolerance", "", "-", right_open(1e-15, 1),
                                                 "bound on the root mean square of the scaled residual")),
        preset(standard.newton.max_iterations,
-              whole("newton_max_iterations", "", at_least(1), "Newton steps per grid and pseudo-time step")),
+              whole("newton_max_iterations", "", at_least(1), "Newton steps per grid")),
        preset(
            standard.newton.krylov_tolerance,
            number("krylov_tolerance", "", "-", right_open(1e-15, 1),
