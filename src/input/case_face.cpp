@@ -199,8 +199,8 @@ RowPlace place_of(const ContactEnd& end, FilmDiscretisation discretisation, cons
 RowGrading following_contacts(const RowGrading& given, const Scales& scales, FilmDiscretisation discretisation,
                               double by_accuracy) {
   constexpr std::array ratios = {2.0, 1.5, 1.2, 1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.05};  // of the static force
-  std::vector<double> forces;
-  for (const double ratio : ratios) forces.push_back(ratio * scales.static_force);
+  std::vector<double> forces(ratios.begin(), ratios.end());
+  for (double& force : forces) force *= scales.static_force;
   RowGrading grading = given, of_rows = coarse_grading(scales);
   for (int pass = 0; pass < 2; ++pass) {
     const LoadedFace face = loaded_face(scales, forces, of_rows);
