@@ -51,7 +51,7 @@ public:
   double most_loaded_place() const;
   /// Where it ends within the face: over half of the face those at Y > 0.
   std::vector<ContactEnd> ends_within() const;
-  /// Between the first and the last row without load, and as far as `a` beyond.
+  /// From the last row without load below it to the first one above it, and `a` beyond both.
   Strip reached() const;
 
 private:
@@ -101,14 +101,14 @@ private:
   double h_x_;
 };
 
-/// What dry contacts take of a face.
+/// The part of a face that dry contacts under several forces load, in units of `a`.
 struct LoadedFace {
-  Strip reached;                 ///< by the first of the forces
-  std::vector<ContactEnd> ends;  ///< within the face, under all of them; at both sides where these are alike
+  Strip reached;                 ///< under the largest force, and `a` beyond
+  std::vector<ContactEnd> ends;  ///< within the face, under each force; at both sides where these are alike
 };
 
-/// Of dry contacts along the scales' face under forces [-] from the largest to the smallest, on rows that are graded
-/// so. Throws SolveError.
+/// Solves the dry contact along the scales' face for each of the forces [F by the scales], the largest first, on rows
+/// of this grading, and tells where it is loaded. What free ends give way is left out. Throws SolveError.
 LoadedFace loaded_face(const Scales& scales, std::span<const double> forces, const RowGrading& grading);
 
 /// Y [a] of the row that carries most by unit length of the dry contact along the scales' face, under a force [-] at a

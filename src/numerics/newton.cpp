@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "numerics/compact_fgmres.hpp"
 #include "numerics/solve_tolerance.hpp"
@@ -186,19 +187,22 @@ void limit_changes(SNES snes, LinearisedSystem& system, Changes changes) {
   petsc_check(SNESLineSearchSetPreCheck(line_search, limited ? +limit : +leave, &system));
 }
 
-void aim_at(SNES snes, double norm) {
+namespace {
+
+/// Gives a configured SNES another norm of the residual at which to end, or number of iterations; what is empty stays.
+void end_at(SNES snes, std::optional<double> norm, std::optional<int> most_iterations) {
   PetscReal aim = 0.0, relative = 0.0, step = 0.0;
   PetscInt iterations = 0, evaluations = 0;
   petsc_check(SNESGetTolerances(snes, &aim, &relative, &step, &iterations, &evaluations));
-  petsc_check(SNESSetTolerances(snes, norm, relative, step, iterations, evaluations));
+  petsc_check(SNESSetTolerances(snes, norm.value_or(aim), relative, step,
+                                most_iterations.value_or(static_cast<int>(iterations)), evaluations));
 }
 
-void allow_iterations(SNES snes, int most) {
-  PetscReal aim = 0.0, relative = 0.0, step = 0.0;
-  PetscInt iterations = 0, evaluations = 0;
-  petsc_check(SNESGetTolerances(snes, &aim, &relative, &step, &iterations, &evaluations));
-  petsc_check(SNESSetTolerances(snes, aim, relative, step, most, evaluations));
-}
+}  // namespace
+
+void aim_at(SNES snes, double norm) { end_at(snes, norm, {}); }
+
+void allow_iterations(SNES snes, int most) { end_at(snes, {}, most); }
 
 void configure_newton(SNES snes, LinearisedSystem& system, const NewtonOptions& options, double weight) {
   petsc_check(SNESSetType(snes, SNESNEWTONLS));
