@@ -22,13 +22,13 @@ double power_of(double base, int order) { return order == 2 ? base * base : base
 
 Law law_of(FilmDiscretisation discretisation, const ExpectedFilm& at) {
   const double kappa = at.ellipticity, kappa_4 = std::pow(at.ellipticity, 4), slender = 1.0 / (1.0 + 0.66 * kappa),
-               l = inlet_rise(at);
+               l = inlet_rise(at), length = pressure_length(at);
   const double tearing =
       std::min({0.27 * std::pow(at.film, 0.75) * std::pow(kappa, -0.25), 0.57 * at.film * std::pow(kappa, -0.5),
                 1.1 * std::pow(at.film, 0.885) * std::pow(kappa, -0.49) * std::pow(at.lubricant, -0.61)});
   if (at.rough) {
     return {.central_rise = 0.12,
-            .central_step = 0.25,
+            .central_step = 0.25 / (length * length),
             .central_order = 4,
             .smallest_rise = 0.012 * std::pow(at.lubricant, 0.9) * slender,
             .central_side = 0.5 * std::sqrt(kappa) * l * l,
@@ -37,7 +37,7 @@ Law law_of(FilmDiscretisation discretisation, const ExpectedFilm& at) {
   }
   if (discretisation == FilmDiscretisation::fitted) {
     return {.central_rise = 0.12,
-            .central_step = 0.25,
+            .central_step = 0.25 / (length * length),
             .central_order = 4,
             .smallest_rise = 0.012 * std::pow(at.lubricant, 0.9) * slender,
             .central_side = 0.12 * std::sqrt(kappa) * l * l,

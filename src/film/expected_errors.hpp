@@ -2,13 +2,14 @@
 //
 // Laws of r_x = h_x/l and r_y = h_y/l, l = H^(2/3) the length over which pressure rises in the inlet (grid/domain.hpp);
 // h_x in units of the half-axis a, h_y of b; H = h_c R_x/a^2 by the film formula, L of Moes, kappa = a/b. Fitted to 42
-// computed contacts, M = 20 to 3e5, L = 4 to 27, D = 5e-4 to 1 (docs/data/converged_contacts.csv).
+// computed contacts, M = 20 to 3e5, L = 4 to 27, D = 5e-4 to 1 (docs/data/converged_contacts.csv); tried
+// up to l = 5.5 (docs/notes/2026-11-thick-oil-in-motion.md).
 // Fitted discretisation; bounds, since errors change their sign with the step:
-//   central film   0.12 r_x^4 + 0.25 h_x^2 + 0.12 kappa^(1/2) h_y^2
+//   central film   0.12 r_x^4 + 0.25 h_x^2/max(1, l)^2 + 0.12 kappa^(1/2) h_y^2
 //   smallest film  0.012 L^0.9/(1 + 0.66 kappa) r_x^2 + 0.4 kappa^4/(kappa^4 + 0.16^4) r_y^2
 // Between rough surfaces, whose asperities carry where the film would be thin, less depends on the sides (a circular
 // contact at L_a = 0.4 and 0.8, 17 to 129 rows):
-//   central film   0.12 r_x^4 + 0.25 h_x^2 + 0.5 kappa^(1/2) h_y^2
+//   central film   0.12 r_x^4 + 0.25 h_x^2/max(1, l)^2 + 0.5 kappa^(1/2) h_y^2
 //   smallest film  0.012 L^0.9/(1 + 0.66 kappa) r_x^2 + kappa^(1/2) h_y^2
 // relative to the mean gap, and rows never so far apart that a film tears.
 // Central discretisation:

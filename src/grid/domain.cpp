@@ -32,6 +32,8 @@ double asperity_reach(const Scales& scales) {
 
 double inlet_rise(const ExpectedFilm& expected) { return std::cbrt(expected.film * expected.film); }
 
+double pressure_length(const ExpectedFilm& expected) { return std::max(1.0, inlet_rise(expected)); }
+
 double flooded_inlet(const ExpectedFilm& expected) {
   const double slender =
       std::sqrt(0.328 * std::pow(expected.lubricant, 0.285) * std::pow(expected.film, 1.15) / starvation);

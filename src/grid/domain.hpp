@@ -40,6 +40,8 @@ double asperity_reach(const Scales& scales);
 
 /// H^(2/3), the length over which pressure rises in the inlet, in units of a.
 double inlet_rise(const ExpectedFilm& expected);
+/// The length over which pressure changes, in units of a: the dry contact's half-axis or, in thick oil, the rise.
+double pressure_length(const ExpectedFilm& expected);
 
 /// Distance between the Hertz ellipse and the inlet edge [a] with which 0.3 % of the central film are lacking.
 double flooded_inlet(const ExpectedFilm& expected);

@@ -26,16 +26,17 @@ double dry_gap(double X) {
 
 }  // namespace
 
-LoadBeyondEdges::LoadBeyondEdges(const Scales& scales, double velocity)
+LoadBeyondEdges::LoadBeyondEdges(const Scales& scales, double swinging, double entering)
     : lambda_(scales.lambda),
-      velocity_(velocity),
+      swinging_(swinging),
+      fastest_(std::max(swinging, entering)),
       film_(ExpectedFilm(scales).film),
       rise_(0.5 * scales.radius_ratio / (scales.hertz.ellipticity * scales.hertz.ellipticity)),
       blunt_(std::sqrt(std::max(1.0 - film_ / rise_, 1e-4))) {}
 
 double LoadBeyondEdges::sides(double y) const {
   const double q = blunt_, by_wedge = std::log((y + q) / (y - q)) / (2.0 * rise_ * q);
-  const double by_approach = 2.7 * velocity_ * (y / std::sqrt(y * y - q * q) - 1.0) / (std::pow(rise_, 1.5) * q * q);
+  const double by_approach = 2.7 * swinging_ * (y / std::sqrt(y * y - q * q) - 1.0) / (std::pow(rise_, 1.5) * q * q);
   return 0.39 * lambda_ * (by_wedge + by_approach);
 }
 
@@ -47,17 +48,20 @@ double LoadBeyondEdges::outlet(double X) const {
     const double z = (n + 0.5) / points, gap = film_ + dry_gap(X / z);
     sum += X / (z * z * gap * gap * points);
   }
-  return 0.48 * lambda_ * velocity_ * sum;
+  return 0.48 * lambda_ * fastest_ * sum;
 }
 
-Domain carrying(Domain domain, const LoadBeyondEdges& load, double half_face) {
-  constexpr double beyond_sides = 0.002, behind_outlet = 0.015, farthest_outlet = 2.5;
-  if (domain.y_half < half_face) {
-    const double beyond_face = load.sides(half_face);
-    domain.y_half = edge(domain.y_half, half_face, beyond_sides, [&](double y) { return load.sides(y) - beyond_face; });
-  }
-  domain.x_max = edge(domain.x_max, std::max(domain.x_max, farthest_outlet), behind_outlet,
-                      [&](double X) { return load.outlet(X); });
+Domain carrying_behind(Domain domain, const LoadBeyondEdges& load) {
+  constexpr double behind_outlet = 0.015, farthest_outlet = 40.0;
+  domain.x_max = edge(domain.x_max, farthest_outlet, behind_outlet, [&](double X) { return load.outlet(X); });
+  return domain;
+}
+
+Domain carrying_beside(Domain domain, const LoadBeyondEdges& load, double half_face) {
+  constexpr double beyond_sides = 0.002;
+  if (domain.y_half >= half_face) return domain;
+  const double beyond_face = load.sides(half_face);
+  domain.y_half = edge(domain.y_half, half_face, beyond_sides, [&](double y) { return load.sides(y) - beyond_face; });
   return domain;
 }
 

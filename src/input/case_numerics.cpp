@@ -42,14 +42,31 @@ double finer_for_waves(const CaseInput& problem) {
   return std::clamp(std::sqrt(number_of_swings(problem) / few_swings), 1.0, most);
 }
 
-/// As for the film alone, and for what oil beyond its edges would carry while the pair swings: with half the Hertz
-/// approach as amplitude.
+/// V at which the pair swings with half the Hertz approach as amplitude.
+double velocity_of_swings(const CaseInput& problem) {
+  return swings(problem) ? std::numbers::pi * frequency_of_swings(problem) * problem.scales.approach : 0.0;
+}
+
+/// The largest V at which unloaded flanks approach each other on the way to the pitch point, over lengths of a.
+double velocity_of_entering(const CaseInput& problem) {
+  const LineOfAction& line = *problem.pair.line;
+  const Scales& scales = problem.scales;
+  const double length = scales.hertz.a;
+  double largest = 0.0;
+  for (double xi = line.entry(); xi < 0.0; xi += length) {
+    largest = std::max(largest, problem.pair.teeth.gap(0, xi) - problem.pair.teeth.gap(0, xi + length));
+  }
+  return largest / scales.thickness * line.travel_velocity(problem.pair.pinion_speed) * scales.time / length;
+}
+
+/// As for the film alone, and for what oil beyond its edges would carry while the pair swings and contacts enter.
 Domain domain_of_pair(const CaseInput& problem, const Scales& scales) {
   const Domain domain = domain_of(ExpectedFilm(scales));
-  if (!problem.pair.gears || !has_ellipse(scales.solids)) return domain;
-  const double velocity =
-      swings(problem) ? std::numbers::pi * frequency_of_swings(problem) * problem.scales.approach : 0.0;
-  return carrying(domain, LoadBeyondEdges(scales, velocity), 0.5 * problem.pair.gears->face_width / scales.hertz.b);
+  if (!problem.pair.gears) return domain;
+  const LoadBeyondEdges load(scales, velocity_of_swings(problem), velocity_of_entering(problem));
+  const Domain longer = carrying_behind(domain, load);
+  if (!has_ellipse(scales.solids)) return longer;
+  return carrying_beside(longer, load, 0.5 * problem.pair.gears->face_width / scales.hertz.b);
 }
 
 Domain read_domain(const CaseInput& problem, const Scales& scales) {
@@ -72,7 +89,8 @@ Steps steps_of_contact(FilmDiscretisation discretisation, const Scales& scales, 
 
 /// At the reference contact as accurate as asked for. Along X no longer than that there are films under the static
 /// force at the ends of the path, where flanks may be much more curved. Along X and Y no longer than that forces follow
-/// an ellipse which grows and shrinks, and that what oil takes from swings is right. Along X finer for waves of film.
+/// an ellipse which grows and shrinks, or oil that carries over a rise of pressure longer than that, and that what oil
+/// takes from swings is right. Along X finer for waves of film.
 Steps steps_on_path(const CaseInput& problem, double accuracy) {
   constexpr double finest_rows = 4.0 / 3.0;
   constexpr double accuracy_at_ends = 0.3, longest_along = 0.1, longest_across = 0.12;
@@ -80,7 +98,7 @@ Steps steps_on_path(const CaseInput& problem, double accuracy) {
   Steps steps = steps_of_contact(discretisation, problem.scales, accuracy);
   if (!problem.pair.line) return steps;
   steps.y = std::min(steps.y, longest_across / std::min(finer_for_forces(problem), finest_rows));
-  steps.x = std::min(steps.x, longest_along);
+  steps.x = std::min(steps.x, longest_along * pressure_length(ExpectedFilm(problem.scales)));
   const LineOfAction& line = *problem.pair.line;
   for (const double xi : {line.entry(), line.exit()}) {
     ContactSolids solids = problem.scales.solids;

@@ -208,8 +208,9 @@ void compare_steps(const CaseInput& problem, Oddities& found) {
 
 void compare_grid(const CaseInput& problem, Oddities& found) {
   const Steps steps = steps_of(problem.numerics);
-  compare(1.0 / steps.x,
-          {"the number of nodes along the half-axis a", "", 3, HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
+  compare(pressure_length(ExpectedFilm(problem.scales)) / steps.x,
+          {"the number of nodes along the half-axis a or, where it is longer, the inlet's rise of pressure", "", 3,
+           HUGE_VAL, "too coarse for a film; raise grid.nx", ""},
           found);
   if (problem.numerics.face_rows) {
     for (const std::string name : {"grid.ny", "grid.y_half"}) {

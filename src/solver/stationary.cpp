@@ -26,6 +26,10 @@ const Tuned<double> pseudo_step_growth("stationary_pseudo_step_growth", 4.0,
 const Tuned<double> careful_growth(
     "stationary_careful_growth", 2.0,
     "growth of pseudo-time steps once one has failed, at most, and its root once another has");
+const Tuned<int> easy_pseudo_step("stationary_easy_pseudo_step", 5,
+                                  "Newton iterations of a pseudo-time step after which growth recovers, at most");
+const Tuned<double> growth_recovery("stationary_growth_recovery", 1.5,
+                                    "power of growth after an easy pseudo-time step");
 const Tuned<double> rough_tolerance("stationary_rough_tolerance", 1e-5,
                                     "tolerance of films from which only others are computed");
 const Tuned<int> coarsest_nx("stationary_coarsest_nx", 33, "lines of the grid on which sequencing starts, at least");
@@ -55,14 +59,18 @@ bool step_to_next(StationaryNewton& newton, const LoadCondition& load, double sh
 bool solve_through_pseudo_time(StationaryNewton& newton, const LoadCondition& load, FilmSolution& solution) {
   const double tolerance = newton.tolerance();
   newton.aim_at(rough(tolerance));
-  double step = first_pseudo_step, growth = pseudo_step_growth;
+  double step = first_pseudo_step, growth = pseudo_step_growth, most_growth = growth;
   Changes changes = Changes::free;
   for (int attempt = 0; attempt < 60 && step < last_pseudo_step && step > shortest_pseudo_step; ++attempt) {
+    const int before = newton.counts().newton;
     if (step_to_next(newton, load, 1.0 / step, changes, solution)) {
+      const bool easy = newton.counts().newton - before <= easy_pseudo_step;
+      if (easy) growth = std::min<double>(most_growth, std::pow(growth, growth_recovery));
       step *= growth;
     } else {
       step *= 0.25;
-      growth = std::min<double>(careful_growth, std::sqrt(growth));
+      most_growth = careful_growth;
+      growth = std::min<double>(most_growth, std::sqrt(growth));
     }
   }
   newton.aim_at(tolerance);
