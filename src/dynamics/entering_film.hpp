@@ -1,7 +1,8 @@
 // The stationary films with which contacts enter.
 //
 // Teeth enter at the same place one after the other, and a pair that nearly repeats lies there as it lay a mesh period
-// ago: the film of the last one is then a guess for the next, which Newton's method alone improves.
+// ago: the film of the last one is then a guess for the next, which Newton's method alone improves, at once or by
+// displacements between.
 #pragma once
 
 #include <vector>
