@@ -10,7 +10,8 @@ namespace gearfilm {
 namespace {
 
 constexpr double starvation = 0.003;
-constexpr double least_gap = 0.3;  // of rough surfaces that oil flows through, in sigma
+constexpr double rupture_between_cylinders = 0.475;  // rigid ones, behind their middle, in sqrt(2 R_x h)
+constexpr double least_gap = 0.3;                    // of rough surfaces that oil flows through, in sigma
 
 }  // namespace
 
@@ -48,7 +49,9 @@ double clear_side(const ExpectedFilm& expected) {
 }
 
 Domain domain_of(const ExpectedFilm& expected) {
-  return {-1.2 - std::max(flooded_inlet(expected), expected.reach), 1.25 + expected.reach, 1.08 * clear_side(expected)};
+  const double outlet = std::max(1.25, 1.3 * rupture_between_cylinders * std::sqrt(2.0 * expected.film));
+  return {-1.2 - std::max(flooded_inlet(expected), expected.reach), outlet + expected.reach,
+          1.08 * clear_side(expected)};
 }
 
 namespace {

@@ -50,7 +50,7 @@ double flooded_inlet(const ExpectedFilm& expected);
 /// into the inlet. Forces of pairs need more (load_beyond_edges.hpp).
 double clear_side(const ExpectedFilm& expected);
 
-/// Flooded and clear, under up to 1.25 times the force too.
+/// Flooded and clear, under up to 1.25 times the force too, and with an outlet behind the film's rupture in thick oil.
 Domain domain_of(const ExpectedFilm& expected);
 
 /// The most nodes along either direction of a grid that is chosen by a law.

@@ -52,8 +52,10 @@ double velocity_of_entering(const CaseInput& problem) {
   const LineOfAction& line = *problem.pair.line;
   const Scales& scales = problem.scales;
   const double length = scales.hertz.a;
+  const int lengths = static_cast<int>(std::ceil(-line.entry() / length));
   double largest = 0.0;
-  for (double xi = line.entry(); xi < 0.0; xi += length) {
+  for (int n = 0; n < lengths; ++n) {
+    const double xi = line.entry() + n * length;
     largest = std::max(largest, problem.pair.teeth.gap(0, xi) - problem.pair.teeth.gap(0, xi + length));
   }
   return largest / scales.thickness * line.travel_velocity(problem.pair.pinion_speed) * scales.time / length;

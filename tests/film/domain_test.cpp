@@ -85,6 +85,18 @@ INSTANTIATE_TEST_SUITE_P(contacts, ChoiceFor,
                                          std::array{2400.0, 27.0, 0.06}, std::array{100.0, 10.0, 0.5},
                                          std::array{20.0, 10.0, 1.0}));
 
+// Rigid cylinders, at which the film ends 0.475 sqrt(2 R_x h) behind the middle.
+TEST(Choice, outlets_lie_behind_the_rupture_of_thick_films) {
+  for (const double M : {0.5, 2.0, 20.0}) {
+    const ExpectedFilm expected(moes_contact(M, 20.0, 0.5).scales);
+    const double rupture = 0.475 * std::sqrt(2.0 * expected.film);
+    EXPECT_GT(domain_of(expected).x_max, 1.2 * rupture) << M;
+  }
+  const ExpectedFilm thick(moes_contact(0.5, 20.0, 0.5).scales);
+  EXPECT_GT(domain_of(thick).x_max, 1.25);
+  EXPECT_DOUBLE_EQ(pressure_length(thick), std::pow(thick.film, 2.0 / 3.0));
+}
+
 TEST(Choice, films_that_would_tear_have_no_finite_error) {
   const ExpectedFilm expected(moes_contact(2e5, 5.0, 0.001).scales);
   for (const auto by : {FilmDiscretisation::fitted, FilmDiscretisation::central}) {
