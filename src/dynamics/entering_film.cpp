@@ -13,8 +13,9 @@ const Tuned<double> near_displacement("entering_near_displacement", 0.05,
                                       "distance of displacements from which an earlier film helps an entering one");
 const Tuned<double> near_in_films("entering_near_in_films", 0.1, "the same in expected central films, if that is more");
 const Tuned<int> most_iterations("entering_most_iterations", 15,
-                                 "Newton iterations to a nearer displacement, where one alone does not lead there");
-const Tuned<int> most_failures("entering_most_failures", 3, "halved ways to a displacement before none is tried");
+                                 "Newton iterations to another displacement, before the way to it is halved");
+const Tuned<int> most_failures("entering_most_failures", 3,
+                               "how often that way is halved before the film is found from nothing");
 
 /// From a film at another displacement, in steps that are halved where Newton's method fails.
 std::optional<StationaryResult> displaced(ContactFilm& film, LoadCondition load, SolverOptions options,

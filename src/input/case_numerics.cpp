@@ -53,10 +53,11 @@ double velocity_of_entering(const CaseInput& problem) {
   const Scales& scales = problem.scales;
   const double length = scales.hertz.a;
   const int lengths = static_cast<int>(std::ceil(-line.entry() / length));
-  double largest = 0.0;
-  for (int n = 0; n < lengths; ++n) {
-    const double xi = line.entry() + n * length;
-    largest = std::max(largest, problem.pair.teeth.gap(0, xi) - problem.pair.teeth.gap(0, xi + length));
+  double largest = 0.0, before = problem.pair.teeth.gap(0, line.entry());
+  for (int n = 1; n <= lengths; ++n) {
+    const double gap = problem.pair.teeth.gap(0, line.entry() + n * length);
+    largest = std::max(largest, before - gap);
+    before = gap;
   }
   return largest / scales.thickness * line.travel_velocity(problem.pair.pinion_speed) * scales.time / length;
 }
