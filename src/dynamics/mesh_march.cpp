@@ -155,6 +155,8 @@ void MeshMarch::run(double T_end) {
     if (mesh().in_balance()) {
       const BalancePhase phase = balance_phase(mesh().path, T(), steps);
       segment_end = std::min(segment_end, phase.end);
+      steps.of_falling_films = steps.dT;
+      steps.time_of_falling = time_to_pass;
       steps.dT = phase.dT;
       if (phase.transfers) {
         transferred = phase.end;

@@ -18,6 +18,8 @@ const Tuned<double> largest_step("step_largest_step", 4.0, "largest controlled s
 const Tuned<double> smallest_step("step_smallest_step", 1e-4, "smallest controlled step");
 const Tuned<double> longest_growth("step_longest_growth", 2.0, "largest growth of a controlled step");
 const Tuned<double> longest_fall("step_longest_fall", 0.2, "largest fall of a controlled step");
+const Tuned<double> film_left("step_film_left", 0.7,
+                              "smallest film behind a step, over that before it, below which the step is halved");
 const Tuned<int> short_steps("step_short_steps", 4, "short steps that give the first guess of a whole one");
 const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short step before that is given up");
 
@@ -228,19 +230,42 @@ bool SegmentStepper::control(double& dT, bool again) {
   return accepted;
 }
 
+// An entering contact that takes up its load long after it entered is closed by its teeth, faster than oil is carried
+// through it. Rough surfaces carry each other where no film is left.
+bool SegmentStepper::films_fall_too_far(const std::vector<FilmQuantities>& before, double part) const {
+  const double left = std::pow(film_left, part);
+  if (pair_.mesh().scales.solids.rough) return false;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (solved_films_[k].smallest_film < left * before[k].smallest_film) return true;
+  }
+  return false;
+}
+
 // A step that was halved does not shift those behind it: the pair's motion after a period would jump.
 double SegmentStepper::equal_step(double T) const {
-  const double rest = end_ - T, done = std::floor((T - begin_) / step_ + 1e-6);
-  return rest < 1.0001 * step_ ? rest : begin_ + (done + 1.0) * step_ - T;
+  const double parts = T < falling_until_ - 1e-9 ? std::max(1.0, std::ceil(step_ / options_.of_falling_films)) : 1.0;
+  const double step = step_ / parts, rest = end_ - T, done = std::floor((T - begin_) / step + 1e-6);
+  return rest < 1.0001 * step ? rest : begin_ + (done + 1.0) * step - T;
 }
 
 double SegmentStepper::make_step(double dT) {
   keep(step_begin_, false);
+  const std::vector<FilmQuantities> films = solved_films_;
+  const int last_try = options_.max_rejections + whole_tries();
   bool again = false;
-  for (int tries = 0; tries <= options_.max_rejections + whole_tries(); ++tries, again = true) {
+  for (int tries = 0; tries <= last_try; ++tries, again = true) {
     if (!try_step(dT, again)) {
       if (failures_ > whole_tries()) dT *= 0.5;
       continue;
+    }
+    if (tries < last_try && films_fall_too_far(films)) {
+      falling_until_ = std::max(falling_until_, step_begin_ + options_.time_of_falling);
+      dT = std::min(0.5 * dT, options_.of_falling_films);
+      return_to_start_of_step();
+      continue;
+    }
+    if (step_begin_ < falling_until_ && films_fall_too_far(films, dT / step_)) {
+      falling_until_ = std::max(falling_until_, stage_time_ + options_.time_of_falling);
     }
     if (!options_.tolerance) return equal_step(stage_time_);
     if (control(dT, again)) {
@@ -309,7 +334,7 @@ double SegmentStepper::run(Vec state, double T0, double T1) {
   const double steps = std::max(1.0, std::ceil((T1 - T0) / options_.dT - 1e-6));
   const double round_off = 1e-9;  // of a step: not one more that is so short
   step_ = (T1 - T0) / steps;
-  begin_ = step_begin_ = T0;
+  begin_ = step_begin_ = falling_until_ = T0;
   end_ = T1;
   differences_.forget();
   petsc_check(VecCopy(state, differences_.sought()));

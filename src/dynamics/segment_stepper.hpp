@@ -36,6 +36,8 @@ struct StepOptions {
   /// Without inertia: longest steps while the load passes to other contacts, and steps once no event disturbs films any
   /// more, where longer than dT.
   double of_transfer = HUGE_VAL, without_event = 0.0;
+  /// Longest steps from where a film has fallen too far in a longer one, and the time for which they last.
+  double of_falling_films = HUGE_VAL, time_of_falling = 0.0;
   NewtonOptions newton{.tolerance = 1e-5,
                        .max_iterations = 30,
                        .krylov_tolerance = 0.2,
@@ -118,6 +120,9 @@ private:
   bool try_step(double dT, bool again);
   /// Whether the local error of the step that was solved is accepted, and how long a step should be.
   bool control(double& dT, bool again);
+  /// Whether the film of a contact has fallen since `before`, the begin of the step, by more than a step resolves; or
+  /// by such a part of it as this is of a step.
+  bool films_fall_too_far(const std::vector<FilmQuantities>& before, double part = 1.0) const;
   /// Length of the step from T on.
   double equal_step(double T) const;
   /// Solves a step of dT or, where that fails, of less. Returns the length of the next one.
@@ -151,8 +156,9 @@ private:
   double step_ = 0.0;         ///< nominal step of the segment
   double begin_ = 0.0;        ///< T of the segment
   double end_ = 0.0;
-  double step_begin_ = 0.0;  ///< of the present step
-  Vec solved_ = nullptr;     ///< see set_solved
+  double falling_until_ = 0.0;  ///< T up to which steps are those of falling films
+  double step_begin_ = 0.0;     ///< of the present step
+  Vec solved_ = nullptr;        ///< see set_solved
   double solved_time_ = 0.0;
   std::vector<FilmQuantities> solved_films_;
   double wall_start_ = 0.0;
