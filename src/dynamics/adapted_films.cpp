@@ -66,20 +66,29 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   set_values(field::rate, rate);
 }
 
-// G = 0 with d(rho H)/dT = rate + shift rho H, where the shift is so small that films do not feel it.
+// G = 0 with d(rho H)/dT = rate + shift (rho H - rho H of the interpolated pressures): at once with a shift so small
+// that films do not feel it, or from that of a time step to there. All of these are states to go on from.
 void MeshedFilms::adapt_pressures() {
-  constexpr double shift = 1e-3;
-  std::vector<double> rate = values(field::rate), mass = rate;
-  for (double& value : mass) value /= -shift;
-  FilmSolution films{values(field::pressure), motion_.H0()};
+  constexpr double unfelt = 1e-3, fall = 0.25;
+  const std::vector<double> rates = values(field::rate), oil = oil_at(displacements());
   const LoadCondition load = LoadCondition::displacement(motion_.H0(), mesh_.compliance(numbers(), T_));
-  if (!StationaryNewton(present_films(), options_.films.newton).solve(load, films, ImplicitStep{shift, mass})) {
+  const auto solved = [&](double shift, const NewtonOptions& options) {
+    std::vector<double> mass = oil;
+    for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
+    FilmSolution films{values(field::pressure), motion_.H0()};
+    if (!StationaryNewton(present_films(), options).solve(load, films, ImplicitStep{shift, mass})) return false;
+    set_values(field::pressure, films.pressure);
+    std::vector<double> rate = oil_at(displacements());
+    for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
+    set_values(field::rate, rate);
+    return true;
+  };
+  if (solved(unfelt, options_.films.newton)) return;
+  double shift = 1.0 / options_.steps.dT;
+  if (!solved(shift, options_.steps.newton)) {
     throw SolveError(label(contacts_.front().number) + ": no films have the rates of those of another grid");
   }
-  set_values(field::pressure, films.pressure);
-  const std::vector<double> oil = oil_at(displacements());
-  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] += shift * oil[n];
-  set_values(field::rate, rate);
+  while (shift > unfelt && solved(shift * fall, options_.steps.newton)) shift *= fall;
 }
 
 // By Reynolds' equation, in which the rate stands alone.

@@ -64,10 +64,14 @@ MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const 
   return MeshMarch(films, mesh, options, std::move(observer), store);
 }
 
-StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films) {
+StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films,
+                            const FilmSolution* guess) {
   ContactFilm film(films, scales, numerics.solver.multigrid);
-  return located("contact at the pitch point",
-                 [&] { return solve_stationary(film, LoadCondition::force(scales.static_force), numerics.solver); });
+  const LoadCondition load = LoadCondition::force(scales.static_force);
+  return located("contact at the pitch point", [&] {
+    return guess ? continue_stationary(film, load, numerics.solver, *guess)
+                 : solve_stationary(film, load, numerics.solver);
+  });
 }
 
 }  // namespace gearfilm

@@ -47,7 +47,8 @@ SlightlyCoarser slightly_coarser(const PairNumerics& numerics);
 /// A march of the lubricated pair. A store must outlive it.
 MeshMarch make_march(const MeshModel& mesh, const PairNumerics& numerics, const SharedDiscretisation& films,
                      StepObserver observer, RunStore* store = nullptr);
-/// The film at the pitch point under the whole static force. Throws SolveError.
-StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films);
+/// The film at the pitch point under the whole static force, from a guess where there is one. Throws SolveError.
+StationaryResult pitch_film(const Scales& scales, const PairNumerics& numerics, const SharedDiscretisation& films,
+                            const FilmSolution* guess = nullptr);
 
 }  // namespace gearfilm

@@ -27,6 +27,13 @@ SolveError with_remedy(const SolveError& failure, const PairNumerics& coarse) {
                     " nodes (grid_nx, grid_ny) a periodic state was found, with the errors of that grid");
 }
 
+/// first_guess with the pitch film of the search.
+OrbitGuess guess_of(const CoarseSearch& search, const DryOrbit& dry) {
+  const OrbitProblem& problem = search.problem();
+  if (problem.search.start) return first_guess(problem, search.films(), dry);
+  return dry_guess(problem, search.pitch_film(), dry);
+}
+
 /// Where the search on the coarser grid begins: where a mesh period is long even there, on the orbit of one that is
 /// coarser still, with its step and its tolerances; else on the dry pair's.
 OrbitGuess first_coarse_guess(const CoarseSearch& search, const DryOrbit& dry, const SearchWatch& watch) {
@@ -38,14 +45,13 @@ OrbitGuess first_coarse_guess(const CoarseSearch& search, const DryOrbit& dry, c
     coarser->numerics.steps = problem.numerics.steps;
     CoarseSearch first(*coarser, problem, watch, search.films()->grid().comm());
     try {
-      const std::optional<DescribedOrbit> found =
-          first.orbit("coarsest", [&] { return first_guess(*coarser, first.films(), dry); });
+      const std::optional<DescribedOrbit> found = first.orbit("coarsest", [&] { return guess_of(first, dry); });
       if (found) return guess_on_grid(problem, search.films(), first, *found);
     } catch (const NoPeriodicState& error) {
       watch.on_trouble(error.what());
     }
   }
-  return first_guess(problem, search.films(), dry);
+  return guess_of(search, dry);
 }
 
 /// From the dry orbit given, or else from one that is damped less or more; nothing where none leads to one.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grid/domain.hpp"
 #include "numerics/tuned.hpp"
 #include "orbits/halving_check.hpp"
 #include "orbits/multiplier_error.hpp"
@@ -24,8 +25,10 @@ const Tuned<double> well_known("search_well_known", 0.1, "error of a multiplier 
 const Tuned<double> noise_of_decay("search_noise_of_decay", 3.0, "Newton's tolerance for a decay, in that of the case");
 
 /// That films of another grid, or of another motion, have before a period begins: oil passes most of the contact
-/// in 1.5.
-double time_to_lead(const MeshModel& mesh) { return std::min(1.5, mesh.path.mesh_period() / 7.0); }
+/// in 1.5, in thick oil of the length over which pressure changes.
+double time_to_lead(const MeshModel& mesh) {
+  return std::min(1.5 * pressure_length(ExpectedFilm(mesh.scales)), mesh.path.mesh_period() / 7.0);
+}
 
 /// A pair that swings often in a mesh period ends it elsewhere with steps that are too long. Formulas of second order
 /// have the frequency w wrong by (w dT)^2/3 of it, most of which the fit of frequencies takes away.
@@ -35,10 +38,6 @@ bool keeps_phase(const OrbitProblem& problem) {
   if (mesh.inertia == 0.0) return true;
   const double w = 2.0 * std::numbers::pi * mesh.frequency();
   return left_by_the_fit * w * mesh.period() * w * w * dT * dT / 3.0 < out_of_phase;
-}
-
-double pitch_displacement(const OrbitProblem& problem, const SharedDiscretisation& films) {
-  return pitch_film(problem.mesh.scales, problem.numerics, films).solution.H0;
 }
 
 }  // namespace
@@ -102,6 +101,12 @@ CoarseSearch::CoarseSearch(const OrbitProblem& coarse, const OrbitProblem& fine,
   newton_of_decay_.tolerance *= noise_of_decay;
   own_step_.numerics.steps = fine.numerics.steps;
   own_step_.numerics.steps.newton = coarse.numerics.steps.newton;
+}
+
+const FilmSolution& CoarseSearch::pitch_film() const {
+  const OrbitProblem& own = problem();
+  if (!pitch_film_) pitch_film_ = gearfilm::pitch_film(own.mesh.scales, own.numerics, films_).solution;
+  return *pitch_film_;
 }
 
 template <class Result, class March>
@@ -169,7 +174,11 @@ OrbitGuess CoarseSearch::guess_from(const DescribedOrbit& run) const {
 
 double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const SharedDiscretisation& films) {
   try {
-    return pitch_displacement(problem, films) - pitch_displacement(coarse.problem(), coarse.films());
+    const FilmSolution& film = coarse.pitch_film();
+    const ContactFields fields{{std::string(field::pressure.name), film.pressure}};
+    const PairState fine = refined({{}, {fields}, coarse.films()->grid().shape()}, films->grid().comm());
+    const FilmSolution guess{values_of(fine.films.front(), field::pressure), film.H0};
+    return pitch_film(problem.mesh.scales, problem.numerics, films, &guess).solution.H0 - film.H0;
   } catch (const SolveError&) {
     return 0.0;
   }

@@ -42,6 +42,9 @@ public:
   /// Whether a search there was given up for its halved steps.
   bool has_too_many_halved() const { return too_many_halved_; }
 
+  /// The film at the pitch point under the static force, solved for once. Throws SolveError.
+  const FilmSolution& pitch_film() const;
+
   /// Nothing, and the reason to the watch, where its films cannot be solved; the name is that of its checkpoint;
   /// patience as in PeriodicOptions. Throws NoPeriodicState.
   std::optional<DescribedOrbit> orbit(const std::string& name, const std::function<OrbitGuess()>& guess,
@@ -68,6 +71,7 @@ private:
   bool too_many_halved_ = false;
   NewtonOptions newton_of_decay_;
   SharedDiscretisation films_;
+  mutable std::optional<FilmSolution> pitch_film_;
 };
 
 /// By how much the pair lies higher on the films of the problem's own grid: as much as one contact at rest does.

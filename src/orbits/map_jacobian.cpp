@@ -17,8 +17,11 @@ Motion MapJacobian::newton_step(const Motion& defect, double largest) const {
   const Eigen::Index size = entries_.rows();
   const Eigen::VectorXd step = solved(Monodromy::Identity(size, size) - entries_, to_vector(defect));
   const Motion whole = to_motion(step);
-  const double of_flanks = std::max(std::abs(whole.H0()), worth_ * std::abs(whole.V0()));
-  return moved(Motion::zero(whole.freedoms()), std::min(1.0, largest / of_flanks), whole);
+  const auto of_flanks = [&](const Motion& change) {
+    return std::max(std::abs(change.H0()), worth_ * std::abs(change.V0()));
+  };
+  const double most = std::max(largest, of_flanks(defect));
+  return moved(Motion::zero(whole.freedoms()), std::min(1.0, most / of_flanks(whole)), whole);
 }
 
 void MapJacobian::update(const Motion& step, const Motion& map_change) {

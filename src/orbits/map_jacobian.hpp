@@ -17,7 +17,7 @@ public:
 
   const Monodromy& monodromy() const { return entries_; }
   /// The step by which P(x) - x, the defect, would vanish, shortened so that H_0, and V_0 by its worth, change by no
-  /// more than `largest`: what else a drive train does is nearly linear.
+  /// more than `largest`, or than P itself changes them: what else a drive train does is nearly linear.
   Motion newton_step(const Motion& defect, double largest) const;
   /// The map changed by map_change over a step of its argument: the smallest change of the Jacobian that agrees, where
   /// velocities count by their worth.

@@ -13,9 +13,12 @@ MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation&
   return make_march(problem.mesh, problem.numerics, films, observer, watch.store);
 }
 
+OrbitGuess dry_guess(const OrbitProblem& problem, const FilmSolution& pitch_film, const DryOrbit& dry) {
+  return guess_from(dry, pitch_film.H0 + problem.mesh.scales.approach);
+}
+
 OrbitGuess dry_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry) {
-  const Scales& scales = problem.mesh.scales;
-  return guess_from(dry, pitch_film(scales, problem.numerics, films).solution.H0 + scales.approach);
+  return dry_guess(problem, pitch_film(problem.mesh.scales, problem.numerics, films).solution, dry);
 }
 
 OrbitGuess first_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry) {

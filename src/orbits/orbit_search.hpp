@@ -59,6 +59,7 @@ MeshMarch watched_march(const OrbitProblem& problem, const SharedDiscretisation&
                         StepObserver on_step = unseen);
 
 /// Where the search for the pair's orbit begins: a dry orbit, its H_0 shifted by the film at the pitch point.
+OrbitGuess dry_guess(const OrbitProblem& problem, const FilmSolution& pitch_film, const DryOrbit& dry);
 OrbitGuess dry_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry);
 /// The guess with which a search begins: the motion of OrbitSearch::start where there is one, else dry_guess.
 OrbitGuess first_guess(const OrbitProblem& problem, const SharedDiscretisation& films, const DryOrbit& dry);

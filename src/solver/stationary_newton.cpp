@@ -9,7 +9,8 @@
 namespace gearfilm {
 namespace {
 
-const Tuned<int> most_in_step("stationary_most_in_step", 20, "Newton iterations of a pseudo-time step");
+const Tuned<int> most_free("stationary_most_free", 12, "Newton iterations of a pseudo-time step with free changes");
+const Tuned<int> most_limited("stationary_most_limited", 40, "the same, with limited ones");
 constexpr double thinnest = 0.1;  // film before a pseudo-time step, of the expected central one
 
 /// A linear solve between rough surfaces that leaves much has nodes at the front full or dry by mistake.
@@ -56,6 +57,7 @@ StationaryNewton::StationaryNewton(const std::vector<ContactFilm*>& films, const
 
 // Where fronts move, Newton's way between rough surfaces leads up first; no gap changes by more than sigma in a step.
 void StationaryNewton::limit_changes(Changes changes) {
+  changes_ = changes;
   gearfilm::limit_changes(snes_, system_, changes);
   if (system_.film(0).scales().solids.rough) allow_growth(snes_, system_, Growth::tenfold);
 }
@@ -167,7 +169,8 @@ bool StationaryNewton::step(double shift) {
   mass_ = mass_of_state();
   for (double& mass : mass_) mass = std::max(mass, least);
   step_ = ImplicitStep{shift, mass_};
-  allow_iterations(snes_, std::min<int>(most_in_step, max_iterations_));
+  const int most = changes_ == Changes::free ? most_free : most_limited;
+  allow_iterations(snes_, std::min(most, max_iterations_));
   return iterate();
 }
 

@@ -102,6 +102,7 @@ private:
   OwnedSNES snes_;
   double tolerance_;
   int max_iterations_;
+  Changes changes_ = Changes::free;
   SolveCounts counts_;
   Watcher watcher_;
   struct {
