@@ -19,7 +19,7 @@ const Tuned<double> smallest_step("step_smallest_step", 1e-4, "smallest controll
 const Tuned<double> longest_growth("step_longest_growth", 2.0, "largest growth of a controlled step");
 const Tuned<double> longest_fall("step_longest_fall", 0.2, "largest fall of a controlled step");
 const Tuned<double> film_left("step_film_left", 0.7,
-                              "smallest film behind a step, over that before it, below which the step is halved");
+                              "smallest film behind a long step, over that before it, below which it is a short one");
 const Tuned<int> short_steps("step_short_steps", 4, "short steps that give the first guess of a whole one");
 const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short step before that is given up");
 
@@ -251,16 +251,15 @@ double SegmentStepper::equal_step(double T) const {
 double SegmentStepper::make_step(double dT) {
   keep(step_begin_, false);
   const std::vector<FilmQuantities> films = solved_films_;
-  const int last_try = options_.max_rejections + whole_tries();
   bool again = false;
-  for (int tries = 0; tries <= last_try; ++tries, again = true) {
+  for (int tries = 0; tries <= options_.max_rejections + whole_tries(); ++tries, again = true) {
     if (!try_step(dT, again)) {
       if (failures_ > whole_tries()) dT *= 0.5;
       continue;
     }
-    if (tries < last_try && films_fall_too_far(films)) {
+    if (dT > options_.of_falling_films * (1.0 + 1e-9) && films_fall_too_far(films)) {
       falling_until_ = std::max(falling_until_, step_begin_ + options_.time_of_falling);
-      dT = std::min(0.5 * dT, options_.of_falling_films);
+      dT = options_.of_falling_films;
       return_to_start_of_step();
       continue;
     }

@@ -151,6 +151,15 @@ TEST(TwoFreedoms, a_swing_that_begins_to_grow_is_found_and_two_real_multipliers_
   EXPECT_NEAR(born[0], 1.0, located);
 }
 
+/// Motions that films damp within a period are found as soon as they are marched, from however far.
+TEST(TwoFreedoms, newton_steps_go_as_far_as_the_map_does) {
+  const Motion defect = motion_at({7.0, 0.3, -0.2, 0.1});
+  EXPECT_LT(length(difference(MapJacobian(2, 0.4, {}).newton_step(defect, 0.5), defect)), 1e-12);
+  const Monodromy nearly_one = 0.99 * Monodromy::Identity(4, 4);
+  EXPECT_NEAR(MapJacobian(2, 0.4, nearly_one).newton_step(defect, 0.5).H0(), defect.H0(), 1e-12);
+  EXPECT_NEAR(MapJacobian(2, 0.4, nearly_one).newton_step(to_motion(0.01 * to_vector(defect)), 0.5).H0(), 0.5, 1e-12);
+}
+
 /// Newton's method from a bad guess with the Jacobian of another parameter, as the search for an orbit goes: Broyden's
 /// updates make of it that of the fixed point, along the way that was gone.
 TEST(TwoFreedoms, a_search_with_the_jacobian_of_another_parameter_finds_the_fixed_point) {
@@ -161,8 +170,8 @@ TEST(TwoFreedoms, a_search_with_the_jacobian_of_another_parameter_finds_the_fixe
   Motion image = map({x, lambda}, 1).image();
   int steps = 0;
   for (; length(difference(image, x)) > 1e-12 && steps < 30; ++steps) {
-    const Motion step = jacobian.newton_step(difference(image, x), 0.1);
-    EXPECT_LE(length({step.q, worth * step.v}), 0.1 + 1e-12);
+    const Motion defect = difference(image, x), step = jacobian.newton_step(defect, 0.1);
+    EXPECT_LE(length({step.q, worth * step.v}), std::max(0.1, length({defect.q, worth * defect.v})) + 1e-12);
     const Motion next{x.q + step.q, x.v + step.v}, next_image = map({next, lambda}, 1).image();
     jacobian.update(step, difference(next_image, image));
     EXPECT_LT((jacobian.monodromy() * to_vector(step) - to_vector(difference(next_image, image))).norm(), 1e-12);
