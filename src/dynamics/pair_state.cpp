@@ -18,11 +18,11 @@ PairState remapped(const PairState& state, MPI_Comm comm, const GridShape& shape
   return result;
 }
 
-PairState refined(const PairState& state, MPI_Comm comm) {
+PairState refined(const PairState& state, MPI_Comm comm, Coarsening along) {
   PairState result{state.motion, {}, state.shape};
   result.shape.nx = 2 * state.shape.nx - 1;
-  result.shape.row_axis = state.shape.row_axis.refined();
-  const Grid from(comm, state.shape), to(comm, result.shape), every_second = to.coarsened();
+  if (along == Coarsening::both) result.shape.row_axis = state.shape.row_axis.refined();
+  const Grid from(comm, state.shape), to(comm, result.shape), every_second = to.coarsened(along);
   Field<double> coarse(every_second), fine(to);
   for (const ContactFields& film : state.films) {
     result.films.emplace_back();

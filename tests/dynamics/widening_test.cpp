@@ -135,6 +135,10 @@ TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
   const PairState fine = refined(state, PETSC_COMM_WORLD);
   EXPECT_EQ(fine.shape, (rectangle(33, 25, -2.0, 1.2, 1.5)));
   EXPECT_EQ(fine.motion.H0(), -1.0);
+  // Rows over a face stay, equal ones too.
+  const PairState lines = refined(state, PETSC_COMM_WORLD, Coarsening::x_only);
+  EXPECT_EQ(lines.shape.row_axis, state.shape.row_axis);
+  EXPECT_EQ(values_of(lines.films[0], field::pressure).size(), Grid(PETSC_COMM_WORLD, lines.shape).local_size());
   const Grid grid(PETSC_COMM_WORLD, fine.shape);
   const std::vector<double>& values = values_of(fine.films[0], field::pressure);
   for (int i = 2; i < grid.nx() - 2; ++i) {
