@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dynamics/step_record.hpp"
+#include "grid/grid.hpp"
 
 namespace gearfilm {
 
