@@ -9,6 +9,25 @@
 #include "mesh/dry_force.hpp"
 
 namespace gearfilm {
+namespace {
+
+// Films that have rates d(rho H)/dT and oil rho H, at nodes of all contacts [-], change by an implicit step with
+//   d(rho H)/dT = rate + shift (rho H - rho H before) .
+
+/// What an ImplicitStep of this shift calls the mass before it.
+std::vector<double> mass_before(std::vector<double> oil, const std::vector<double>& rates, double shift) {
+  for (std::size_t n = 0; n < oil.size(); ++n) oil[n] -= rates[n] / shift;
+  return oil;
+}
+
+/// The rates behind the step.
+std::vector<double> rates_behind(std::vector<double> oil, const std::vector<double>& before,
+                                 const std::vector<double>& rates, double shift) {
+  for (std::size_t n = 0; n < oil.size(); ++n) oil[n] = rates[n] + shift * (oil[n] - before[n]);
+  return oil;
+}
+
+}  // namespace
 
 // One implicit step of the change alone: G = 0 at the new displacements with
 // d(rho H)/dT = rate + (rho H - rho H before)/duration, so that no jump is no change. Where films cannot follow at
@@ -26,8 +45,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
   }
   const std::vector<double> oil = oil_at(there);
   const std::vector<double> rates = values(field::rate);
-  std::vector<double> mass = oil;
-  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
+  const std::vector<double> mass = mass_before(oil, rates, shift);
   const LoadCondition load = LoadCondition::displacement(motion_.H0(), compliance);
   const auto solved = [&](double part, const NewtonOptions& options) {
     const std::vector<ContactFilm*> films = present_films();
@@ -61,9 +79,7 @@ void MeshedFilms::follow(const std::map<int, double>& before, double duration) {
                        std::to_string(-largest));
     }
   }
-  std::vector<double> rate = oil_at(displacements());
-  for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
-  set_values(field::rate, rate);
+  set_values(field::rate, rates_behind(oil_at(displacements()), oil, rates, shift));
 }
 
 // G = 0 with d(rho H)/dT = rate + shift (rho H - rho H of the interpolated pressures): at once with a shift so small
@@ -73,14 +89,11 @@ void MeshedFilms::adapt_pressures() {
   const std::vector<double> rates = values(field::rate), oil = oil_at(displacements());
   const LoadCondition load = LoadCondition::displacement(motion_.H0(), mesh_.compliance(numbers(), T_));
   const auto solved = [&](double shift, const NewtonOptions& options) {
-    std::vector<double> mass = oil;
-    for (std::size_t n = 0; n < mass.size(); ++n) mass[n] -= rates[n] / shift;
+    const std::vector<double> mass = mass_before(oil, rates, shift);
     FilmSolution films{values(field::pressure), motion_.H0()};
     if (!StationaryNewton(present_films(), options).solve(load, films, ImplicitStep{shift, mass})) return false;
     set_values(field::pressure, films.pressure);
-    std::vector<double> rate = oil_at(displacements());
-    for (std::size_t n = 0; n < rate.size(); ++n) rate[n] = rates[n] + shift * (rate[n] - oil[n]);
-    set_values(field::rate, rate);
+    set_values(field::rate, rates_behind(oil_at(displacements()), oil, rates, shift));
     return true;
   };
   if (solved(unfelt, options_.films.newton)) return;

@@ -36,9 +36,13 @@ std::optional<PairNumerics> coarser(const PairNumerics& numerics) {
   constexpr int fewest_x = 33, fewest_y = 9;
   PairNumerics coarse = numerics;
   coarse.nx = (numerics.nx - 1) / 2 + 1;
-  if (!coarse.face_rows) coarse.ny = (numerics.ny - 1) / 2 + 1;
+  if (coarsened_along(numerics) == Coarsening::both) coarse.ny = (numerics.ny - 1) / 2 + 1;
   coarse.steps.lengthen(2.0);
   return coarse.nx >= fewest_x && coarse.ny >= fewest_y ? std::optional(coarse) : std::nullopt;
+}
+
+Coarsening coarsened_along(const PairNumerics& numerics) {
+  return numerics.face_rows ? Coarsening::x_only : Coarsening::both;
 }
 
 SlightlyCoarser slightly_coarser(const PairNumerics& numerics) {

@@ -36,6 +36,8 @@ Steps steps_of(const PairNumerics& numerics);
 
 /// Every second node, and twice the time step, of a grid that can be halved; nothing where too few nodes are left.
 std::optional<PairNumerics> coarser(const PairNumerics& numerics);
+/// Along which axes that grid has every second node: rows over a face stay.
+Coarsening coarsened_along(const PairNumerics& numerics);
 
 /// Numerics whose steps in space and time are longer by about the root of two; `ratio` is that along X and in time.
 struct SlightlyCoarser {

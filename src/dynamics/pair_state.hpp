@@ -18,8 +18,8 @@ struct PairState {
 /// The state of the pair on a grid of the same lattice that reaches farther, or less far (remap.hpp). Collective.
 PairState remapped(const PairState& state, MPI_Comm comm, const GridShape& shape);
 
-/// The same on the grid of which the state's has every second node, or every second line and all rows: fields in
-/// between by cubic interpolation. Collective.
-PairState refined(const PairState& state, MPI_Comm comm, Coarsening along = Coarsening::both);
+/// A state put on the grid that has a further node between every two of its own, along X and Y or, by x_only, along X
+/// alone. Values there are interpolated by cubics; the motion stays. Collective.
+PairState refined(const PairState& state, MPI_Comm comm, Coarsening along);
 
 }  // namespace gearfilm

@@ -19,7 +19,7 @@ const Tuned<double> smallest_step("step_smallest_step", 1e-4, "smallest controll
 const Tuned<double> longest_growth("step_longest_growth", 2.0, "largest growth of a controlled step");
 const Tuned<double> longest_fall("step_longest_fall", 0.2, "largest fall of a controlled step");
 const Tuned<double> film_left("step_film_left", 0.7,
-                              "smallest film behind a long step, over that before it, below which it is a short one");
+                              "part of the smallest film that a long step leaves, or it is made again as short ones");
 const Tuned<int> short_steps("step_short_steps", 4, "short steps that give the first guess of a whole one");
 const Tuned<int> short_halvings("step_short_halvings", 2, "halvings of a short step before that is given up");
 
@@ -233,8 +233,8 @@ bool SegmentStepper::control(double& dT, bool again) {
 // An entering contact that takes up its load long after it entered is closed by its teeth, faster than oil is carried
 // through it. Rough surfaces carry each other where no film is left.
 bool SegmentStepper::films_fall_too_far(const std::vector<FilmQuantities>& before, double part) const {
-  const double left = std::pow(film_left, part);
   if (pair_.mesh().scales.solids.rough) return false;
+  const double left = std::pow(film_left, part);
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (solved_films_[k].smallest_film < left * before[k].smallest_film) return true;
   }

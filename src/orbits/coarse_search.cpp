@@ -30,11 +30,6 @@ double time_to_lead(const MeshModel& mesh) {
   return std::min(1.5 * pressure_length(ExpectedFilm(mesh.scales)), mesh.path.mesh_period() / 7.0);
 }
 
-/// Rows over a face stay on the coarser grid.
-Coarsening halved_along(const OrbitProblem& problem) {
-  return problem.numerics.face_rows ? Coarsening::x_only : Coarsening::both;
-}
-
 /// A pair that swings often in a mesh period ends it elsewhere with steps that are too long. Formulas of second order
 /// have the frequency w wrong by (w dT)^2/3 of it, most of which the fit of frequencies takes away.
 bool keeps_phase(const OrbitProblem& problem) {
@@ -181,8 +176,8 @@ double film_shift(const CoarseSearch& coarse, const OrbitProblem& problem, const
   try {
     const FilmSolution& film = coarse.pitch_film();
     const ContactFields fields{{std::string(field::pressure.name), film.pressure}};
-    const PairState fine =
-        refined({{}, {fields}, coarse.films()->grid().shape()}, films->grid().comm(), halved_along(problem));
+    const PairState fine = refined({{}, {fields}, coarse.films()->grid().shape()}, films->grid().comm(),
+                                   coarsened_along(problem.numerics));
     const FilmSolution guess{values_of(fine.films.front(), field::pressure), film.H0};
     return pitch_film(problem.mesh.scales, problem.numerics, films, &guess).solution.H0 - film.H0;
   } catch (const SolveError&) {
@@ -195,7 +190,7 @@ OrbitGuess guess_on_grid(const OrbitProblem& problem, const SharedDiscretisation
   OrbitGuess guess = search.guess_from(coarse);
   const double shift = film_shift(search, problem, films);
   guess.motion.H0() += shift;
-  guess.neighbour = refined(*coarse.orbit.before, films->grid().comm(), halved_along(problem));
+  guess.neighbour = refined(*coarse.orbit.before, films->grid().comm(), coarsened_along(problem.numerics));
   guess.neighbour->motion.H0() += shift;
   guess.lead = search.problem().search.options.lead;
   return guess;

@@ -10,7 +10,8 @@ namespace gearfilm {
 namespace {
 
 const Tuned<int> most_free("stationary_most_free", 12, "Newton iterations of a pseudo-time step with free changes");
-const Tuned<int> most_limited("stationary_most_limited", 40, "the same, with limited ones");
+const Tuned<int> most_limited("stationary_most_limited", 40,
+                              "Newton iterations of a pseudo-time step with limited changes");
 constexpr double thinnest = 0.1;  // film before a pseudo-time step, of the expected central one
 
 /// A linear solve between rough surfaces that leaves much has nodes at the front full or dry by mistake.

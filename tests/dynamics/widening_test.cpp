@@ -132,7 +132,7 @@ TEST(Refined, state_is_the_same_at_the_nodes_it_had_and_smooth_between) {
   };
   PairState state{{-1.0, 0.2}, {{}}, coarse};
   state.films[0].emplace(field::pressure.name, on(Grid(PETSC_COMM_WORLD, coarse)));
-  const PairState fine = refined(state, PETSC_COMM_WORLD);
+  const PairState fine = refined(state, PETSC_COMM_WORLD, Coarsening::both);
   EXPECT_EQ(fine.shape, (rectangle(33, 25, -2.0, 1.2, 1.5)));
   EXPECT_EQ(fine.motion.H0(), -1.0);
   // Rows over a face stay, equal ones too.
@@ -154,7 +154,7 @@ TEST(Refined, films_become_those_of_the_grid) {
   RecordedMarch coarse(table3_case(with(with(after_leaving(), {{"time.dt", "0.025"}}), wide)));
   coarse.start();
   coarse.run(T);
-  const PairState state = refined(coarse.march().state(), PETSC_COMM_WORLD);
+  const PairState state = refined(coarse.march().state(), PETSC_COMM_WORLD, Coarsening::both);
   coarse.run(soon);
   const auto newton_iterations = [&](bool adapted) {
     RecordedMarch fine(
